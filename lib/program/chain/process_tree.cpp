@@ -22,7 +22,8 @@ constexpr std::size_t parent_position = 1, first_ticks = 11, last_ticks = 14;
 // The words there; none if the process has ended.
 std::vector<std::string> status_words(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text;
+  std::getline(file, text, '\0');         // unlike the file's buffer, it does not throw if the process ends meanwhile
   const auto name_end = text.rfind(')');  // a name may contain this, too
   std::istringstream rest(name_end == std::string::npos ? "" : text.substr(name_end + 1));
   return {std::istream_iterator<std::string>(rest), {}};

@@ -144,7 +144,7 @@ ChildEnd run_command(const std::vector<std::string>& words, const Streams& strea
   if (!streams.errors) return run_child([&] { return become(words, streams.input, STDERR_FILENO); }, budget, share);
   const Pipe pipe;
   const auto look = [&] { pipe.append_to(*streams.errors); };
-  const auto end = run_looking([&] { return become(words, streams.input, pipe.input()); }, budget, share, look);
+  auto end = run_looking([&] { return become(words, streams.input, pipe.input()); }, budget, share, look);
   look();
   return end;
 }

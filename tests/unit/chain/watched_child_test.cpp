@@ -122,9 +122,11 @@ TEST(RunChild, may_reserve_more_memory) {
   EXPECT_EQ(run_child(reserve, budget, Share::all).code, 0);
 }
 
+std::string part;  // a file of the next test, for its signal handler
+
 TEST(RunChild, can_clean_up_when_it_is_stopped) {
   const TemporaryFolder folder;
-  static const std::string part = folder.file("part");
+  part = folder.file("part");
   Budget budget({.memory = 200 << 20, .grace = 60});
   const auto work = [&] {
     std::signal(SIGTERM, [](int) { _exit(unlink(part.c_str())); });
