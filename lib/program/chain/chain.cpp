@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace quadrille::chain {
 
@@ -27,25 +26,29 @@ bool may_go_on(const ChainState& chain, Stage stage, const StageEnd& end) {
   }
 }
 
-/// Prints the warnings of the last run, unless one with the same code and text was printed before.
-void print_warnings(const ChainState& chain) {
-  if (chain.options.is_quiet) return;
-  const std::vector<io::StageReport>& reports = chain.runner.reports();
-  std::set<std::string> printed;
-  for (auto report = reports.begin(); report != reports.end(); ++report)
-    for (io::ReportedWarning& warning : io::warnings_of(*report)) {
-      std::replace(warning.message.begin(), warning.message.end(), '\n', ' ');
-      const std::string text = fmt::format("warning {}: {}", warning.code, warning.message);
-      const bool is_used = !report->stage.starts_with("failed_");
-      if (is_used && printed.insert(text).second && report + 1 == reports.end())
-        fmt::print(stderr, "{}: {}\n", warning.tool, text);
-    }
-}
-
 }  // namespace
 
 void inform(const ChainState& chain, const std::string& text) {
   if (!chain.options.is_quiet) fmt::print(stderr, "quadmesh: {}\n", text);
+}
+
+void print_warnings(ChainState& chain, std::size_t first_run) {
+  if (chain.options.is_quiet) return;
+  const std::vector<io::StageReport>& reports = chain.runner.reports();
+  for (std::size_t i = first_run; i < reports.size(); ++i) {
+    if (reports[i].stage.starts_with("failed_")) continue;
+    for (io::ReportedWarning& warning : io::warnings_of(reports[i])) {
+      std::replace(warning.message.begin(), warning.message.end(), '\n', ' ');
+      const std::string text = fmt::format("warning {}: {}", warning.code, warning.message);
+      if (chain.printed_warnings.insert(text).second) fmt::print(stderr, "{}: {}\n", warning.tool, text);
+    }
+  }
+}
+
+void print_stop(const ChainState& chain) {
+  if (chain.options.is_quiet) return;
+  for (const io::ReportedWarning& warning : io::warnings_of(chain.given_up->report))
+    fmt::print(stderr, "{}: warning {}: {}\n", warning.tool, warning.code, warning.message);
 }
 
 std::vector<std::string> chosen_words(const ChainState& chain, Stage stage) {
@@ -70,12 +73,12 @@ bool run_stage(ChainState& chain, StageTask task) {
   if (chain.options.is_dry_run) {
     std::vector<std::string> words = command_words(task, chain.options);
     words.insert(words.begin(), tool);
-    fmt::print("{}\n", shell_command(words));
+    fmt::print("{}{}\n", chain.comment, shell_command(words));
     chain.last = task.output;
     return true;
   }
   StageEnd end = chain.runner.run(task, chain.has_other_way ? Share::most : Share::all);
-  if (!end.is_stopped) print_warnings(chain);
+  if (!end.is_stopped) print_warnings(chain, chain.runner.reports().size() - 1);
   if (may_go_on(chain, task.stage, end)) {
     chain.given_up = std::move(end);
     return false;

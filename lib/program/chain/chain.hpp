@@ -3,6 +3,7 @@
 // folder; run_chain calls them in their order.
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "chain/chain_options.hpp"
@@ -63,20 +64,28 @@ struct ChainState {
   ChainFiles files;
   std::optional<std::string> standard_input;  ///< its bytes, if it is the shape or the nodes
   bool keeps_files = false;                   ///< files are written, not only kept in memory
-  bool has_other_way = false;     ///< if the field has no valid result, triangles may be divided
-  bool has_fixed_nodes = false;   ///< given by the user, or edited: they are not replaced
-  std::optional<NodeForm> form;   ///< of the nodes in use
+  bool has_other_way = false;                 ///< if the field has no valid result, triangles may be divided
+  bool has_fixed_nodes = false;               ///< given by the user, or edited: they are not replaced
+  std::optional<NodeForm> form;               ///< of the nodes in use
   std::size_t num_nodes = 0;
-  std::string prefix;             ///< of the names of stages in the report
-  std::string last;               ///< path of the last file that was made
-  std::string remedy;             ///< words for critpoints that gave a layout
-  std::optional<StageEnd> given_up;  ///< the stage without a valid result after which the run went on
+  std::string prefix;                      ///< of the names of stages in the report
+  std::string comment;                     ///< before the commands of --dry-run
+  std::set<std::string> printed_warnings;  ///< codes and texts
+  std::string last;                        ///< path of the last file that was made
+  std::string remedy;                      ///< words for critpoints that gave a layout
+  std::optional<StageEnd> given_up;        ///< the stage without a valid result after which the run went on
 
   bool is_due(Stage stage) const { return !is_before(stage, options.first) && !is_before(options.last, stage); }
 };
 
 /// A sentence of quadmesh itself on standard error, but not with -q.
 void inform(const ChainState& chain, const std::string& text);
+
+/// Prints the warnings of the runs from this one on, each text once in a run of the chain.
+void print_warnings(ChainState& chain, std::size_t first_run);
+
+/// Prints that the last stage without a result was stopped, and that the quads are made without a field.
+void print_stop(const ChainState& chain);
 
 /// The words of a stage on the command line and those that were added.
 std::vector<std::string> chosen_words(const ChainState& chain, Stage stage);

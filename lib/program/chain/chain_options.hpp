@@ -38,16 +38,17 @@ void declare(Options& options, Stage stage, StageOptions& values);
 using Words = std::map<std::string, std::vector<std::string>>;
 
 struct ChainOptions {
-  std::string shape;                    ///< path, or "-"; may be empty with `first`
-  std::string output;                   ///< path; empty or "-": standard output
-  std::string workdir, report, html;    ///< paths; empty: none
-  std::string nodes_file;               ///< critical points to use; "-": standard input
-  std::string threads;                  ///< a number or "auto"; empty: auto
-  Limits limits;                        ///< of seconds and memory
+  std::string shape;                  ///< path, or "-"; may be empty with `first`
+  std::string output;                 ///< path; empty or "-": standard output
+  std::string workdir, report, html;  ///< paths; empty: none
+  std::string nodes_file;             ///< critical points to use; "-": standard input
+  std::string threads;                ///< as given; empty: auto
+  int num_threads = 0;                ///< 0: auto
+  Limits limits;                      ///< of seconds and memory
   Stage first = Stage::cad2tri, last = Stage::quadexport;
-  std::string from, until;              ///< their names if they were given
-  std::string point_option;             ///< an option of points2step that was given
-  std::string cad_option;               ///< an option of cad2tri that was given
+  std::string from, until;   ///< their names if they were given
+  std::string point_option;  ///< an option of points2step that was given
+  std::string cad_option;    ///< an option of cad2tri that was given
   bool is_verbose = false, is_quiet = false, is_dry_run = false;
   std::map<Stage, std::string> programs;  ///< external programs in place of stages, commands for a shell
   Words words;                            ///< of each stage and of points2step, as given

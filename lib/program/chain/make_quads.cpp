@@ -73,8 +73,8 @@ bool solve_phase(ChainState& chain, NodeFiles& files) {
 /// With --dry-run, for a person: whether they run depends on what critpoints finds.
 void print_phase_stages(ChainState& chain, NodeFiles& files) {
   if (!chain.is_due(Stage::separatrix)) return;
-  fmt::print("# if \"form\" is \"phase\" in {}, or its nodes were edited; separatrix then reads {}:\n", files.nodes.name(),
-             files.phase.path());
+  fmt::print("# if \"form\" is \"phase\" in {}, or its nodes were edited; separatrix then reads {}:\n",
+             files.nodes.name(), files.phase.path());
   const std::string before = chain.last;
   chain.comment = "# ";
   solve_phase(chain, files);
@@ -110,8 +110,7 @@ bool divide_triangles(ChainState& chain) {
   task.output = files.of_nodes.graph.path();
   task.words = {files.triangles.path()};
   task.compute = [&](Run& run) {
-    files.of_nodes.graph.set(stage::separatrix(files.triangles.input(), layout_options(chain), run),
-                             chain.keeps_files);
+    files.of_nodes.graph.set(stage::separatrix(files.triangles.input(), layout_options(chain), run), chain.keeps_files);
   };
   task.write_inputs = [&] { files.triangles.write(); };
   task.drop_result = [&] { files.of_nodes.graph.forget(); };
@@ -125,10 +124,9 @@ bool make_blocks(ChainState& chain) {
   task.output = files.blocks.path();
   task.words = {files.of_nodes.graph.path()};
   task.compute = [&](Run& run) {
-    const BlockNames names = block_names(chain);
-    files.blocks.set(
-        stage::blocksplit(files.of_nodes.graph.input(), names.input(), chain.values.blocksplit, run),
-        chain.keeps_files);
+    const Names names = block_names(chain);
+    files.blocks.set(stage::blocksplit(files.of_nodes.graph.input(), names.input(), chain.values.blocksplit, run),
+                     chain.keeps_files);
   };
   task.write_inputs = [&] { files.of_nodes.graph.write(); };
   task.drop_result = [&] { files.blocks.forget(); };
@@ -156,19 +154,16 @@ bool quads_of_graph(ChainState& chain) { return make_blocks(chain) && refine_blo
 bool quads_of_triangles(ChainState& chain) { return divide_triangles(chain) && quads_of_graph(chain); }
 
 bool quads_of_field(ChainState& chain) {
-  return solve_field(chain) && make_graph(chain, chain.files.of_nodes, {}) && try_remedies(chain) &&
-         quads_of_graph(chain);
+  if (!solve_field(chain) || !make_graph(chain, chain.files.of_nodes, {})) return false;
+  try_remedies(chain);
+  return quads_of_graph(chain);
 }
 
-/// On standard error: that the quads are made without a field.
+/// That the quads are made without a field.
 void warn_of_triangles(const ChainState& chain) {
-  const StageEnd& end = *chain.given_up;
-  if (chain.options.is_quiet) return;
-  if (!end.is_stopped)
-    return inform(chain, fmt::format("{} found no valid result: the quads are made without a field",
-                                     *io::value_of(end.report, "tool")));
-  for (const io::ReportedWarning& warning : io::warnings_of(end.report))
-    fmt::print(stderr, "{}: warning {}: {}\n", warning.tool, warning.code, warning.message);
+  if (chain.given_up->is_stopped) return print_stop(chain);
+  inform(chain, fmt::format("{} found no valid result: the quads are made without a field",
+                            *io::value_of(chain.given_up->report, "tool")));
 }
 
 }  // namespace
@@ -176,7 +171,7 @@ void warn_of_triangles(const ChainState& chain) {
 bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::string>& node_words) {
   if (!make_nodes(chain, files, node_words)) return false;
   StageFile<Field>* field = &chain.files.field;
-  if (chain.options.is_dry_run && !chain.has_fixed_nodes) {
+  if (chain.options.is_dry_run && !have_phase_form(chain, files)) {
     print_phase_stages(chain, files);
   } else if (needs_own_field(chain, files)) {
     if (!solve_phase(chain, files)) return false;

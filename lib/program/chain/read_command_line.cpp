@@ -18,13 +18,13 @@ namespace {
 
 const std::vector<std::string> own_flags{"--help", "--verbose", "--quiet", "--version", "--dry-run"};
 const std::vector<std::string> own_values{
-    "--output",         "--workdir",       "--html", "--report", "--max-seconds",    "--max-memory",    "--threads",
-    "--face",           "--boundary-names", "--name", "--region-name", "--periodic", "--offset",
-    "--heal-tolerance", "--fit-tolerance", "--blunt", "--write-healed", "--nodes",   "--from",          "--until",
-    "--farfield",       "--wake",          "--chord", "--stage"};
-const std::set<std::string> of_cad2tri{"--face",          "--boundary-names", "--name",        "--region-name",
-                                       "--periodic",      "--offset",         "--heal-tolerance", "--fit-tolerance",
-                                       "--blunt",         "--write-healed"};
+    "--output",  "--workdir",        "--html",           "--report", "--max-seconds",  "--max-memory",
+    "--threads", "--face",           "--boundary-names", "--name",   "--region-name",  "--periodic",
+    "--offset",  "--heal-tolerance", "--fit-tolerance",  "--blunt",  "--write-healed", "--nodes",
+    "--from",    "--until",          "--farfield",       "--wake",   "--chord",        "--stage"};
+const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
+                                       "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
+                                       "--blunt",    "--write-healed"};
 const std::set<std::string> of_points{"--farfield", "--wake", "--chord"};
 
 /// The stages whose options are options of quadmesh.
@@ -146,7 +146,7 @@ class Reader {
     if (flag == "--workdir") options_.workdir = value;
     if (flag == "--html") options_.html = value;
     if (flag == "--report") options_.report = value;
-    if (flag == "--threads") options_.threads = value.empty() ? "none" : value;
+    if (flag == "--threads") options_.threads = value, options_.num_threads = cli::threads_of(value);
     if (flag == "--max-seconds") options_.limits.seconds = parse_max_seconds(value);
     if (flag == "--max-memory") options_.limits.memory = parse_max_memory(value);
     if (flag == "--from") options_.first = stage_named(flag, value), options_.from = value;
@@ -192,8 +192,7 @@ class Reader {
   }
 
   void take_shape(const std::string& word) {
-    if (!options_.shape.empty())
-      throw UsageError(fmt::format("more than one shape: {} and {}", options_.shape, word));
+    if (!options_.shape.empty()) throw UsageError(fmt::format("more than one shape: {} and {}", options_.shape, word));
     if (word.empty()) throw UsageError("the name of the shape is empty");
     options_.shape = word;
     words_.erase(words_.begin());
@@ -256,8 +255,7 @@ StageOptions stage_options(const ChainOptions& options) {
   for (int i = 0; i < num_stages; ++i) {
     const auto stage = static_cast<Stage>(i);
     const auto words = options.words.find(enum_name(stage));
-    if (words != options.words.end())
-      cli::set_options([&](Options& o) { declare(o, stage, values); }, words->second);
+    if (words != options.words.end()) cli::set_options([&](Options& o) { declare(o, stage, values); }, words->second);
   }
   return values;
 }

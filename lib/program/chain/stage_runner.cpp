@@ -88,8 +88,7 @@ void StageRunner::print_messages(const StageEnd& end) const { fmt::print(stderr,
 
 StageEnd StageRunner::run_here(const StageTask& task) {
   const std::string tool = enum_name(task.stage);
-  const int threads = options_.threads.empty() || options_.threads == "auto" ? 0 : std::stoi(options_.threads);
-  cli::Session session(tool, "{}", options_.is_quiet ? -1 : 0, threads);
+  cli::Session session(tool, "{}", options_.is_quiet ? -1 : 0, options_.num_threads);
   session.leave_out_earlier_work();
   if (!options_.is_quiet && isatty(STDERR_FILENO) == 1) {
     cli::ProgressStyle style;
@@ -104,13 +103,15 @@ StageEnd StageRunner::run_here(const StageTask& task) {
   if (!outcome.is_success()) remove_temporaries();
   session.report().set("exit_code", static_cast<int>(outcome.code));
   if (!outcome.is_success()) session.report().set("error", outcome.message);
-  return {outcome.code, outcome.message, messages_of(tool, outcome), false,
+  return {outcome.code,
+          outcome.message,
+          messages_of(tool, outcome),
+          false,
           {task.name, io::report_text(tool, version, session.report())}};
 }
 
 std::vector<std::string> StageRunner::command_of(const StageTask& task, const std::string& report) const {
-  std::vector<std::string> words{"/bin/sh", "-c", options_.programs.at(task.stage) + " \"$@\"",
-                                 enum_name(task.stage)};
+  std::vector<std::string> words{"/bin/sh", "-c", options_.programs.at(task.stage) + " \"$@\"", enum_name(task.stage)};
   const std::vector<std::string> own = command_words(task, options_);
   words.insert(words.end(), own.begin(), own.end());
   words.insert(words.end(), {"--report", report});

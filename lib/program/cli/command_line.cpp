@@ -15,6 +15,7 @@
 #include "base/option_interval.hpp"
 #include "base/option_record.hpp"
 #include "cli/overwrite.hpp"
+#include "cli/stage_words.hpp"
 
 namespace quadrille::cli {
 
@@ -52,6 +53,12 @@ std::vector<std::string> with_present_names(int argc, char** argv,
   return arguments;
 }
 
+}  // namespace
+
+int threads_of(const std::string& text) { return text == "auto" ? 0 : integer_within("--threads", text, 1, 1024); }
+
+namespace {
+
 /// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
 struct CallForOptionList {};
 
@@ -75,7 +82,7 @@ struct CommandLine::Impl {
 
   void add_threads(int& threads) {
     const auto set = [&threads](const CLI::results_t& texts) {
-      threads = texts.back() == "auto" ? 0 : integer_within("--threads", texts.back(), 1, 1024);
+      threads = threads_of(texts.back());
       return true;
     };
     add("--threads", "N|auto", set,
