@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     if (!shape.empty()) return stage::require_critpoints_of(io::read_face(io::read_input(shape)), options);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
-    const Field field = io::read_field(file);
+    const Field field = io::read_stage<Field>(file);
     const CriticalPoints points = stage::critpoints({field, file}, options, s);
     s.begin_phase("write");
     io::write_stage(output, points);

@@ -19,9 +19,9 @@ struct Files {
 
 /// For pipelines: quadmesh solves for another field if these are not nodes of this one.
 void check_nodes(const io::InputFile& field_file, const std::string& path) {
-  const Field field = io::read_field(field_file);
+  const Field field = io::read_stage<Field>(field_file);
   const io::InputFile file = io::read_input(path);
-  const CriticalPoints points = io::read_critical_points(file);
+  const CriticalPoints points = io::read_stage<CriticalPoints>(file);
   const std::string reason = stage::reason_to_solve_for({points, file}, {field, field_file});
   if (!reason.empty()) throw FormatError(reason);
 }
@@ -29,13 +29,13 @@ void check_nodes(const io::InputFile& field_file, const std::string& path) {
 SeparatrixGraph graph_of(const io::InputFile& file, const Files& files, const stage::SeparatrixOptions& options,
                          cli::Session& session) {
   if (io::stage_format(file) == "tri-mesh") {
-    const TriMesh triangles = io::read_tri_mesh(file);
+    const TriMesh triangles = io::read_stage<TriMesh>(file);
     return stage::separatrix({triangles, file}, options, session);
   }
-  const Field field = io::read_field(file);
+  const Field field = io::read_stage<Field>(file);
   if (options.layout == layout::LayoutChoice::midpoint) return stage::separatrix({field, file}, {}, options, session);
   const io::InputFile points_file = io::read_input(files.points);
-  const CriticalPoints points = io::read_critical_points(points_file);
+  const CriticalPoints points = io::read_stage<CriticalPoints>(points_file);
   return stage::separatrix({field, file}, stage::Input<CriticalPoints>(points, points_file), options, session);
 }
 

@@ -65,7 +65,6 @@ QuantizedTMesh quantized_t_mesh(quantize::TMeshTracer& tracer, const CriticalPoi
     if (!found.lengths.empty()) {
       q.lengths = std::move(found.lengths);
       report.set("quantize.rejected_merges", num_rejected);
-      report.set("quantize.merges_given_up", num_rejected);  // former name
       report.set("quantize.longest_arc", *std::max_element(q.lengths.begin(), q.lengths.end()));
       return q;
     }

@@ -10,7 +10,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  return broken_rules(samples::block_layout(), check_block_layout, damage);
+  return broken_rules(samples::block_layout(), damage);
 }
 
 TEST(BlockLayoutCheck, TheSampleIsValid) {
@@ -88,9 +88,7 @@ TEST(BlockLayoutCheck, BlkR14ValencesAreBlocks) {
             Rules{"BLK-R14"});
 }
 TEST(BlockLayoutCheck, BlkR16BlocksLieInOneRegion) {
-  const auto broken_regions = [](const auto& damage) {
-    return broken_rules(samples::two_regions_layout(), check_block_layout, damage);
-  };
+  const auto broken_regions = [](const auto& damage) { return broken_rules(samples::two_regions_layout(), damage); };
   EXPECT_EQ(broken_regions([](auto&) {}), Rules{});
   EXPECT_EQ(broken_regions([](auto& b) { b.block_region = {1, 0}; }), Rules{"BLK-R16"});
   EXPECT_EQ(broken_regions([](auto& b) { b.block_region.clear(); }), Rules{"BLK-R16"});

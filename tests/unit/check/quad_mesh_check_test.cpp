@@ -10,7 +10,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  return broken_rules(samples::quad_mesh(), check_quad_mesh, damage);
+  return broken_rules(samples::quad_mesh(), damage);
 }
 
 TEST(QuadMeshCheck, TheSampleIsValid) {
@@ -77,7 +77,7 @@ TEST(QuadMeshCheck, QuaR11SizesAreInRange) {
 
 template <typename Damage>
 Rules broken_regions(const Damage& damage) {
-  return broken_rules(samples::two_regions_quads(), check_quad_mesh, damage);
+  return broken_rules(samples::two_regions_quads(), damage);
 }
 
 TEST(QuadMeshCheck, QuaR12InterfacesAreNamedFromBothSides) {
