@@ -2,8 +2,8 @@
 load ../tools/common
 
 setup_file() {
-  [[ -f $BIN/../lib/libquadrille_files.a ]] || skip "built without QUADRILLE_LIBRARY"
-  if nm "$BIN/../lib/libquadrille_files.a" 2>/dev/null | grep -q __asan_init; then skip "built with sanitizers"; fi
+  [[ -f $BIN/../lib/program/libquadrille_files.a ]] || skip "built without QUADRILLE_LIBRARY"
+  if nm "$BIN/../lib/program/libquadrille_files.a" 2>/dev/null | grep -q __asan_init; then skip "built with sanitizers"; fi
   cmake --install "$BIN/.." --prefix "$BATS_FILE_TMPDIR/usr" >"$BATS_FILE_TMPDIR/log"
   cp -r "$ROOT/tests/consumer" "$BATS_FILE_TMPDIR"
   cd "$BATS_FILE_TMPDIR/consumer" || return

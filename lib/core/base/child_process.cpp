@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <exception>
 
@@ -64,10 +65,7 @@ std::string outcome_of(const std::function<std::string()>& work) {
   }
 }
 
-void limit_child(int cpu_seconds, pid_t parent) {
-  // The child ends if its parent is killed, since no process would read its result.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
+void limit_child(int cpu_seconds) {
   const rlimit no_core{0, 0}, cpu{static_cast<rlim_t>(cpu_seconds), static_cast<rlim_t>(cpu_seconds) + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
@@ -76,10 +74,15 @@ void limit_child(int cpu_seconds, pid_t parent) {
   const rlimit memory{most_memory, most_memory};
   setrlimit(RLIMIT_DATA, &memory);
 #endif
-  // The parent's handlers would remove the parent's temporaries, so the child resets them.
-  for (const int signal :
-       {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL})
-    std::signal(signal, SIG_DFL);
+}
+
+// The parent's handlers would remove the parent's temporaries. What is ignored stays ignored.
+void remove_signal_handlers() {
+  for (int signal = 1; signal < NSIG; ++signal) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN && action.sa_handler != SIG_DFL)
+      std::signal(signal, SIG_DFL);
+  }
 }
 
 // _exit instead of exit: buffers and exit handlers belong to the parent, and a program that has answered has nothing
@@ -150,14 +153,15 @@ std::string answer_of_child(const std::function<void(int fd)>& body, const std::
                             int& status) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw Defect(std::string("cannot make a pipe: ") + std::strerror(errno));
-  const pid_t parent = getpid(), child = fork();
-  if (child < 0) throw Defect(std::string("cannot start a process: ") + std::strerror(errno));
-  if (child == 0) {
-    close(ends[0]);
-    limit_child(cpu_seconds, parent);
-    body(ends[1]);
-    _exit(1);
-  }
+  // The child is killed with its parent, since no process would read its result.
+  const pid_t child = start_child(
+      [&] {
+        close(ends[0]);
+        limit_child(cpu_seconds);
+        body(ends[1]);
+        return 1;
+      },
+      SIGKILL);
   close(ends[1]);
   feed();
   std::string bytes = read_all(ends[0]);
@@ -175,6 +179,21 @@ std::string result_of(const std::string& bytes, int status, const std::string& c
 }
 
 }  // namespace
+
+pid_t start_child(const std::function<int()>& body, int death_signal) {
+  std::signal(SIGCHLD, SIG_DFL);  // no child could be waited for if it was ignored
+  std::fflush(nullptr);           // or both processes would write what is buffered
+  const pid_t parent = getpid(), child = fork();
+  if (child < 0) throw Defect(std::string("cannot start a process: ") + std::strerror(errno));
+  if (child > 0) return child;
+  prctl(PR_SET_PDEATHSIG, death_signal);
+  if (getppid() != parent) _exit(1);
+  remove_signal_handlers();
+  const auto work = [&]() noexcept { return body(); };  // an exception does not reach what the parent would do next
+  const int code = work();
+  std::fflush(nullptr);
+  _exit(code);
+}
 
 std::string run_in_child(const std::function<std::string()>& work, const std::string& crash_message, int cpu_seconds) {
   int status = 0;

@@ -2,10 +2,17 @@
 // Runs work that may crash, such as third-party readers of arbitrary bytes, in a child process: a copy of this process,
 // or a program with libraries that this one shall not load.
 
+#include <sys/types.h>
+
 #include <functional>
 #include <string>
 
 namespace quadrille {
+
+/// Starts a copy of this process, which executes `body`; its value is the exit code, an exception aborts. The copy has
+/// none of this process's signal handlers, does not run its exit handlers, and gets `death_signal` when the calling
+/// thread ends. Throws Defect if no process can be started.
+pid_t start_child(const std::function<int()>& body, int death_signal);
 
 /// Runs `work` in a forked child and returns its result. Errors of base/error.hpp thrown in the child are rethrown here
 /// with their type and message. Throws FormatError with `crash_message` if the child is killed by a signal, runs out of

@@ -1,6 +1,7 @@
 #include "base/option_record.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -30,9 +31,9 @@ void OptionRecord::texts(const std::string& flag, std::vector<std::string>& valu
                          const std::string&, bool records_none) {
   record(flag, [&values, records_none] {
     if (values.empty() && !records_none) return std::string();
-    std::string list;
-    for (const std::string& value : values) list.append(list.empty() ? "" : ",").append(json_string(value));
-    return '[' + list + ']';
+    std::vector<std::string> quoted;
+    for (const std::string& value : values) quoted.push_back(json_string(value));
+    return fmt::format("[{}]", fmt::join(quoted, ","));
   });
 }
 

@@ -13,6 +13,9 @@ void write_output(const std::string& path, const std::string& bytes, bool is_bin
 /// Writes a report as JSON: {"tool", "version", entries nested by their dots, "warnings": [{code, message}]}.
 void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report);
 
+/// Its text.
+std::string report_text(const std::string& tool, const std::string& version, const Report& report);
+
 /// A report that was written before, as JSON in one line. Throws FormatError if the file is no JSON object.
 std::string read_report(const std::string& path);
 

@@ -24,7 +24,7 @@ Json& member_of(Json& root, const std::string& key) {
 
 }  // namespace
 
-void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report) {
+std::string report_text(const std::string& tool, const std::string& version, const Report& report) {
   Json root;
   root["tool"] = tool;
   root["version"] = version;
@@ -33,7 +33,11 @@ void write_report(const std::string& path, const std::string& tool, const std::s
   root["warnings"] = Json::array();
   for (const auto& [code, message] : report.warnings())
     root["warnings"].push_back({{"code", code}, {"message", message}});
-  write_output(path, json_text(root), false);
+  return json_text(root);
+}
+
+void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report) {
+  write_output(path, report_text(tool, version, report), false);
 }
 
 std::string read_report(const std::string& path) {

@@ -21,6 +21,34 @@ CriticalPoints read_critical_points(const InputFile& file);
 SeparatrixGraph read_separatrix_graph(const InputFile& file);
 BlockLayout read_block_layout(const InputFile& file);
 QuadMesh read_quad_mesh(const InputFile& file);
+/// The reader of the struct's format.
+template <typename Model>
+Model read_stage(const InputFile& file);
+template <>
+inline TriMesh read_stage(const InputFile& file) {
+  return read_tri_mesh(file);
+}
+template <>
+inline Field read_stage(const InputFile& file) {
+  return read_field(file);
+}
+template <>
+inline CriticalPoints read_stage(const InputFile& file) {
+  return read_critical_points(file);
+}
+template <>
+inline SeparatrixGraph read_stage(const InputFile& file) {
+  return read_separatrix_graph(file);
+}
+template <>
+inline BlockLayout read_stage(const InputFile& file) {
+  return read_block_layout(file);
+}
+template <>
+inline QuadMesh read_stage(const InputFile& file) {
+  return read_quad_mesh(file);
+}
+
 /// The CAD face at the root of x.tri.h5, x.sep.json, x.blocks.h5 or x.quad.h5, whatever else is in the file.
 CadFace read_face(const InputFile& file);
 

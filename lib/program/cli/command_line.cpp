@@ -52,11 +52,6 @@ std::vector<std::string> with_present_names(int argc, char** argv,
   return arguments;
 }
 
-/// For pipelines, not shown by --help: the title and the start of the line of progress; warnings only in the report;
-/// the name of the command whose command line has the options.
-const std::set<std::string> always_hidden{"list-options", "progress-title", "progress-since", "silent-warnings",
-                                          "called-by"};
-
 /// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
 struct CallForOptionList {};
 
@@ -119,7 +114,7 @@ struct CommandLine::Impl {
   CLI::App app;
   OptionRecord record;
   std::map<std::string, std::string> old_names;  ///< old flag -> present flag
-  std::set<std::string> hidden = always_hidden;
+  std::set<std::string> hidden{"list-options"};
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
@@ -251,10 +246,6 @@ void CommandLine::add_common(CommonOptions& common) {
   impl_->add_threads(common.threads);
   impl_->app.add_flag("-v,--verbose", impl_->verbose);
   impl_->app.add_flag("-q,--quiet", impl_->quiet);
-  impl_->app.add_option("--progress-title", common.progress_title);
-  impl_->app.add_option("--progress-since", common.progress_since);
-  impl_->app.add_flag("--silent-warnings", common.silent_warnings);
-  impl_->app.add_option("--called-by", common.called_by);
   const std::vector<HelpRow> flags{{"-v, --verbose", "report what is done; given twice: also the time of each phase"},
                                    {"-q, --quiet", "print errors only, no warnings"},
                                    {"-h, --help", "print this help and exit"},
@@ -286,7 +277,7 @@ Request CommandLine::parse(int argc, char** argv) {
     throw UsageError(message);
   }
   refuse_to_overwrite(Impl::named(impl_->read), Impl::named(impl_->written));
-  impl_->common->verbosity = impl_->quiet ? -1 : std::min(impl_->verbose, 2);
+  if (impl_->common != nullptr) impl_->common->verbosity = impl_->quiet ? -1 : std::min(impl_->verbose, 2);
   return Request::run;
 }
 

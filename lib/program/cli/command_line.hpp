@@ -12,11 +12,7 @@ namespace quadrille::cli {
 
 /// The options that every command has.
 struct CommonOptions {
-  int verbosity = 0;             ///< -1 quiet, 0, 1, 2
-  std::string progress_title;    ///< of the line, by a pipeline that runs the command; empty: the command's name
-  double progress_since = 0;     ///< start of the pipeline, Unix time in seconds; 0: none
-  std::string called_by;         ///< the pipeline whose command line has the options: its name stands before mistakes
-  bool silent_warnings = false;  ///< they are only reported: a pipeline prints them
+  int verbosity = 0;  ///< -1 quiet, 0, 1, 2
   std::string report;
   std::string progress = "auto";
   int threads = 0;  ///< 0: auto

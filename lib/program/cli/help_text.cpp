@@ -32,20 +32,6 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
   return out;
 }
 
-std::string table(const std::vector<HelpRow>& rows) {
-  constexpr std::size_t indent = 28;
-  std::string out;
-  for (const HelpRow& row : rows) {
-    out += "  " + row.left;
-    if (row.left.size() + 4 > indent)
-      out += '\n' + std::string(indent, ' ');
-    else
-      out += std::string(indent - 2 - row.left.size(), ' ');
-    out += wrapped(row.right, indent, 100 - indent) + '\n';
-  }
-  return out;
-}
-
 const std::vector<HelpRow>& exit_codes() {
   static const std::vector<HelpRow> rows{
       {"0", "success"},
@@ -60,14 +46,28 @@ const std::vector<HelpRow>& exit_codes() {
 
 }  // namespace
 
+std::string help_rows(const std::vector<HelpRow>& rows) {
+  constexpr std::size_t indent = 28;
+  std::string out;
+  for (const HelpRow& row : rows) {
+    out += "  " + row.left;
+    if (row.left.size() + 4 > indent)
+      out += '\n' + std::string(indent, ' ');
+    else
+      out += std::string(indent - 2 - row.left.size(), ' ');
+    out += wrapped(row.right, indent, 100 - indent) + '\n';
+  }
+  return out;
+}
+
 std::string help_text(const HelpPage& page) {
   std::string out = fmt::format("Usage: {} [OPTIONS]{}\n\n{} {}.\n", page.name, page.synopsis, page.name,
                                 wrapped(page.summary, 0, 80));
   if (!page.description.empty()) out += '\n' + wrapped(page.description, 0, 100) + '\n';
-  if (!page.inputs.empty()) out += "\nINPUTS\n" + table(page.inputs);
-  if (!page.options.empty()) out += "\nOPTIONS\n" + table(page.options);
-  out += "\nOPTIONS OF EVERY COMMAND\n" + table(page.common_options);
-  out += "\nEXIT CODES\n" + table(exit_codes());
+  if (!page.inputs.empty()) out += "\nINPUTS\n" + help_rows(page.inputs);
+  if (!page.options.empty()) out += "\nOPTIONS\n" + help_rows(page.options);
+  out += "\nOPTIONS OF EVERY COMMAND\n" + help_rows(page.common_options);
+  out += "\nEXIT CODES\n" + help_rows(exit_codes());
   out += "\nEXAMPLES\n";
   for (const std::string& example : page.examples) out += "  " + example + '\n';
   return out;

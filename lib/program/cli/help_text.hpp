@@ -21,4 +21,7 @@ struct HelpPage {
 /// Usage, summary, description, inputs, options, exit codes and examples, at most 100 columns wide.
 std::string help_text(const HelpPage& page);
 
+/// Rows in two columns, at most 100 columns wide.
+std::string help_rows(const std::vector<HelpRow>& rows);
+
 }  // namespace quadrille::cli

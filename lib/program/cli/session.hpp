@@ -24,6 +24,8 @@ class Session : public Run {
   /// Shows how far the run is (--progress), with a new state after each `interval` seconds. To be called before the
   /// work.
   void show_progress(const ProgressStyle& style, double interval);
+  /// From now on, the total of CPU time does not contain what this process used before: it ran other stages.
+  void leave_out_earlier_work();
   /// Starts the clock of a named phase; the report gets timings.<phase>.{cpu_seconds, wall_seconds}.
   void begin_phase(const std::string& name) override;
   void end_phase() override;
@@ -37,7 +39,8 @@ class Session : public Run {
   };
   std::string tool_, options_json_;
   int verbosity_ = 0, threads_ = 1;
-  double start_ = 0;  ///< of the run, seconds
+  double start_ = 0;      ///< of the run, seconds
+  double cpu_start_ = 0;  ///< CPU time that does not count, seconds
   Phase phase_;
   /// How far the run is. The ticker ends before the line that it writes.
   struct Display {

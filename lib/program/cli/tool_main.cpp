@@ -1,15 +1,11 @@
 #include "cli/tool_main.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
-#include <exception>
-#include <new>
 #include <optional>
 
 #include "base/cleanup.hpp"
@@ -18,6 +14,7 @@
 #include "base/version.hpp"
 #include "cli/command_line.hpp"
 #include "cli/heap.hpp"
+#include "cli/outcome.hpp"
 #include "cli/signals.hpp"
 
 namespace quadrille::cli {
@@ -26,50 +23,6 @@ namespace {
 
 // Work that takes less is done before threads are worth their start; with --threads N they start at once.
 constexpr double least_cpu_seconds_for_threads = 0.2;
-
-struct Outcome {
-  ExitCode code = ExitCode::done;
-  std::string message;
-};
-
-std::string out_of_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return fmt::format("out of memory, at {} MB: raise the limit, or ask for fewer elements or lower orders",
-                     usage.ru_maxrss / 1024);
-}
-
-std::string internal_error(const std::string& what) {
-  return fmt::format("internal error, please report it: {}", what);
-}
-
-/// Runs `work` and maps any exception to an exit code.
-template <typename Work>
-Outcome outcome_of(const Work& work) {
-  try {
-    work();
-    return {};
-  } catch (const Defect& e) {
-    return {ExitCode::defect, internal_error(e.what())};
-  } catch (const Error& e) {
-    return {e.code(), e.what()};
-  } catch (const std::bad_alloc&) {
-    return {ExitCode::no_result, out_of_memory()};
-  } catch (const std::exception& e) {
-    return {ExitCode::defect, internal_error(e.what())};
-  } catch (...) {
-    return {ExitCode::defect, internal_error("unknown exception")};
-  }
-}
-
-/// A mistake on the command line of a pipeline is one of its own: what is wrong with its options, or begins with one.
-void print_error(const Tool& tool, const Outcome& outcome, const std::string& called_by = {}) {
-  const bool is_of_caller =
-      !called_by.empty() && (outcome.code == ExitCode::usage || outcome.message.starts_with("--"));
-  const std::string& name = is_of_caller ? called_by : tool.name;
-  fmt::print(stderr, "{}: {}\n", name, outcome.message);
-  if (outcome.code == ExitCode::usage) fmt::print(stderr, "try '{} --help'\n", name);
-}
 
 void print_to_stdout(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
@@ -86,20 +39,13 @@ void write_report_of(const Tool& tool, Session& session, const Outcome& outcome,
 // Seconds: of work on a terminal before progress is shown; between its states on a terminal; between lines elsewhere.
 constexpr double progress_delay = 1, terminal_interval = 0.2, log_interval = 10;
 
-double seconds_since(double unix_time) {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return std::max(0.0, static_cast<double>(now.tv_sec) - unix_time + 1e-9 * static_cast<double>(now.tv_nsec));
-}
-
 /// How --progress asks for it; std::nullopt: not at all.
 std::optional<ProgressStyle> progress_style(const Tool& tool, const CommonOptions& common, bool writes_to_stdout) {
   const bool is_always = common.progress == "always", is_terminal = isatty(STDERR_FILENO) == 1;
   if (!is_always && !(common.progress == "auto" && common.verbosity >= 0 && is_terminal)) return std::nullopt;
   ProgressStyle style;
   style.is_terminal = is_terminal;
-  style.title = common.progress_title.empty() ? tool.name : common.progress_title;
-  if (common.progress_since > 0) style.seconds_before = seconds_since(common.progress_since);
+  style.title = tool.name;
   if (!is_always) style.delay = progress_delay;
   if (!is_always) style.hidden_phases.emplace_back("read");  // in a pipeline, tools wait there for their input
   if (is_terminal && writes_to_stdout && isatty(STDOUT_FILENO) == 1) style.hidden_phases.emplace_back("write");
@@ -111,12 +57,12 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
   Outcome outcome = outcome_of([&] { tool.run(session); });
   session.finish();
   if (outcome.code != ExitCode::done) remove_temporaries();
-  if (common.verbosity >= 0 && !common.silent_warnings)
+  if (common.verbosity >= 0)
     for (const auto& [code, message] : session.report().warnings())
       fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
   Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
   if (outcome.code == ExitCode::done) return reporting;
-  if (reporting.code != ExitCode::done) print_error(tool, reporting);
+  if (reporting.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, reporting));
   return outcome;
 }
 
@@ -144,7 +90,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
       session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
     return run_session(tool, session, common);
   }();
-  if (outcome.code != ExitCode::done) print_error(tool, outcome, common.called_by);
+  if (outcome.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, outcome));
   return static_cast<int>(outcome.code);
 }
 
