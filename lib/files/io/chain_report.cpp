@@ -81,7 +81,8 @@ Json times_of(const std::vector<StageRun>& runs) {
     if (!run.report.contains("timings")) continue;
     Json& sum = times[run.stage];
     if (sum.is_null()) sum = Json::object();
-    for (const auto& [key, value] : at(run.report, "timings.total").items())
+    const Json total = at(run.report, "timings.total");
+    for (const auto& [key, value] : total.items())
       sum[key] = value.get<double>() + (sum.contains(key) ? sum[key].get<double>() : 0.0);
   }
   return times;

@@ -30,11 +30,6 @@ std::optional<CriticalPoints> readable_nodes(const std::string& path) {
   }
 }
 
-bool is_same_file(const std::string& path, const std::string& other) {
-  std::error_code ignored;
-  return std::filesystem::equivalent(path, other, ignored);
-}
-
 /// As if critpoints had written them; --nodes may be that file itself.
 void copy_given_nodes(ChainState& chain, NodeFiles& files) {
   const std::string& given = chain.options.nodes_file;

@@ -141,13 +141,6 @@ bool is_file(const std::string& path) {
   return !path.empty() && path != "-" && fs::is_regular_file(path, error);
 }
 
-/// Whether two paths are one file, which need not exist.
-bool is_same_file(const std::string& path, const std::string& other) {
-  std::error_code error;
-  if (fs::exists(path, error) && fs::exists(other, error)) return fs::equivalent(path, other, error);
-  return fs::weakly_canonical(path, error) == fs::weakly_canonical(other, error);
-}
-
 void check_inputs(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   const StageOptions& values = chain.values;

@@ -1,5 +1,7 @@
 #include "chain/quad_inputs.hpp"
 
+#include <filesystem>
+
 #include "io/name_rules_io.hpp"
 #include "io/size_field_io.hpp"
 #include "triangulate/size_triangles.hpp"
@@ -31,6 +33,13 @@ PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face) {
   PrescribedSizes sizes{io::read_size_field(file, face.origin), file};
   if (sizes.content.is_table) triangulate::add_size_triangles(sizes.content);
   return sizes;
+}
+
+bool is_same_file(const std::string& path, const std::string& other) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && std::filesystem::exists(other, error))
+    return std::filesystem::equivalent(path, other, error);
+  return std::filesystem::weakly_canonical(path, error) == std::filesystem::weakly_canonical(other, error);
 }
 
 }  // namespace quadrille::chain

@@ -11,7 +11,7 @@ namespace {
 
 struct Blocksplit : testing::Test {
   SeparatrixGraph graph = samples::two_regions_graph();
-  Run run;
+  quadrille::Run run;  // a fixture has a member Run
 
   BlockLayout blocks(const std::optional<Input<std::vector<NameRule>>>& names) {
     return blocksplit({graph, {"x.sep.json", "digest of the graph"}}, names, {}, run);

@@ -11,7 +11,7 @@ namespace {
 struct Quadrefine : testing::Test {
   BlockLayout layout = samples::two_regions_layout();
   QuadrefineOptions options;
-  Run run;
+  quadrille::Run run;  // a fixture has a member Run
 
   QuadMesh quads(const std::optional<Input<SizeSources>>& sources = {}) {
     return quadrefine({layout, {"x.blocks.h5", "digest of the blocks"}}, sources, options, run);

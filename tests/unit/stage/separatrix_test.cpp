@@ -16,7 +16,7 @@ using namespace testing_stages;
 
 struct Separatrix : testing::Test {
   TriMesh mesh = two_squares();
-  Run run;
+  quadrille::Run run;  // a fixture has a member Run
   Field field = fieldsolve({as_input(mesh, "x.tri.h5"), {}, {}, {}}, {}, run);
   CriticalPoints points = corners_of(mesh.face, "digest of x.field.h5");
   SeparatrixOptions options;
