@@ -1,6 +1,6 @@
 #include "base/numbered_names.hpp"
 #include "io/cad_face_io.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate.hpp"
 
 namespace quadrille::io {
 

@@ -1,5 +1,5 @@
 #include "io/cad_face_io.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate.hpp"
 
 namespace quadrille::io {
 

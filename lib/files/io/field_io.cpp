@@ -1,4 +1,4 @@
-#include "io/stage_io.hpp"
+#include "io/instantiate.hpp"
 #include "io/tri_mesh_io.hpp"
 
 namespace quadrille::io {

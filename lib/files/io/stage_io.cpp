@@ -13,6 +13,7 @@
 #include "io/json_archive.hpp"
 #include "io/output_file.hpp"
 #include "io/sha256.hpp"
+#include "io/stage_files.hpp"
 
 namespace quadrille::io {
 

@@ -82,7 +82,7 @@ TEST_F(StageFiles, PhasesOfRegionsSurviveTheRoundTrip) {
 }
 
 TEST_F(StageFiles, OneRegionHasNoArraysOfRegions) {
-  const auto bytes = [&](const auto& stage, const auto& write) {
+  const auto bytes = [&](const auto& stage) {
     write_stage(path("file"), stage);
     return bytes_of("file");
   };
