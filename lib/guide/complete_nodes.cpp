@@ -34,7 +34,6 @@ void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& poin
     p.xi = at.xi;
   }
   sort_by_position(points.critical_points, 1e-6 * face.diameter, [](const CriticalPoint& p) { return p.position; });
-  points.index_sum = index_sum_of(points);
 }
 
 }  // namespace quadrille::guide

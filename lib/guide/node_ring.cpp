@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "curve/orbits.hpp"
 #include "placement/clearance.hpp"
 
 namespace quadrille::guide {
@@ -133,25 +134,36 @@ std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isomet
   return regular_polygon(cluster.centre, radius, angle, std::abs(cluster.index));
 }
 
-std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group,
-                                         int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
-                                         NodeSource source) {
+std::vector<NodeMark> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group, int max_valence,
+                                    const Cluster& cluster, const std::vector<Vec2>& others) {
   const int valence = 4 - cluster.index;
   if (valence >= 3 && valence <= max_valence && placement::signed_clearance(face, cluster.centre) > 0)
-    return {made_node(cluster.centre, cluster.index, source)};
-  std::vector<CriticalPoint> nodes;
-  for (const Vec2 x : node_ring(face, group, cluster, others))
-    nodes.push_back(made_node(x, cluster.index > 0 ? 1 : -1, source));
+    return {{cluster.centre, valence}};
+  std::vector<NodeMark> nodes;
+  for (const Vec2 x : node_ring(face, group, cluster, others)) nodes.push_back({x, cluster.index > 0 ? 3 : 5});
   return nodes;
 }
 
-CriticalPoint made_node(Vec2 position, int index, NodeSource source) {
-  CriticalPoint node;
-  node.position = position;
-  node.index = index;
-  node.valence = 4 - index;
-  node.source = source;
-  return node;
+std::vector<std::vector<NodeMark>> nodes_of_clusters(const CadFace& face, const std::vector<curve::Isometry>& group,
+                                                     int max_valence, std::vector<Cluster>& clusters,
+                                                     const std::function<std::vector<Vec2>(std::size_t)>& others) {
+  for (Cluster& cluster : clusters) cluster.centre = onto_fixed_points(face, group, cluster.centre);
+  const curve::Orbits orbits = curve::orbits(clusters.size(), group, [&](const curve::Isometry& g, int i, int j) {
+    return clusters[i].index == clusters[j].index &&
+           distance(g(clusters[i].centre), clusters[j].centre) < equal * face.diameter;
+  });
+  for (std::size_t i = 0; i < clusters.size(); ++i)
+    clusters[i].centre = orbits.map[i](clusters[orbits.first[i]].centre);
+  std::vector<std::vector<NodeMark>> nodes(clusters.size());
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const std::size_t first = orbits.first[i];
+    if (first == i && clusters[i].index != 0)
+      nodes[i] = cluster_nodes(face, group, max_valence, clusters[i], others(i));
+    if (first == i) continue;
+    nodes[i] = nodes[first];
+    for (NodeMark& node : nodes[i]) node.position = orbits.map[i](node.position);
+  }
+  return nodes;
 }
 
 }  // namespace quadrille::guide
