@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "features/cancel_pairs.hpp"
 #include "features/feature_constants.hpp"
 #include "features/merge_on_boundary.hpp"
@@ -22,7 +23,7 @@ namespace {
 FeatureState initial_state(const CadFace& face, double size, const CriticalPoints& points) {
   FeatureState state;
   state.size = size;
-  state.tie = feature_constants.equal_lengths * face.diameter;
+  state.tie = tolerance::tied * face.diameter;
   state.corners = points.corners;
   for (size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];

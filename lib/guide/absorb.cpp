@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/segment_in_mesh.hpp"
 #include "placement/node_ledger.hpp"
@@ -89,7 +89,7 @@ std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator, co
                                       double length, CriticalPoints& points) {
   std::vector<bool> is_absorbed(zeros.size(), false);
   if (length == 0) return is_absorbed;
-  const double tol = 1e-6 * length;
+  const double tol = tolerance::tied * length;
   const std::vector<Candidates> candidates = candidates_of(evaluator, zeros, length, tol, points.corners);
   for (std::size_t c = 0; c < candidates.size(); ++c)
     if (points.corners[c].source != NodeSource::line)

@@ -6,14 +6,13 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/orbits.hpp"
 #include "guide/tie_measures.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille::guide {
 namespace {
-
-constexpr double equal = 1e-6;
 
 /// The costs to minimise; the first that differs decides: angle defect, minus adjacent lengths, minus distances.
 using Cost = std::array<double, 3>;
@@ -22,7 +21,7 @@ Cost operator+(const Cost& a, const Cost& b) { return {a[0] + b[0], a[1] + b[1],
 
 bool is_less(const Cost& a, const Cost& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > equal) return a[i] < b[i];
+    if (std::abs(a[i] - b[i]) > tolerance::tied) return a[i] < b[i];
   return false;
 }
 
@@ -57,7 +56,7 @@ std::vector<TieOrbit> orbits_of_ties(const CadFace& face, const std::vector<curv
                                      const std::vector<Corner>& corners) {
   const auto is_image = [&](const curve::Isometry& g, int i, int j) {
     return is_tie(corners[i]) && is_tie(corners[j]) &&
-           distance(g(corners[i].position), corners[j].position) < equal * face.diameter;
+           distance(g(corners[i].position), corners[j].position) < tolerance::same_point * face.diameter;
   };
   std::vector<TieOrbit> orbits;
   for (const std::vector<int>& set : curve::orbits(corners.size(), group, is_image).sets) {

@@ -10,7 +10,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/valence.hpp"
 #include "placement/clearance.hpp"
@@ -18,8 +18,6 @@
 
 namespace quadrille::guide {
 namespace {
-
-constexpr double equal = 1e-6;  // relative to the diameter
 
 std::string name_of(const CadFace& face, const Corner& c) {
   return fmt::format("the corner of {:.6g} degrees at {}, between curves {} and {},", c.angle_degrees,
@@ -102,7 +100,7 @@ std::vector<NodeMark> added_nodes(const CadFace& face, const CriticalPoints& poi
   double clearance = INFINITY;
   for (int k = 1; k <= n; ++k) {
     directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
-    const double start = equal * face.diameter;  // away from the corner itself
+    const double start = tolerance::same_point * face.diameter;  // away from the corner itself
     clearance = std::min(
         clearance, placement::clearance_along(face, joint.position + start * directions.back(), directions.back()));
   }
@@ -138,7 +136,7 @@ class Overrider {
   }
 
   bool may_remove(const Demand& d, std::size_t node) const {
-    const double length = distance_to(d, node), tol = equal * face_.diameter;
+    const double length = distance_to(d, node), tol = tolerance::tied * face_.diameter;
     if (points_.critical_points[node].index != (d.index > 0 ? -1 : 1) || length > 0.25 * face_.diameter) return false;
     return std::none_of(demands_.begin(), demands_.end(), [&](const Demand& other) {
       return other.corner != d.corner && (other.index > 0) == (d.index > 0) && distance_to(other, node) < length + tol;
@@ -155,7 +153,7 @@ class Overrider {
     const auto distance_of = [&](std::size_t node) { return distance_to(d, node); };
     const std::ptrdiff_t needed = std::abs(d.index);
     for (auto first = nodes.begin(); first != nodes.end();) {
-      const auto last = end_of_ties(first, nodes.end(), equal * face_.diameter, distance_of);
+      const auto last = end_of_ties(first, nodes.end(), tolerance::tied * face_.diameter, distance_of);
       if (last - nodes.begin() > needed) return;
       d.removed.assign(nodes.begin(), last);
       first = last;

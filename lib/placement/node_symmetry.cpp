@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerance.hpp"
 #include "curve/orbits.hpp"
 
 namespace quadrille::placement {
 
 namespace {
-
-constexpr double equal_positions = 1e-6;  // relative to the diameter
 
 Mat2 linear_part(const curve::Isometry& isometry) {
   const Vec2 u = unit(isometry.angle);
@@ -38,7 +37,7 @@ bool is_closed(const std::vector<NodeSymmetry>& group) {
       const bool is_there = std::any_of(group.begin(), group.end(), [&](const NodeSymmetry& k) {
         const Mat2 l = k.linear;
         if (std::hypot(std::hypot(l.xx - gh.xx, l.xy - gh.xy), std::hypot(l.yx - gh.yx, l.yy - gh.yy)) >
-            equal_positions)
+            tolerance::same_angle)
           return false;
         for (std::size_t i = 0; i < k.image.size(); ++i)
           if (k.image[i] != g.image[h.image[i]]) return false;
@@ -61,7 +60,7 @@ std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoi
   std::vector<FreeNode> nodes;
   for (std::size_t k = 0; k < is_free.size(); ++k)
     nodes.push_back({points.critical_points[k].position, points.critical_points[k].valence, is_free[k]});
-  const double tol = equal_positions * face.diameter;
+  const double tol = tolerance::same_point * face.diameter;
   const auto is_same = [](const FreeNode& a, const FreeNode& b) {
     return a.valence == b.valence && a.is_free == b.is_free;
   };

@@ -3,14 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/tolerance.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::placement {
-namespace {
-
-constexpr double moved_tol = 1e-9;  // relative to the diameter: nodes that move less count as not moved
-
-}  // namespace
 
 void record_moves(const CadFace& face, const CriticalPoints& moved, const std::function<std::string(double)>& reason,
                   CriticalPoints& points) {
@@ -21,7 +17,7 @@ void record_moves(const CadFace& face, const CriticalPoints& moved, const std::f
     const Vec2 from = node.position;
     node.position = moved.critical_points[k].position;
     const double way = distance(from, node.position);
-    if (way <= moved_tol * face.diameter) continue;
+    if (way <= tolerance::round_off * face.diameter) continue;
     node = changed_node(node, node.position, node.valence, NodeSource::place);
     changes.push_back({ChangeKind::place, reason(way), {{from, node.valence}}, {mark_of(node)}});
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/orbits.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/tie_measures.hpp"
@@ -14,7 +15,6 @@
 namespace quadrille::topology {
 namespace {
 
-constexpr double equal = 1e-6;
 constexpr double least_angle = 40, greatest_angle = 140;  // degrees, of the blocks at a corner whose valence changes
 
 /// Corners that isometries of the face map onto each other.
@@ -29,7 +29,8 @@ struct Cost {
   double lengths = 0;  ///< minus the lengths of the sides adjacent to changed corners, in diameters
 };
 bool is_less(const Cost& a, const Cost& b) {
-  return std::abs(a.defect - b.defect) > equal ? a.defect < b.defect : a.lengths < b.lengths - equal;
+  return std::abs(a.defect - b.defect) > tolerance::tied ? a.defect < b.defect
+                                                         : a.lengths < b.lengths - tolerance::tied;
 }
 
 struct Choice {
@@ -42,14 +43,15 @@ std::vector<int> valences_of(const Corner& c) {
   if (c.source == NodeSource::corner || c.source == NodeSource::divide || c.valence == 0) return valences;
   for (int v = 1; v <= guide::greatest_corner_valence; ++v) {
     const double block = c.angle_degrees / v;
-    if (v != c.valence && block >= least_angle - equal && block <= greatest_angle + equal) valences.push_back(v);
+    if (v != c.valence && block >= least_angle - tolerance::tied && block <= greatest_angle + tolerance::tied)
+      valences.push_back(v);
   }
   return valences;
 }
 
 std::vector<CornerOrbit> orbits_of(const CadFace& face, const std::vector<Corner>& corners) {
   const auto is_image = [&](const curve::Isometry& g, int i, int j) {
-    return distance(g(corners[i].position), corners[j].position) < equal * face.diameter;
+    return distance(g(corners[i].position), corners[j].position) < tolerance::same_point * face.diameter;
   };
   std::vector<CornerOrbit> orbits;
   for (const std::vector<int>& set : curve::orbits(corners.size(), curve::symmetries(face), is_image).sets) {

@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "base/tolerance.hpp"
 #include "curve/symmetry.hpp"
 #include "guide/node_ring.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::topology {
 namespace {
-
-constexpr double equal = 1e-6;  // relative to the diameter
 
 bool are_opposite(const CriticalPoint& a, const CriticalPoint& b) {
   return a.index * b.index < 0 && a.source != NodeSource::divide && b.source != NodeSource::divide;
@@ -31,7 +30,7 @@ std::vector<std::vector<std::size_t>> nearest_opposite(const CadFace& face, cons
   for_pairs([&](int, int, double length) { least = std::min(least, length); });
   DisjointSets linked(nodes.size());
   for_pairs([&](int i, int j, double length) {
-    if (length <= least + equal * face.diameter) linked.unite(i, j);
+    if (length <= least + tolerance::tied * face.diameter) linked.unite(i, j);
   });
   std::vector<std::vector<std::size_t>> sets;
   for (const std::vector<int>& set : linked.sets())

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "guide/admissible_valence.hpp"
 #include "placement/clearance.hpp"
@@ -30,7 +31,7 @@ double loop_size(const CadFace& face, int joint) {
 NodeMark node_behind(const CadFace& face, const Corner& corner) {
   const Joint& joint = face.joints[corner.joint];
   const Vec2 direction = unit(joint.tangent_out + joint.interior_angle / 2);
-  const double start = 1e-6 * face.diameter;  // away from the corner itself
+  const double start = tolerance::same_point * face.diameter;  // away from the corner itself
   const double clearance = placement::clearance_along(face, joint.position + start * direction, direction);
   const double length = std::min(2 * loop_size(face, corner.joint), clearance / 2);
   return {joint.position + length * direction, 3};
