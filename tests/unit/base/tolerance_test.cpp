@@ -1,4 +1,4 @@
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 
 #include <gtest/gtest.h>
 
