@@ -93,7 +93,7 @@ std::vector<CriticalPoints> points_of(const RegionFields& fields, const FileIden
   return parts;
 }
 
-// The layout of each region, and from them that of the whole if they share curves or have periodic sides.
+// The layout of each region, and from them that of the whole.
 SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<CriticalPoints>& points,
                                   const SeparatrixOptions& options, Run& run) {
   const CadFace& face = fields.whole.mesh.face;

@@ -1,4 +1,4 @@
-#include "mesh/element_shapes.hpp"
+#include "stiffness/element_shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "mesh/tri_maps.hpp"
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::stiffness {
 namespace {
 
 using Triangle = std::array<Vec2, 3>;
@@ -56,9 +56,9 @@ TEST(ElementShapes, CurvedElementsAreComparedWithAllTheirNodes) {
 
 TEST(ElementShapes, AMeshOfDividedParallelogramsHasTwo) {
   // Halves of a cell are similar; cells are divided along one diagonal and the other in turn.
-  const std::vector<int> first = first_of_shape(tri_maps(parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 8)));
+  const std::vector<int> first = first_of_shape(mesh::tri_maps(parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 8)));
   EXPECT_EQ(std::set<int>(first.begin(), first.end()), std::set<int>({0, 2}));
 }
 
 }  // namespace
-}  // namespace quadrille::mesh
+}  // namespace quadrille::stiffness

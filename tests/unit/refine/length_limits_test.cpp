@@ -1,34 +1,18 @@
-#include "sizing/length_limits.hpp"
+#include "refine/length_limits.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "../hand_made.hpp"
 #include "../support/refined.hpp"
 #include "refine/validity.hpp"
+#include "split_samples.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 namespace {
 
-/// The unit square, cut by a straight line from (0, left) to (1, right).
-SeparatrixGraph divided_square(double left, double right) {
-  SeparatrixGraph g;
-  g.face = hand_made::unit_square().face;
-  for (int i = 0; i < 4; ++i) hand_made::add_joint_node(g, i);
-  const int a = hand_made::add_boundary_node(g, 3, 1 - left), b = hand_made::add_boundary_node(g, 1, right);
-  hand_made::add_arc(g, 0, 1, true, {hand_made::whole(g, 0)});
-  hand_made::add_arc(g, 1, b, true, {{1, 0, right}});
-  hand_made::add_arc(g, b, 2, true, {{1, right, 1}});
-  hand_made::add_arc(g, 2, 3, true, {hand_made::whole(g, 2)});
-  hand_made::add_arc(g, 3, a, true, {{3, 0, 1 - left}});
-  hand_made::add_arc(g, a, 0, true, {{3, 1 - left, 1}});
-  hand_made::add_cut(g, a, b);
-  return g;
-}
-
-refine::RefineOptions with_size(double size) {
-  refine::RefineOptions options;
+RefineOptions with_size(double size) {
+  RefineOptions options;
   options.size = size;
   options.order = 2;
   return options;
@@ -43,7 +27,7 @@ std::vector<double> vertices_below(const QuadMesh& mesh) {
   std::vector<double> x{0};
   for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
     if (edge.curve != 0) continue;
-    const std::vector<Vec2> nodes = refine::element_nodes(mesh, edge.elem);
+    const std::vector<Vec2> nodes = element_nodes(mesh, edge.elem);
     double right = 0;
     for (const Vec2 p : nodes)
       if (p.y == 0) right = std::max(right, p.x);
@@ -76,7 +60,7 @@ TEST(LengthLimits, elements_at_a_short_edge_between_corners_keep_their_size) {
 }
 
 TEST(LengthLimits, the_target_is_an_option) {
-  refine::RefineOptions options = with_size(0.25);
+  RefineOptions options = with_size(0.25);
   options.target_edge_ratio = 0;
   EXPECT_EQ(refined(divided_square(1e-3, 1e-3), options).num_elems(), 4 + 16);
   options.target_edge_ratio = 20;
@@ -84,7 +68,7 @@ TEST(LengthLimits, the_target_is_an_option) {
 }
 
 TEST(LengthLimits, prescribed_counts_stay) {
-  refine::RefineOptions options = with_size(0.25);
+  RefineOptions options = with_size(0.25);
   const QuadMesh free = refined(divided_square(1e-3, 1e-3), options);
   for (int chord = 0; chord < 3; ++chord) options.counts.push_back({chord, 2});
   EXPECT_GT(free.num_elems(), 8);
@@ -92,7 +76,7 @@ TEST(LengthLimits, prescribed_counts_stay) {
 }
 
 TEST(LengthLimits, layers_along_walls_stay) {
-  refine::RefineOptions options = with_size(0.25);
+  RefineOptions options = with_size(0.25);
   layers::WallSpec wall;
   wall.names = {"bottom"};
   wall.first = 1e-4;
@@ -106,4 +90,4 @@ TEST(LengthLimits, layers_along_walls_stay) {
 }
 
 }  // namespace
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine
