@@ -75,7 +75,7 @@ struct ChainState {
   std::string remedy;                      ///< words for critpoints that gave a layout
   std::optional<StageEnd> given_up;        ///< the stage without a valid result after which the run went on
 
-  bool is_due(Stage stage) const { return !is_before(stage, options.first) && !is_before(options.last, stage); }
+  bool is_due(ChainStage stage) const { return !is_before(stage, options.first) && !is_before(options.last, stage); }
 };
 
 /// A sentence of quadmesh itself on standard error, but not with -q.
@@ -88,7 +88,7 @@ void print_warnings(ChainState& chain, std::size_t first_run);
 void print_stop(const ChainState& chain);
 
 /// The words of a stage on the command line and those that were added.
-std::vector<std::string> chosen_words(const ChainState& chain, Stage stage);
+std::vector<std::string> chosen_words(const ChainState& chain, ChainStage stage);
 
 /// Runs the task if its stage is due, and prints its warnings. Returns false if it found no valid result, or was
 /// stopped, and there is another way. Throws ChainFailure otherwise.

@@ -1,7 +1,7 @@
 #pragma once
 // The critical points of a run: from critpoints, from the user, or as a user edited them in the work folder.
 
-#include "chain/chain.hpp"
+#include "chain/chain_state.hpp"
 
 namespace quadrille::chain {
 

@@ -1,4 +1,4 @@
-#include "chain/choose_nodes.hpp"
+#include "chain/chain_nodes.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ void copy_given_nodes(ChainState& chain, NodeFiles& files) {
 
 bool run_critpoints(ChainState& chain, StageFile<CriticalPoints>& nodes, const std::vector<std::string>& words) {
   StageTask task;
-  task.stage = Stage::critpoints;
+  task.stage = ChainStage::critpoints;
   task.output = nodes.path();
   task.words = {chain.files.field.path()};
   task.words.insert(task.words.end(), words.begin(), words.end());
@@ -62,7 +62,7 @@ bool run_critpoints(ChainState& chain, StageFile<CriticalPoints>& nodes, const s
   task.write_inputs = [&] { chain.files.field.write(); };
   task.drop_result = [&] { nodes.forget(); };
   if (!run_stage(chain, task)) return false;
-  if (chain.is_due(Stage::critpoints) && !chain.options.is_dry_run) note_nodes(chain, nodes.model());
+  if (chain.is_due(ChainStage::critpoints) && !chain.options.is_dry_run) note_nodes(chain, nodes.model());
   return true;
 }
 
@@ -117,14 +117,14 @@ bool make_nodes(ChainState& chain, NodeFiles& files, const std::vector<std::stri
     copy_given_nodes(chain, files);
     return true;
   }
-  if (is_before(Stage::critpoints, chain.options.first)) {
+  if (is_before(ChainStage::critpoints, chain.options.first)) {
     chain.has_fixed_nodes = true;
     if (const auto present = readable_nodes(files.nodes.path())) note_nodes(chain, *present);
     return true;
   }
   std::error_code ignored;
   const bool is_there = std::filesystem::file_size(files.nodes.path(), ignored) > 0 && !ignored;
-  if (chain.options.first == Stage::critpoints && is_there && chain.prefix.empty())
+  if (chain.options.first == ChainStage::critpoints && is_there && chain.prefix.empty())
     return find_nodes_again(chain, files, words);
   return run_critpoints(chain, files.nodes, words);
 }
@@ -138,7 +138,7 @@ bool have_phase_form(ChainState& chain, NodeFiles& files) {
 
 bool needs_own_field(ChainState& chain, NodeFiles& files) {
   if (have_phase_form(chain, files)) return true;
-  if (!chain.has_fixed_nodes || chain.options.is_dry_run || !chain.is_due(Stage::separatrix)) return false;
+  if (!chain.has_fixed_nodes || chain.options.is_dry_run || !chain.is_due(ChainStage::separatrix)) return false;
   try {
     return !stage::reason_to_solve_for(files.nodes.input(), chain.files.field.input()).empty();
   } catch (const FormatError&) {

@@ -1,4 +1,4 @@
-#include "chain/chain.hpp"
+#include "chain/chain_state.hpp"
 
 #include <fmt/format.h>
 
@@ -10,16 +10,16 @@ namespace {
 
 /// Whether quads may be found without a stage after it found no valid result or was stopped. What a user asks of the
 /// quads, such as layers that do not fit, is refused.
-bool may_go_on(const ChainState& chain, Stage stage, const StageEnd& end) {
+bool may_go_on(const ChainState& chain, ChainStage stage, const StageEnd& end) {
   if (!chain.has_other_way || end.code != ExitCode::no_result) return false;
   if (end.is_stopped) return true;
   switch (stage) {
-    case Stage::fieldsolve:
-    case Stage::padapt:
-    case Stage::critpoints:
-    case Stage::separatrix:
+    case ChainStage::fieldsolve:
+    case ChainStage::padapt:
+    case ChainStage::critpoints:
+    case ChainStage::separatrix:
       return true;
-    case Stage::quadrefine:
+    case ChainStage::quadrefine:
       return io::value_of(end.report, "valid") == "false";
     default:
       return false;
@@ -51,7 +51,7 @@ void print_stop(const ChainState& chain) {
     fmt::print(stderr, "{}: warning {}: {}\n", warning.tool, warning.code, warning.message);
 }
 
-std::vector<std::string> chosen_words(const ChainState& chain, Stage stage) {
+std::vector<std::string> chosen_words(const ChainState& chain, ChainStage stage) {
   std::vector<std::string> words;
   for (const Words* source : {&chain.options.words, &chain.added}) {
     const auto found = source->find(enum_name(stage));
@@ -61,7 +61,7 @@ std::vector<std::string> chosen_words(const ChainState& chain, Stage stage) {
 }
 
 bool run_stage(ChainState& chain, StageTask task) {
-  const Stage position = task.is_of_phase ? Stage::separatrix : task.stage;
+  const ChainStage position = task.is_of_phase ? ChainStage::separatrix : task.stage;
   if (!chain.is_due(position)) {
     if (!is_before(chain.options.last, position)) chain.last = task.output;
     return true;
