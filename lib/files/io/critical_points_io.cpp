@@ -1,5 +1,5 @@
 #include "io/cad_face_io.hpp"
-#include "io/instantiate.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 

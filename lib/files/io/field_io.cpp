@@ -1,4 +1,4 @@
-#include "io/instantiate.hpp"
+#include "io/instantiate_io.hpp"
 #include "io/tri_mesh_io.hpp"
 
 namespace quadrille::io {

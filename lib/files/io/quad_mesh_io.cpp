@@ -2,7 +2,7 @@
 
 #include "base/numbered_names.hpp"
 #include "io/cad_face_io.hpp"
-#include "io/instantiate.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 

@@ -1,7 +1,7 @@
 #include "io/tri_mesh_io.hpp"
 
 #include "io/cad_face_io.hpp"
-#include "io/instantiate.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 

@@ -9,7 +9,7 @@
 
 #include "curve/nurbs.hpp"
 #include "draw/curve_labels.hpp"
-#include "draw/instantiate.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "model/interfaces.hpp"
 

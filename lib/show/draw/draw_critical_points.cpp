@@ -6,7 +6,7 @@
 #include "base/angle.hpp"
 #include "draw/curve_labels.hpp"
 #include "draw/field_cells.hpp"
-#include "draw/instantiate.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "draw/node_history.hpp"
 

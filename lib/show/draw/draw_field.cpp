@@ -12,7 +12,7 @@
 #include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
-#include "draw/instantiate.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 

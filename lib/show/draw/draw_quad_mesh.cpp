@@ -8,7 +8,7 @@
 
 #include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
-#include "draw/instantiate.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "draw/curve_labels.hpp"
-#include "draw/instantiate.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 #include "model/interfaces.hpp"

@@ -6,7 +6,7 @@
 
 #include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
-#include "draw/instantiate.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 
 namespace quadrille::draw {

@@ -7,7 +7,7 @@
 
 #include "base/enum_names.hpp"
 #include "model/interfaces.hpp"
-#include "page/instantiate.hpp"
+#include "page/instantiate_sheet.hpp"
 
 namespace quadrille::page {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/enum_names.hpp"
-#include "page/instantiate.hpp"
+#include "page/instantiate_sheet.hpp"
 #include "page/node_layers.hpp"
 
 namespace quadrille::page {

@@ -10,7 +10,7 @@
 
 #include "base/angle.hpp"
 #include "model/quad_sides.hpp"
-#include "page/instantiate.hpp"
+#include "page/instantiate_sheet.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 

@@ -11,7 +11,7 @@
 #include "draw/marks.hpp"
 #include "draw/region_fields.hpp"
 #include "field/evaluate.hpp"
-#include "page/instantiate.hpp"
+#include "page/instantiate_sheet.hpp"
 
 namespace quadrille::page {
 
