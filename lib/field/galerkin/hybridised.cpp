@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "galerkin/sparse_solver.hpp"
+#include "galerkin/make_sparse_solver.hpp"
 #include "spectral/modified_to_orthogonal.hpp"
 #include "stiffness/element_matrices.hpp"
 

@@ -10,6 +10,7 @@
 #include "galerkin/dof_map.hpp"
 #include "galerkin/partial_cholesky.hpp"
 #include "galerkin/sparse_solver.hpp"
+#include "mesh/elimination_tree.hpp"
 
 namespace quadrille::galerkin {
 

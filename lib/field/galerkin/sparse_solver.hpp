@@ -1,12 +1,10 @@
 #pragma once
-// What the discretisations ask of a solver of the condensed system, and the choice of one.
+// What the discretisations ask of a solver of the condensed system (make_sparse_solver.hpp).
 
 #include <Eigen/Dense>
-#include <memory>
 
 #include "base/progress.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "mesh/elimination_tree.hpp"
 
 namespace quadrille::galerkin {
 
@@ -22,9 +20,5 @@ class SparseSolver {
   /// b^T A^-1 b for the factored A and many sparse columns b. Requires factor().
   virtual Eigen::MatrixXd inverse_products(const SparseColumns& b) const = 0;
 };
-
-/// The solver of all systems, CondensedCholesky. `map` numbers its free dofs in the order of tree.elimination_order; a
-/// solver with an order of its own permutes them inside. Both must outlive the solver.
-std::unique_ptr<SparseSolver> make_sparse_solver(const mesh::EliminationTree& tree, const DofMap& map, int num_threads);
 
 }  // namespace quadrille::galerkin

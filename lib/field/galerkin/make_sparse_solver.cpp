@@ -1,4 +1,4 @@
-#include "galerkin/sparse_solver.hpp"
+#include "galerkin/make_sparse_solver.hpp"
 
 #include "galerkin/linear_solver.hpp"
 
