@@ -17,8 +17,8 @@
 #include "mesh/element_sizes.hpp"
 #include "model/length_scale.hpp"
 #include "outline/extent.hpp"
-#include "prescribe/chosen_blocks.hpp"
 #include "prescribe/flat_plate.hpp"
+#include "refine/chosen_blocks.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
 #include "sizing/automatic_sizes.hpp"
@@ -279,7 +279,7 @@ int main(int argc, char** argv) {
     s.report().set("sizes.least_along_curves", chosen.least_along_curves);
     set_first_heights(walls, layout.face, options);
     if (walls.flow.velocity > 0) prescribe::report_flow(walls.flow, s.report());
-    if (!blocks.empty()) options.blocks = prescribe::parse_blocks(blocks, layout.block_names);
+    if (!blocks.empty()) options.blocks = refine::parse_blocks(blocks, layout.block_names);
     layers::require_offsets(options.walls, layout.face);
     s.begin_phase("refine");
     QuadMesh mesh = refine::refine(layout, options, s.report());

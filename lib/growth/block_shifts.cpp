@@ -30,10 +30,10 @@ VertexRows vertex_rows(const layers::WallPlan& walls, int block, const BlockVert
 
 }  // namespace
 
-std::vector<mesh::RowShifts> block_shifts(const BlockLayout& blocks, const layers::WallPlan& walls,
-                                          const sizing::ArcDivisions& divisions, const QuadMesh& mesh, double limit) {
+std::vector<layers::RowShifts> block_shifts(const BlockLayout& blocks, const layers::WallPlan& walls,
+                                            const sizing::ArcDivisions& divisions, const QuadMesh& mesh, double limit) {
   const std::vector<double> qualities = block_qualities(mesh);
-  std::vector<mesh::RowShifts> shifts(blocks.num_blocks());
+  std::vector<layers::RowShifts> shifts(blocks.num_blocks());
   std::size_t first = 0;
   bool any = false;
   for (int block = 0; block < blocks.num_blocks(); ++block) {
@@ -45,10 +45,10 @@ std::vector<mesh::RowShifts> block_shifts(const BlockLayout& blocks, const layer
     shifts[block] = straightening_shifts(vertex_rows(walls, block, vertices, columns, rows, mesh.order), limit);
     any = true;
   }
-  return any ? shifts : std::vector<mesh::RowShifts>();
+  return any ? shifts : std::vector<layers::RowShifts>();
 }
 
-bool drop_useless(const QuadMesh& before, const QuadMesh& straight, std::vector<mesh::RowShifts>& shifts) {
+bool drop_useless(const QuadMesh& before, const QuadMesh& straight, std::vector<layers::RowShifts>& shifts) {
   const std::vector<double> was = block_qualities(before), now = block_qualities(straight);
   bool any = false;
   for (std::size_t block = 0; block < shifts.size(); ++block) {

@@ -130,7 +130,7 @@ void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& 
   }
   report.set("growth.greatest", growth.greatest);
   report.set("growth.place", std::vector<double>{position.x, position.y});
-  report.set("growth.blocks_straightened", std::ranges::count_if(lines.shifts, std::not_fn(&mesh::RowShifts::empty)));
+  report.set("growth.blocks_straightened", std::ranges::count_if(lines.shifts, std::not_fn(&layers::RowShifts::empty)));
   report.set("growth.blocks_kept", outcome ? lost : static_cast<std::ptrdiff_t>(mesh.block_names.size()));
   if (growth.greatest <= limit * (1 + growth_constants.warned_excess)) return;
   report.warn(warning::target_growth_missed,

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
-#include "mesh/shift_along_rows.hpp"
+#include "layers/shift_along_rows.hpp"
 
 namespace quadrille::growth {
 
@@ -44,6 +44,6 @@ struct VertexRows {
 };
 
 /// `limit`: of the ratio of adjacent edges, > 1. Cost: a sparse factorisation of the vertices' number in each step.
-mesh::RowShifts straightening_shifts(const VertexRows& block, double limit);
+layers::RowShifts straightening_shifts(const VertexRows& block, double limit);
 
 }  // namespace quadrille::growth

@@ -16,14 +16,14 @@
 #include "mesh/edge_growth.hpp"
 #include "mesh/element_sizes.hpp"
 #include "mesh/nested_quads.hpp"
-#include "prescribe/chosen_blocks.hpp"
 #include "refine/align_chords.hpp"
+#include "refine/chosen_blocks.hpp"
+#include "refine/length_limits.hpp"
 #include "refine/relax.hpp"
 #include "refine/split_mesh.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/grade_chords.hpp"
-#include "sizing/length_limits.hpp"
 #include "sizing/measured_layout.hpp"
 #include "sizing/report_sizes.hpp"
 
@@ -81,7 +81,7 @@ SplitMesh split_aligned_or_equal(const sizing::MeasuredLayout& aligned, const Sp
 void double_until_valid(const sizing::MeasuredLayout& aligned, const SplitRequest& request,
                         std::vector<sizing::ChordCount> counts, SplitMesh& result) {
   for (int doublings = 1; !result.mesh.is_valid && doublings <= max_doublings; ++doublings) {
-    if (!prescribe::double_counts(aligned, result.mesh, result.divisions, request.options.counts, counts)) return;
+    if (!double_counts(aligned, result.mesh, result.divisions, request.options.counts, counts)) return;
     result = split_aligned_or_equal(aligned, request, counts);
     result.doublings = doublings;
   }
@@ -91,9 +91,9 @@ void double_until_valid(const sizing::MeasuredLayout& aligned, const SplitReques
 SplitMesh split_until_valid(const sizing::MeasuredLayout& aligned, const SplitRequest& request) {
   const RefineOptions& options = request.options;
   std::vector<sizing::ChordCount> coarse;
-  if (!options.blocks.empty()) coarse = prescribe::coarse_counts(aligned, options.blocks, options.counts);
+  if (!options.blocks.empty()) coarse = coarse_counts(aligned, options.blocks, options.counts);
   SplitMesh result = split_aligned_or_equal(aligned, request, coarse);
-  while (!result.mesh.is_valid && prescribe::raise_counts(aligned, result.mesh, coarse))
+  while (!result.mesh.is_valid && raise_counts(aligned, result.mesh, coarse))
     result = split_aligned_or_equal(aligned, request, coarse);
   if (!options.allow_invalid) double_until_valid(aligned, request, coarse, result);
   return result;
@@ -168,8 +168,8 @@ MeasuredSplit split_without_elongation(const sizing::MeasuredLayout& aligned, Sp
   request.max_elements = static_cast<int>(std::min<double>(request.max_elements, most_elems));
   for (int i = 0; target > 0 && i < max_shortenings; ++i) {
     const SplitMesh& last = worse ? worse->split : best.split;
-    if (!sizing::add_length_limits(aligned, last.divisions, last.mesh, request.sizes, target,
-                                   elements_on_layered_chords(aligned.blocks(), last), request.limits))
+    if (!add_length_limits(aligned, last.divisions, last.mesh, request.sizes, target,
+                           elements_on_layered_chords(aligned.blocks(), last), request.limits))
       break;
     request.last = &last;
     std::optional<MeasuredSplit> next = sizing::unless_too_many(measured_split);
@@ -210,10 +210,10 @@ void correct_lines(const sizing::MeasuredLayout& measured, const SplitRequest& r
 std::optional<SplitMesh> straightened(const sizing::MeasuredLayout& measured, const SplitRequest& request,
                                       const SplitMesh& split) {
   SplitMesh result = split;
-  std::vector<mesh::RowShifts>& shifts = result.lines.shifts;
+  std::vector<layers::RowShifts>& shifts = result.lines.shifts;
   shifts =
       growth::block_shifts(measured.blocks(), *split.walls, split.divisions, split.mesh, request.options.target_growth);
-  while (!std::ranges::all_of(shifts, &mesh::RowShifts::empty)) {
+  while (!std::ranges::all_of(shifts, &layers::RowShifts::empty)) {
     result.mesh = measured_mesh(measured, request, result, &split.mesh);
     if (!growth::drop_useless(split.mesh, result.mesh, shifts)) return result;
   }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "refine/match_periodic.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
-#include "sizing/match_periodic.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -56,12 +56,12 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   counts.insert(counts.end(), coarse.begin(), coarse.end());
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, request.sizes, options.size_rule, counts);
   prescribe::apply_end_gradings(measured, options.end_gradings, options.end_growth, plans);
-  sizing::apply_length_limits(request.limits, plans);
+  apply_length_limits(request.limits, plans);
   const sizing::ElementLimit limit{options.max_elements, options.order};
   sizing::require_planned_within(measured, plans, limit, *request.report);
   SplitMesh result;
   result.shortened_chords =
-      static_cast<int>(std::ranges::count_if(request.limits, std::not_fn(&sizing::LengthLimits::value_type::empty)));
+      static_cast<int>(std::ranges::count_if(request.limits, std::not_fn(&LengthLimits::value_type::empty)));
   result.tolerance = request.division.tolerance;
   result.has_equal_parameters = measured.has_equal_parameters();
   result.divisions =
@@ -69,8 +69,7 @@ SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& requ
   result.plans = std::move(plans);
   if (!options.walls.empty()) plan_walls(measured, request, counts, result);
   std::vector<std::vector<double>> no_layers;
-  sizing::match_periodic(measured.periodic_arcs(), result.divisions,
-                         result.walls ? result.walls->arc_nodes : no_layers);
+  match_periodic(measured.periodic_arcs(), result.divisions, result.walls ? result.walls->arc_nodes : no_layers);
   sizing::require_divided_within(measured.blocks(), result.divisions, {request.max_elements, options.order});
   result.mesh = measured_mesh(measured, request, result, request.last ? &request.last->mesh : nullptr);
   if (!result.growth) return result;

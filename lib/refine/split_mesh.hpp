@@ -10,9 +10,9 @@
 #include "layers/wall_layers.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/divide_arcs.hpp"
+#include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/grade_chords.hpp"
-#include "sizing/length_limits.hpp"
 #include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
@@ -23,7 +23,7 @@ struct SplitRequest {
   sizing::SizeField sizes;
   double tolerance;        ///< of the boundary, a length
   DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
-  sizing::LengthLimits limits = {};
+  LengthLimits limits = {};
   int max_elements = 0;  ///< of divided arcs: more are refused
   bool limits_growth = false;
   Report* report = nullptr;

@@ -1,11 +1,11 @@
-#include "mesh/shift_along_rows.hpp"
+#include "layers/shift_along_rows.hpp"
 
 #include <algorithm>
 
-#include "mesh/index_cubic.hpp"
+#include "layers/index_cubic.hpp"
 #include "spectral/quadrature.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 namespace {
 
 /// The vertices of a row of nodes.
@@ -50,4 +50,4 @@ std::vector<Vec2> shifted_along_rows(const std::vector<Vec2>& nodes, int width, 
   return result;
 }
 
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 
 /// The slope at the integer i. At least two values.
 template <class T>
@@ -42,4 +42,4 @@ IndexCubic<T> index_cubic(const std::vector<T>& values, double x) {
           t == 0 && k > 0 ? (bend + index_bend(values, k - 1, 1)) / 2 : bend};
 }
 
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

@@ -1,11 +1,11 @@
-#include "mesh/smooth_across.hpp"
+#include "layers/smooth_across.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 namespace {
 
 /// Vertical lines 1 long, `gap` apart, of two elements of order 1; their middle nodes at these parameters.
@@ -87,4 +87,4 @@ TEST(SmoothAcross, NoParameterLeavesTheRangeOfItsNodeAndMirrorImagesAgree) {
 }
 
 }  // namespace
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

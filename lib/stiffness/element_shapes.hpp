@@ -7,10 +7,10 @@
 
 #include "spectral/tri_map.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::stiffness {
 
 /// For each element, the first one of the same shape: a similarity transform maps it onto the other, vertex by vertex,
 /// within about 1e-12 of the element's size. Mirror images count as different.
 std::vector<int> first_of_shape(const std::vector<spectral::TriMap>& maps);
 
-}  // namespace quadrille::mesh
+}  // namespace quadrille::stiffness

@@ -1,4 +1,4 @@
-#include "sizing/length_limits.hpp"
+#include "refine/length_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "../support/refined.hpp"
 #include "refine/validity.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 namespace {
 
 /// The unit square, cut by a straight line from (0, left) to (1, right).
@@ -27,8 +27,8 @@ SeparatrixGraph divided_square(double left, double right) {
   return g;
 }
 
-refine::RefineOptions with_size(double size) {
-  refine::RefineOptions options;
+RefineOptions with_size(double size) {
+  RefineOptions options;
   options.size = size;
   options.order = 2;
   return options;
@@ -43,7 +43,7 @@ std::vector<double> vertices_below(const QuadMesh& mesh) {
   std::vector<double> x{0};
   for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
     if (edge.curve != 0) continue;
-    const std::vector<Vec2> nodes = refine::element_nodes(mesh, edge.elem);
+    const std::vector<Vec2> nodes = element_nodes(mesh, edge.elem);
     double right = 0;
     for (const Vec2 p : nodes)
       if (p.y == 0) right = std::max(right, p.x);
@@ -76,7 +76,7 @@ TEST(LengthLimits, elements_at_a_short_edge_between_corners_keep_their_size) {
 }
 
 TEST(LengthLimits, the_target_is_an_option) {
-  refine::RefineOptions options = with_size(0.25);
+  RefineOptions options = with_size(0.25);
   options.target_edge_ratio = 0;
   EXPECT_EQ(refined(divided_square(1e-3, 1e-3), options).num_elems(), 4 + 16);
   options.target_edge_ratio = 20;
@@ -84,7 +84,7 @@ TEST(LengthLimits, the_target_is_an_option) {
 }
 
 TEST(LengthLimits, prescribed_counts_stay) {
-  refine::RefineOptions options = with_size(0.25);
+  RefineOptions options = with_size(0.25);
   const QuadMesh free = refined(divided_square(1e-3, 1e-3), options);
   for (int chord = 0; chord < 3; ++chord) options.counts.push_back({chord, 2});
   EXPECT_GT(free.num_elems(), 8);
@@ -92,7 +92,7 @@ TEST(LengthLimits, prescribed_counts_stay) {
 }
 
 TEST(LengthLimits, layers_along_walls_stay) {
-  refine::RefineOptions options = with_size(0.25);
+  RefineOptions options = with_size(0.25);
   layers::WallSpec wall;
   wall.names = {"bottom"};
   wall.first = 1e-4;
@@ -106,4 +106,4 @@ TEST(LengthLimits, layers_along_walls_stay) {
 }
 
 }  // namespace
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine

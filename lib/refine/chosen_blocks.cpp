@@ -1,4 +1,4 @@
-#include "prescribe/chosen_blocks.hpp"
+#include "refine/chosen_blocks.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace quadrille::prescribe {
+namespace quadrille::refine {
 namespace {
 
 /// Counts are not raised beyond this if the mesh is still not valid.
@@ -95,4 +95,4 @@ bool double_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
   return is_any;
 }
 
-}  // namespace quadrille::prescribe
+}  // namespace quadrille::refine

@@ -1,13 +1,13 @@
-#include "sizing/length_limits.hpp"
+#include "refine/length_limits.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "sizing/shortest_kept_edge.hpp"
+#include "refine/shortest_kept_edge.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 namespace {
 
 /// Beside a short boundary between two corners, elements have a side as short as that in any case.
@@ -39,7 +39,7 @@ std::array<double, 4> side_lengths(const std::array<Vec2, 4>& corners) {
 
 class LimitFinder {
  public:
-  LimitFinder(const MeasuredLayout& measured, const ArcDivisions& divisions, LengthLimits& limits)
+  LimitFinder(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, LengthLimits& limits)
       : measured_(measured), divisions_(divisions), limits_(limits) {
     limits_.resize(measured.chords().size());
   }
@@ -67,13 +67,13 @@ class LimitFinder {
     return std::minmax(a, b);
   }
 
-  const MeasuredLayout& measured_;
-  const ArcDivisions& divisions_;
+  const sizing::MeasuredLayout& measured_;
+  const sizing::ArcDivisions& divisions_;
   LengthLimits& limits_;
 };
 
 /// The elements of all blocks in the order of the mesh (refine/split_isoparametric).
-std::vector<GridElement> grid_elements(const BlockLayout& layout, const ArcDivisions& divisions) {
+std::vector<GridElement> grid_elements(const BlockLayout& layout, const sizing::ArcDivisions& divisions) {
   std::vector<GridElement> elems;
   for (int block = 0; block < layout.num_blocks(); ++block) {
     const int columns = divisions[layout.block2arcs[block][0].arc].num_intervals();
@@ -86,9 +86,9 @@ std::vector<GridElement> grid_elements(const BlockLayout& layout, const ArcDivis
 
 }  // namespace
 
-bool add_length_limits(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
-                       const SizeField& sizes, double target, const std::vector<bool>& is_left_out,
-                       LengthLimits& limits) {
+bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
+                       const QuadMesh& mesh, const sizing::SizeField& sizes, double target,
+                       const std::vector<bool>& is_left_out, LengthLimits& limits) {
   if (std::ranges::all_of(mesh.elem_edge_ratio, [&](double ratio) { return ratio <= target; })) return false;
   const std::vector<GridElement> elems = grid_elements(measured.blocks(), divisions);
   LimitFinder finder(measured, divisions, limits);
@@ -110,13 +110,13 @@ bool add_length_limits(const MeasuredLayout& measured, const ArcDivisions& divis
   return is_any;
 }
 
-void apply_length_limits(const LengthLimits& limits, std::vector<ChordPlan>& plans) {
+void apply_length_limits(const LengthLimits& limits, std::vector<sizing::ChordPlan>& plans) {
   for (std::size_t c = 0; c < limits.size(); ++c) {
     if (limits[c].empty() || plans[c].is_prescribed) continue;
-    plans[c].slope = std::max(plans[c].slope, std::log(SizeField::default_growth));
-    plans[c].grading = refine_grading(plans[c].grading, plans[c].count, limits[c], plans[c].slope);
-    plans[c].count = static_cast<int>(whole_count(plans[c].grading.count(), SizeRule::at_most));
+    plans[c].slope = std::max(plans[c].slope, std::log(sizing::SizeField::default_growth));
+    plans[c].grading = sizing::refine_grading(plans[c].grading, plans[c].count, limits[c], plans[c].slope);
+    plans[c].count = static_cast<int>(sizing::whole_count(plans[c].grading.count(), sizing::SizeRule::at_most));
   }
 }
 
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine

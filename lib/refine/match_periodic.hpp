@@ -9,7 +9,7 @@
 #include "model/periodic_arcs.hpp"
 #include "sizing/arc_division.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 
 /// Replaces rising fractions from 0 to 1 of both arcs, each in the arc's own direction, by their means; lists of
 /// different lengths are not changed.
@@ -17,7 +17,7 @@ void match_fractions(const PeriodicArcs& arcs, std::vector<double>& first, std::
 
 /// The divisions of all pairs, and the nodes of arcs with layers (by arc; empty where they follow from the
 /// division, and for all arcs of a mesh without layers).
-void match_periodic(const std::vector<PeriodicArcs>& pairs, ArcDivisions& divisions,
+void match_periodic(const std::vector<PeriodicArcs>& pairs, sizing::ArcDivisions& divisions,
                     std::vector<std::vector<double>>& layered_nodes);
 
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine

@@ -14,7 +14,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 
 /// Nodes of a family of lines across a block: node k of line l at l * num_nodes + k. The first and the last line are
 /// sides of the block.
@@ -31,4 +31,4 @@ void smooth_across(LineNodes& nodes, int first, int last, int order, double reac
 /// The same for other values of these nodes, in the order of their parameters.
 void smooth_across(const LineNodes& nodes, int first, int last, int order, double reach, std::vector<double>& values);
 
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

@@ -1,9 +1,9 @@
-#include "mesh/smooth_across.hpp"
+#include "layers/smooth_across.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 namespace {
 
 /// Solves a tridiagonal system with equal off-diagonals; `below[i]` couples i - 1 and i.
@@ -91,4 +91,4 @@ void smooth_across(LineNodes& nodes, int first, int last, int order, double reac
   nodes.parameters = std::move(parameters);
 }
 
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

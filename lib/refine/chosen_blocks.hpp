@@ -10,7 +10,7 @@
 #include "sizing/grade_chords.hpp"
 #include "sizing/measured_layout.hpp"
 
-namespace quadrille::prescribe {
+namespace quadrille::refine {
 
 /// Block numbers, ascending, from "3,inlet,7": numbers or names, which several blocks may have (a name that is a number
 /// takes precedence over the number). Throws UsageError for a block that does not exist.
@@ -30,4 +30,4 @@ bool raise_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
 bool double_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh, const sizing::ArcDivisions& divisions,
                    const std::vector<sizing::ChordCount>& prescribed, std::vector<sizing::ChordCount>& counts);
 
-}  // namespace quadrille::prescribe
+}  // namespace quadrille::refine

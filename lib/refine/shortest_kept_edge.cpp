@@ -1,18 +1,18 @@
-#include "sizing/shortest_kept_edge.hpp"
+#include "refine/shortest_kept_edge.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "model/interfaces.hpp"
-#include "sizing/name_joints.hpp"
+#include "sizing/sizing::name_joints.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 namespace {
 
 class BoundaryWalk {
  public:
-  explicit BoundaryWalk(const MeasuredLayout& measured)
+  explicit BoundaryWalk(const sizing::MeasuredLayout& measured)
       : measured_(measured), arcs_at_(measured.blocks().nodes.size()) {
     for (int a = 0; a < measured.num_arcs(); ++a)
       if (arc(a).is_boundary) arcs_at_[arc(a).from].push_back(a), arcs_at_[arc(a).to].push_back(a);
@@ -27,7 +27,7 @@ class BoundaryWalk {
     double length = 0;
     int node = corner;
     for (int passed = 0; passed < measured_.num_arcs(); ++passed, a = other_arc(node, a)) {
-      const std::vector<double> joints = name_joints(measured_.chain(a), measured_.blocks().face);
+      const std::vector<double> joints = sizing::name_joints(measured_.chain(a), measured_.blocks().face);
       const bool is_forward = arc(a).from == node;
       if (!joints.empty()) return length + measured_.length(a) * (is_forward ? joints.front() : 1 - joints.back());
       length += measured_.length(a);
@@ -44,13 +44,13 @@ class BoundaryWalk {
     return both.front() == a ? both.back() : both.front();
   }
 
-  const MeasuredLayout& measured_;
+  const sizing::MeasuredLayout& measured_;
   std::vector<std::vector<int>> arcs_at_;  // the two boundary arcs at each boundary node
 };
 
 }  // namespace
 
-double shortest_kept_edge(const MeasuredLayout& measured) {
+double shortest_kept_edge(const sizing::MeasuredLayout& measured) {
   const BoundaryWalk walk(measured);
   double shortest = std::numeric_limits<double>::infinity();
   for (int node = 0; node < static_cast<int>(measured.blocks().nodes.size()); ++node)
@@ -58,11 +58,11 @@ double shortest_kept_edge(const MeasuredLayout& measured) {
       for (const int a : walk.arcs_at(node)) shortest = std::min(shortest, walk.length_from(node, a));
   for (int a = 0; a < measured.num_arcs(); ++a) {
     if (!is_on_cad_curve(measured.blocks(), measured.blocks().arcs[a])) continue;
-    const std::vector<double> joints = name_joints(measured.chain(a), measured.blocks().face);
+    const std::vector<double> joints = sizing::name_joints(measured.chain(a), measured.blocks().face);
     for (std::size_t k = 1; k < joints.size(); ++k)
       shortest = std::min(shortest, (joints[k] - joints[k - 1]) * measured.length(a));
   }
   return shortest;
 }
 
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine

@@ -1,11 +1,11 @@
-#include "mesh/element_shapes.hpp"
+#include "stiffness/element_shapes.hpp"
 
 #include <cmath>
 #include <complex>
 #include <cstdint>
 #include <map>
 
-namespace quadrille::mesh {
+namespace quadrille::stiffness {
 namespace {
 
 constexpr double same = 1e-12;
@@ -34,4 +34,4 @@ std::vector<int> first_of_shape(const std::vector<spectral::TriMap>& maps) {
   return first;
 }
 
-}  // namespace quadrille::mesh
+}  // namespace quadrille::stiffness

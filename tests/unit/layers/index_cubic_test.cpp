@@ -1,10 +1,10 @@
-#include "mesh/index_cubic.hpp"
+#include "layers/index_cubic.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/vec2.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 namespace {
 
 TEST(IndexCubic, IsExactForParabolasWithTheirDerivatives) {
@@ -25,4 +25,4 @@ TEST(IndexCubic, IsLinearBetweenTwoPoints) {
 }
 
 }  // namespace
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

@@ -1,4 +1,4 @@
-#include "mesh/element_shapes.hpp"
+#include "stiffness/element_shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "mesh/tri_maps.hpp"
 #include "spectral/tri_nodes.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::stiffness {
 namespace {
 
 using Triangle = std::array<Vec2, 3>;
@@ -61,4 +61,4 @@ TEST(ElementShapes, AMeshOfDividedParallelogramsHasTwo) {
 }
 
 }  // namespace
-}  // namespace quadrille::mesh
+}  // namespace quadrille::stiffness

@@ -5,7 +5,7 @@
 
 #include "base/vec2.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 
 /// By row and column of the vertices of a block: how far a vertex moves along its row, in intervals of the row.
 using RowShifts = std::vector<std::vector<double>>;
@@ -15,4 +15,4 @@ using RowShifts = std::vector<std::vector<double>>;
 /// Nodes do not move exactly along the curve of their row: their change is that of an interpolation of its vertices.
 std::vector<Vec2> shifted_along_rows(const std::vector<Vec2>& nodes, int width, int order, const RowShifts& shifts);
 
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

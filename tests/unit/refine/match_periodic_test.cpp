@@ -1,4 +1,4 @@
-#include "sizing/match_periodic.hpp"
+#include "refine/match_periodic.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,10 @@
 #include "block/split_chord.hpp"
 #include "model/quad_sides.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 namespace {
 
 using layers::parse_wall_spec;
-using refine::RefineOptions;
 
 /// Two blocks on top of each other, on the left of a wave: [0, w(y)] x [0, 2]; the top is the bottom moved by (0, 2).
 SeparatrixGraph wavy_column() {
@@ -64,11 +63,11 @@ double greatest_gap(const QuadMesh& mesh, const PeriodicPair& pair) {
 
 TEST(MatchPeriodic, BothArcsGetTheMean) {
   std::vector<double> first{0, 0.25, 0.5, 1}, second{0, 0.5, 0.625, 1};
-  sizing::match_fractions({HalfEdge{0}, HalfEdge{1}}, first, second);
+  match_fractions({HalfEdge{0}, HalfEdge{1}}, first, second);
   EXPECT_EQ(first, (std::vector<double>{0, 0.3125, 0.5, 1}));
   EXPECT_EQ(second, (std::vector<double>{0, 0.5, 0.6875, 1}));
   first = {0, 0.25, 1}, second = {0, 0.5, 1};
-  sizing::match_fractions({HalfEdge{0}, HalfEdge{1, true}}, first, second);
+  match_fractions({HalfEdge{0}, HalfEdge{1, true}}, first, second);
   EXPECT_EQ(first, second);
   EXPECT_EQ(first[1], 0.375);
 }
@@ -84,7 +83,7 @@ TEST(MatchPeriodic, ArcsOfAPairAreOneChord) {
 TEST(MatchPeriodic, NodesAreMappedOntoEachOther) {
   for (const SeparatrixGraph& graph : {sector(), wavy_column()}) {
     RefineOptions options{.size = 0.2, .order = 4};
-    options.size_field = SizeField(0.2, {{{{1, 0}, 0.03, 0}}, {}, 0}, {}, 1.3);
+    options.size_field = sizing::SizeField(0.2, {{{{1, 0}, 0.03, 0}}, {}, 0}, {}, 1.3);
     EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
     options.relax = 5;
     EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
@@ -138,7 +137,7 @@ SeparatrixGraph periodic_grid() {
 TEST(MatchPeriodic, SizesOnOneSideActOnTheOther) {
   const SeparatrixGraph graph = periodic_grid();
   RefineOptions options{.size = 0.5, .order = 2};
-  options.size_field = SizeField(0.5, {{{{3, 0.5}, 0.05, 0.1}}, {}, 0}, {}, 1.3);
+  options.size_field = sizing::SizeField(0.5, {{{{3, 0.5}, 0.05, 0.1}}, {}, 0}, {}, 1.3);
   const QuadMesh mesh = refined(graph, options);
   EXPECT_LT(greatest_gap(mesh, graph.face.periodic_pairs[0]), 1e-13);
   EXPECT_LT(greatest_gap(mesh, {{3, 1}, 0, {3, 0}}), 1e-13) << "and as many";
@@ -165,4 +164,4 @@ TEST(MatchPeriodic, BlocksThatDoNotMatchAreRefused) {
 }
 
 }  // namespace
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine

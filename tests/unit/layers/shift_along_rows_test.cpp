@@ -1,4 +1,4 @@
-#include "mesh/shift_along_rows.hpp"
+#include "layers/shift_along_rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "spectral/quadrature.hpp"
 
-namespace quadrille::mesh {
+namespace quadrille::layers {
 namespace {
 
 constexpr int order = 3, columns = 4, rows = 3, width = columns * order + 1;
@@ -52,4 +52,4 @@ TEST(ShiftedAlongRows, WithoutShiftsNodesOfAnyRowsStay) {
 }
 
 }  // namespace
-}  // namespace quadrille::mesh
+}  // namespace quadrille::layers

@@ -1,4 +1,4 @@
-#include "sizing/shortest_kept_edge.hpp"
+#include "refine/shortest_kept_edge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 namespace {
 
 double shortest(const SeparatrixGraph& graph) {
   Report report;
   const BlockLayout layout = block::extract_blocks(graph, report);
-  return shortest_kept_edge(MeasuredLayout(layout));
+  return shortest_kept_edge(sizing::MeasuredLayout(layout));
 }
 
 TEST(ShortestKeptEdge, lies_between_two_corners) { EXPECT_NEAR(shortest(hand_made::row({2, 0.25, 1})), 0.25, 1e-12); }
@@ -42,4 +42,4 @@ TEST(ShortestKeptEdge, ends_at_joints_of_names) {
 TEST(ShortestKeptEdge, does_not_exist_without_corners) { EXPECT_TRUE(std::isinf(shortest(hand_made::cut_annulus(4)))); }
 
 }  // namespace
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine

@@ -1,6 +1,6 @@
-#include "sizing/match_periodic.hpp"
+#include "refine/match_periodic.hpp"
 
-namespace quadrille::sizing {
+namespace quadrille::refine {
 
 void match_fractions(const PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second) {
   if (first.size() != second.size()) return;
@@ -15,7 +15,7 @@ void match_fractions(const PeriodicArcs& arcs, std::vector<double>& first, std::
   }
 }
 
-void match_periodic(const std::vector<PeriodicArcs>& pairs, ArcDivisions& divisions,
+void match_periodic(const std::vector<PeriodicArcs>& pairs, sizing::ArcDivisions& divisions,
                     std::vector<std::vector<double>>& layered_nodes) {
   for (const PeriodicArcs& arcs : pairs) {
     match_fractions(arcs, divisions[arcs[0].arc].ends, divisions[arcs[1].arc].ends);
@@ -28,4 +28,4 @@ void match_periodic(const std::vector<PeriodicArcs>& pairs, ArcDivisions& divisi
   }
 }
 
-}  // namespace quadrille::sizing
+}  // namespace quadrille::refine
