@@ -39,18 +39,22 @@ std::array<double, 4> side_lengths(const std::array<Vec2, 4>& corners) {
 
 class LimitFinder {
  public:
-  LimitFinder(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, LengthLimits& limits)
-      : measured_(measured), divisions_(divisions), limits_(limits) {
+  LimitFinder(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
+              const sizing::ArcDivisions& divisions, LengthLimits& limits)
+      : measured_(measured), plans_(plans), divisions_(divisions), limits_(limits) {
     limits_.resize(measured.chords().size());
   }
 
-  /// Makes the element shorter by a factor along its sides `side` and side + 2.
-  void shorten(const GridElement& elem, int side, double factor) {
+  /// Makes the element shorter by a factor along its sides `side` and side + 2; false if its chord has a prescribed
+  /// count.
+  bool shorten(const GridElement& elem, int side, double factor) {
+    const int chord = measured_.chord_of(measured_.blocks().block2arcs[elem.block][side].arc);
+    if (plans_[chord].is_prescribed) return false;
     const auto [a, b] = interval(elem, side);
     const auto [c, d] = interval(elem, side + 2);
     const double low = std::min(a, c), high = std::max(b, d);
-    const int chord = measured_.chord_of(measured_.blocks().block2arcs[elem.block][side].arc);
     limits_[chord].push_back({low, high, std::max(b - a, d - c) / factor, 1});
+    return true;
   }
 
  private:
@@ -68,6 +72,7 @@ class LimitFinder {
   }
 
   const sizing::MeasuredLayout& measured_;
+  const std::vector<sizing::ChordPlan>& plans_;
   const sizing::ArcDivisions& divisions_;
   LengthLimits& limits_;
 };
@@ -86,12 +91,12 @@ std::vector<GridElement> grid_elements(const BlockLayout& layout, const sizing::
 
 }  // namespace
 
-bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                       const QuadMesh& mesh, const sizing::SizeField& sizes, double target,
-                       const std::vector<bool>& is_left_out, LengthLimits& limits) {
+bool add_length_limits(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
+                       const sizing::ArcDivisions& divisions, const QuadMesh& mesh, const sizing::SizeField& sizes,
+                       double target, const std::vector<bool>& is_left_out, LengthLimits& limits) {
   if (std::ranges::all_of(mesh.elem_edge_ratio, [&](double ratio) { return ratio <= target; })) return false;
   const std::vector<GridElement> elems = grid_elements(measured.blocks(), divisions);
-  LimitFinder finder(measured, divisions, limits);
+  LimitFinder finder(measured, plans, divisions, limits);
   bool is_any = false;
   const double shortest = shortest_kept_edge(measured);
   for (int e = 0; e < mesh.num_elems(); ++e) {
@@ -104,8 +109,7 @@ bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::Arc
     const auto longest = std::max_element(lengths.begin(), lengths.end());
     const double factor = std::min(excess / aim, *longest * greatest_factor / size);
     if (factor < least_factor) continue;
-    finder.shorten(elems[e], static_cast<int>(longest - lengths.begin()) % 2, factor);
-    is_any = true;
+    is_any |= finder.shorten(elems[e], static_cast<int>(longest - lengths.begin()) % 2, factor);
   }
   return is_any;
 }

@@ -24,12 +24,12 @@ namespace quadrille::refine {
 /// By chord.
 using LengthLimits = std::vector<std::vector<sizing::MaxLengthConstraint>>;
 
-/// Adds limits for the elongated elements of a mesh made of these divisions; its element sizes must be measured
-/// (mesh/element_sizes). `target`: R, at least 1. `is_left_out`: by element; empty: none is. Returns false if there is
-/// nothing to add.
-bool add_length_limits(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                       const QuadMesh& mesh, const sizing::SizeField& sizes, double target,
-                       const std::vector<bool>& is_left_out, LengthLimits& limits);
+/// Adds limits for the elongated elements of a mesh made of these plans and divisions; its element sizes must be
+/// measured (mesh/element_sizes). `target`: R, at least 1. `is_left_out`: by element; empty: none is. Returns false if
+/// there is nothing to add.
+bool add_length_limits(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
+                       const sizing::ArcDivisions& divisions, const QuadMesh& mesh, const sizing::SizeField& sizes,
+                       double target, const std::vector<bool>& is_left_out, LengthLimits& limits);
 
 /// The plans of sizing/grade_chords with these limits. `limits`: one entry per chord, or none at all.
 void apply_length_limits(const LengthLimits& limits, std::vector<sizing::ChordPlan>& plans);

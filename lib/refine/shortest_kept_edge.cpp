@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/interfaces.hpp"
-#include "sizing/sizing::name_joints.hpp"
+#include "sizing/name_joints.hpp"
 
 namespace quadrille::refine {
 namespace {

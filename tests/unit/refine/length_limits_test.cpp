@@ -4,28 +4,12 @@
 
 #include <algorithm>
 
-#include "../hand_made.hpp"
 #include "../support/refined.hpp"
 #include "refine/validity.hpp"
+#include "split_samples.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-/// The unit square, cut by a straight line from (0, left) to (1, right).
-SeparatrixGraph divided_square(double left, double right) {
-  SeparatrixGraph g;
-  g.face = hand_made::unit_square().face;
-  for (int i = 0; i < 4; ++i) hand_made::add_joint_node(g, i);
-  const int a = hand_made::add_boundary_node(g, 3, 1 - left), b = hand_made::add_boundary_node(g, 1, right);
-  hand_made::add_arc(g, 0, 1, true, {hand_made::whole(g, 0)});
-  hand_made::add_arc(g, 1, b, true, {{1, 0, right}});
-  hand_made::add_arc(g, b, 2, true, {{1, right, 1}});
-  hand_made::add_arc(g, 2, 3, true, {hand_made::whole(g, 2)});
-  hand_made::add_arc(g, 3, a, true, {{3, 0, 1 - left}});
-  hand_made::add_arc(g, a, 0, true, {{3, 1 - left, 1}});
-  hand_made::add_cut(g, a, b);
-  return g;
-}
 
 RefineOptions with_size(double size) {
   RefineOptions options;

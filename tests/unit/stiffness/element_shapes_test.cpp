@@ -56,7 +56,7 @@ TEST(ElementShapes, CurvedElementsAreComparedWithAllTheirNodes) {
 
 TEST(ElementShapes, AMeshOfDividedParallelogramsHasTwo) {
   // Halves of a cell are similar; cells are divided along one diagonal and the other in turn.
-  const std::vector<int> first = first_of_shape(tri_maps(parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 8)));
+  const std::vector<int> first = first_of_shape(mesh::tri_maps(parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 8)));
   EXPECT_EQ(std::set<int>(first.begin(), first.end()), std::set<int>({0, 2}));
 }
 
