@@ -7,8 +7,8 @@
 namespace quadrille::refine {
 
 /// Attempts, each of which divides all arcs and samples and measures all elements. One or two suffice on real faces; an
-/// invalid mesh with layers takes all: three placements of lines, each with the counts at first and after three
-/// doublings.
+/// invalid mesh with layers takes all: four placements of lines with the counts at first, and again after each
+/// doubling.
 inline constexpr int max_splits = 12;
 
 struct BestSplit {
