@@ -8,7 +8,7 @@ runners() {
   cat <<'END'
 README.md readme.bats
 pipelines/tutorial.md tutorial.bats
-pipelines/batch.md batch.bats
+pipelines/quadbatch.md batch.bats
 END
 }
 
@@ -16,10 +16,10 @@ END
 helps() {
   cat <<'END'
 quadmesh cases/quadmesh.bats
-place cases/place.bats
+place cases/quadplace.bats
 points2step cases/points2step.bats
-batch cases/batch.bats
-gallery cases/gallery.bats
+batch cases/quadbatch.bats
+gallery cases/quadgallery.bats
 END
 }
 

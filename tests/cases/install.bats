@@ -33,8 +33,8 @@ setup() {
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" --workdir w --from separatrix -o out.msh
   run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" --verbos
   assert_line "quadmesh: unknown option --verbos: did you mean --verbose?"
-  run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/place" --verbos
-  assert_line "place: unknown option --verbos: did you mean --verbose?"
+  run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadplace" --verbos
+  assert_line "quadplace: unknown option --verbos: did you mean --verbose?"
 }
 
 @test "the folder may be moved, and a link to a command is the command" {
@@ -45,12 +45,12 @@ setup() {
   printf '0 0\n1 0\n0 1\n' >points
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/points2step points -o triangle.step
   "$ROOT/pipelines/points2step" points | cmp - triangle.step
-  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/place -q "$DATA/square.step" -o placed.msh
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/quadplace -q "$DATA/square.step" -o placed.msh
   cmp placed.msh out.msh
-  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/gallery -q --to gallery
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/quadgallery -q --to gallery
   assert_file_exists gallery/gallery.html
   command -v parallel || skip "no GNU parallel"
-  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/batch "$DATA/square.step" --to batch
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/quadbatch "$DATA/square.step" --to batch
   cmp batch/square.msh out.msh
 }
 
