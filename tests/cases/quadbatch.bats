@@ -60,19 +60,15 @@ PYTHON=/usr/bin/python3
 }
 
 @test "interrupted half-way, it leaves whole results; started again, it does the rest, once" {
-  mkdir fake
-  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
-  rm fake/quadrefine
-  printf '#!/bin/sh\ncase "$*" in
-    *ellipse.blocks*) echo >started; sleep 60 & trap "kill $!; exit 143" TERM; wait ;;
-    esac\n exec "%s" "$@"\n' "$BIN/quadrefine" >fake/quadrefine
-  chmod +x fake/quadrefine
+  replace_stage quadrefine '[ -e slow ] || exec quadrefine "$@"' \
+    'case "$*" in *ellipse.blocks*) echo >started; sleep 60 & trap "kill $!; exit 143" TERM; wait ;; esac' \
+    'exec quadrefine "$@"'
   shapes=("$DATA"/{ellipse,square,half_disc,annulus,disc,octagon}.step)
   local signal code first
   for signal in INT TERM; do
     rm -rf out started
-    QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD HOME=$PWD env --default-signal "$quadbatch" "${shapes[@]}" --to out --jobs 2 \
-      2>words 3>&- &
+    touch slow
+    TMPDIR=$PWD HOME=$PWD env --default-signal "$quadbatch" "${replaced[@]}" "${shapes[@]}" --to out --jobs 2 2>words 3>&- &
     until [[ -e started && -e out/square.result.json ]]; do sleep 0.05; done
     kill "-$signal" $!
     code=0 && wait $! || code=$?
@@ -82,9 +78,10 @@ PYTHON=/usr/bin/python3
     assert_not_exists out/ellipse.result.json
     first=$(cd out && stat -c '%n %.9Y' ./*.result.json | sort)
     assert_equal "$(find . -name '.*' ! -name .)" ""
-    assert_equal "$(ls | paste -sd ' ')" "fake out started words"
+    assert_equal "$(ls | paste -sd ' ')" "fake out slow started words"
     assert_equal "$(($(wc -l <out/table.csv) - 1))" "$(wc -l <<<"$first")"
-    run -0 here "$quadbatch" "${shapes[@]}" --to out --jobs 2
+    rm slow
+    run -0 here "$quadbatch" "${replaced[@]}" "${shapes[@]}" --to out --jobs 2
     assert_output "6 shapes: 6 with a mesh, 0 without, $(wc -l <<<"$first") done before: out/table.html"
     assert_equal "$(cd out && stat -c '%n %.9Y' ./*.result.json | sort | comm -12 - <(echo "$first"))" "$first"
     assert_equal "$(wc -l <out/table.csv)" 7
@@ -127,20 +124,16 @@ tree() {
 }
 
 @test "killed without warning, it leaves no half result under a result's name, and is continued" {
-  mkdir fake
-  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
-  rm fake/quadexport
-  printf '#!/bin/sh\ncase "$*" in *square.quad.h5*) echo >started; exec sleep 60 ;; esac; exec "%s" "$@"\n' \
-    "$BIN/quadexport" >fake/quadexport
-  chmod +x fake/quadexport
-  QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD HOME=$PWD "$quadbatch" "$DATA"/{half_disc,square}.step --to out --jobs 1 3>&- &
+  replace_stage quadexport 'case "$*" in *square.quad.h5*) [ -e started ] || { echo >started; exec sleep 60; } ;; esac' \
+    'exec quadexport "$@"'
+  TMPDIR=$PWD HOME=$PWD "$quadbatch" "${replaced[@]}" "$DATA"/{half_disc,square}.step --to out --jobs 1 3>&- &
   until [[ -e started ]]; do sleep 0.05; done
   # shellcheck disable=SC2046
   kill -KILL $(tree $!)
   wait $! || true
   assert_equal "$(cd out && ls -A | paste -sd ' ')" \
     ".square.part half_disc.msh half_disc.report.json half_disc.result.json"
-  run -0 here "$quadbatch" "$DATA"/{half_disc,square}.step --to out --jobs 1
+  run -0 here "$quadbatch" "${replaced[@]}" "$DATA"/{half_disc,square}.step --to out --jobs 1
   assert_output "2 shapes: 2 with a mesh, 0 without, 1 done before: out/table.html"
   assert_equal "$(find out -type f | wc -l)" 8
   assert_not_exists out/.square.part

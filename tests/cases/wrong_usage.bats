@@ -165,7 +165,7 @@ table() {
 END
 }
 
-# Files for the commands, and tools that leave the file `started` if they begin to work for a pipeline.
+# Files for the commands, and tools that leave the file `started` if they begin to work: for quadmesh by --stage.
 setup_file() {
   cd "$BATS_FILE_TMPDIR" || return 1
   mkdir files tools && cd files || return 1
@@ -187,12 +187,17 @@ setup_file() {
       "exec '$BIN/$tool' \"\$@\"" >"../tools/$tool"
     chmod +x "../tools/$tool"
   done
+  ln -s "$BIN/quadmesh" ../tools
 }
 
 setup() {
   common_setup
   cp -a "$BATS_FILE_TMPDIR/files/." .
   mkdir ../tmp
+  stages=()
+  for stage in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport; do
+    stages+=("--stage $stage=$BATS_FILE_TMPDIR/tools/$stage")
+  done
 }
 
 # check_usage CODE COMMAND WORDS: prints what is wrong about the answer.
@@ -200,11 +205,12 @@ check_usage() {
   local before code=0 message name=${2%% *} command=$2 work
   before=$(find . | sort)
   case $name in
-    quadmesh | quadquadplace | points2step | quadbatch | quadgallery) command="$ROOT/pipelines/$2" ;;
+    quadmesh) command="$ROOT/pipelines/quadmesh ${stages[*]} ${2#quadmesh}" ;;
+    quadplace | points2step | quadbatch | quadgallery) command="$ROOT/pipelines/$2" ;;
   esac
   # shellcheck disable=SC2086 # words
   message=$(export TMPDIR=$PWD/../tmp STARTED=$PWD/../started QUADRILLE_BIN=$BIN
-    case $name in quadmesh | quadplace) QUADRILLE_BIN=$BATS_FILE_TMPDIR/tools ;; esac
+    case $name in quadplace) QUADRILLE_BIN=$BATS_FILE_TMPDIR/tools ;; esac
     $command 2>&1 >/dev/null </dev/null) || code=$?
   [ "$code" = "$1" ] || echo "$2: exit code $code, not $1: $message"
   # shellcheck disable=SC2053 # a pattern
