@@ -336,12 +336,6 @@ for written in sys.stdin.buffer.read().replace(b"\r\n", b"\n").decode().split("\
   done
 }
 
-@test "a pipeline's title replaces the name in the line of progress" {
-  on_terminal padapt "$stem.solve.h5" --progress-title "chain: stage 2 of 3, padapt" --progress-since 1 -o out > written
-  grep -q $'\r'"chain: stage 2 of 3, padapt: adapt, .*[0-9]\{9\} s" written
-  assert_equal "$(screen < written)" ""
-}
-
 @test "a signal erases the line of progress" {
   mkfifo never
   on_terminal timeout --foreground 1 bash -c 'exec critpoints - --progress always -o out <> never' > written || true
