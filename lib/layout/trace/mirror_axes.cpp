@@ -4,23 +4,19 @@
 #include <cmath>
 
 #include "base/angle.hpp"
-#include "curve/symmetry.hpp"
+#include "curve/orbits.hpp"
 #include "trace/fixed_nodes.hpp"
 
 namespace quadrille::trace {
 namespace {
 
 constexpr double same_position = 1e-6;   // relative to the diameter
-constexpr double same_direction = 1e-3;  // radians: two lines of one node are never as near
+constexpr double along_axis = 1e-3;      // radians: two lines of one node are never as near
 constexpr double most_deviation = 0.01;  // radians
 
 bool maps_nodes(const curve::Isometry& mirror, const std::vector<graph::FixedNode>& nodes, double near) {
-  return std::all_of(nodes.begin(), nodes.end(), [&](const graph::FixedNode& node) {
-    const Vec2 image = mirror(node.position);
-    return std::any_of(nodes.begin(), nodes.end(), [&](const graph::FixedNode& other) {
-      return other.valence == node.valence && distance(other.position, image) <= near;
-    });
-  });
+  const auto is_same = [](const graph::FixedNode& a, const graph::FixedNode& b) { return a.valence == b.valence; };
+  return curve::images(nodes, mirror, near, is_same).size() == nodes.size();
 }
 
 // The first point of a straight launch: the foot on the axis of the one that the field prescribes.
@@ -41,7 +37,7 @@ std::optional<Launch> straight_launch(const field::FieldEvaluator& evaluator, co
   const Vec2 start = unit(launch.angle);
   for (const MirrorAxis& axis : axes) {
     if (std::abs(cross(axis.direction, launch.origin - axis.point)) > near) continue;
-    if (std::abs(cross(axis.direction, start)) > same_direction) continue;
+    if (std::abs(cross(axis.direction, start)) > along_axis) continue;
     const Vec2 along = dot(axis.direction, start) > 0 ? axis.direction : -axis.direction;
     move_to_axis(evaluator, axis, launch);
     launch.angle += wrap_pi(angle_of(along) - launch.angle);

@@ -114,8 +114,8 @@ EXAMPLES
 std::string help_text() {
   std::string text = own_help;
   StageOptions values;
-  for (const Stage stage :
-       {Stage::critpoints, Stage::separatrix, Stage::blocksplit, Stage::quadrefine, Stage::quadexport}) {
+  for (const ChainStage stage : {ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
+                                 ChainStage::quadrefine, ChainStage::quadexport}) {
     std::string name = enum_name(stage);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
     text += "\nOPTIONS OF " + name + '\n' + cli::option_rows([&](Options& o) { declare(o, stage, values); });

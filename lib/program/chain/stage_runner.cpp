@@ -69,7 +69,7 @@ double StageRunner::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-bool StageRunner::is_in_child(Stage stage) const { return in_children_ || options_.programs.contains(stage); }
+bool StageRunner::is_in_child(ChainStage stage) const { return in_children_ || options_.programs.contains(stage); }
 
 std::string StageRunner::progress_title(const StageTask& task) const {
   const int number = static_cast<int>(reports_.size()) + 1;

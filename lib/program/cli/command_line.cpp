@@ -5,7 +5,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,29 +13,12 @@
 #include "base/name_text.hpp"
 #include "base/option_interval.hpp"
 #include "base/option_record.hpp"
+#include "cli/option_values.hpp"
 #include "cli/overwrite.hpp"
-#include "cli/stage_words.hpp"
 
 namespace quadrille::cli {
 
 namespace {
-
-/// The whole of `text` as a number; a leading + is allowed.
-template <typename T>
-bool parse_number(const std::string& text, T& value) {
-  const char* const begin = text.c_str() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
-  const char* const end = text.c_str() + text.size();
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  return error == std::errc() && stop == end && begin != end;
-}
-
-/// `text` as the value of an option with this interval. Throws UsageError.
-int integer_within(const std::string& flag, const std::string& text, int low, int high) {
-  int given = 0;
-  if (!parse_number(text, given)) throw UsageError(fmt::format("{}: '{}' is not an integer", flag, text));
-  require_in_interval(flag, given, text, low, high);
-  return given;
-}
 
 /// The arguments with each old name, also in the form OLD=VALUE, replaced by the present one. Arguments after -- are
 /// kept.
@@ -52,12 +34,6 @@ std::vector<std::string> with_present_names(int argc, char** argv,
   }
   return arguments;
 }
-
-}  // namespace
-
-int threads_of(const std::string& text) { return text == "auto" ? 0 : integer_within("--threads", text, 1, 1024); }
-
-namespace {
 
 /// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
 struct CallForOptionList {};
@@ -157,11 +133,7 @@ void CommandLine::number(const std::string& flag, double& value, double low, dou
                          const std::string& help) {
   const std::string range = interval_text(low, high);
   const auto set = [=, &value](const CLI::results_t& texts) {
-    double given = 0;
-    if (!parse_number(texts.back(), given))
-      throw UsageError(fmt::format("{}: '{}' is not a number", flag, texts.back()));
-    require_in_interval(flag, given, texts.back(), low, high);
-    value = given;
+    value = number_within(flag, texts.back(), low, high);
     return true;
   };
   impl_->add(flag, "X", set, fmt::format("{} (unit: {}; default: {}; interval: {})", help, unit, value, range));

@@ -93,7 +93,7 @@ std::vector<CriticalPoints> points_of(const RegionFields& fields, const FileIden
   return parts;
 }
 
-// The layout of each region, and from them that of the whole if they share curves or have periodic sides.
+// The layout of each region, and from them that of the whole.
 SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<CriticalPoints>& points,
                                   const SeparatrixOptions& options, Run& run) {
   const CadFace& face = fields.whole.mesh.face;
@@ -102,7 +102,6 @@ SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<
       regions::map_regions<SeparatrixGraph>(face, run.threads(), run.report(), [&](int region, int, Report& report) {
         return layout::compute_layout(*fields.evaluators[region], points[region], options, report);
       });
-  if (face.partners.empty() && face.periodic_pairs.empty()) return std::move(graphs.front());
   run.begin_phase("couple");
   couple::RegionLayouts layouts{open.with_open_interfaces(), {}, {}, {}};
   for (int r = 0; r < face.num_regions(); ++r) {

@@ -1,0 +1,19 @@
+#pragma once
+// The angle by which a circular region is rotated towards its neighbours.
+
+#include <vector>
+
+namespace quadrille::couple {
+
+/// Angles about the centre at which lines end on a loop: of the region, and of its neighbours. Radians.
+struct EndAngles {
+  std::vector<double> own, others;
+};
+
+/// The angle with the least sum of squares from each own end to the nearest other one. Where several are equally good,
+/// as where the neighbours' lines are symmetric, the best one in the middle between two of them, which is symmetric as
+/// well; if there are several of those too, the least in magnitude of the equally good ones. Angles that bring the own
+/// ends to the same places are one.
+double best_rotation(const std::vector<EndAngles>& loops);
+
+}  // namespace quadrille::couple
