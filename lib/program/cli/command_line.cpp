@@ -52,9 +52,6 @@ struct CommandLine::Impl {
     CLI::Option* const option = app.add_option(flag, std::move(set));
     return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
-  static std::string key(const std::string& flag) {
-    return flag.substr(flag.rfind("--") == std::string::npos ? 0 : flag.rfind("--") + 2);
-  }
 
   void add_threads(int& threads) {
     const auto set = [&threads](const CLI::results_t& texts) {
@@ -89,7 +86,7 @@ struct CommandLine::Impl {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
       for (const std::string& name : option->get_lnames())
-        if (!hidden.contains(name)) names.push_back("--" + name);
+        if (name != "list-options") names.push_back("--" + name);
     return names;
   }
 
@@ -97,7 +94,6 @@ struct CommandLine::Impl {
   CLI::App app;
   OptionRecord record;
   std::map<std::string, std::string> old_names;  ///< old flag -> present flag
-  std::set<std::string> hidden{"list-options"};
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
@@ -206,11 +202,6 @@ void CommandLine::flag(const std::string& flag, bool& value, const std::string& 
   impl_->record.flag(flag, value, help);
 }
 
-void CommandLine::hidden_text(const std::string& flag, std::string& value) {
-  impl_->app.add_option(flag, value)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  impl_->hidden.insert(Impl::key(flag));
-}
-
 void CommandLine::formerly(const std::string& old_flag, const std::string& flag) { impl_->old_names[old_flag] = flag; }
 
 void CommandLine::add_common(CommonOptions& common) {
@@ -268,11 +259,11 @@ std::string CommandLine::option_list() const {
   const auto line = [&](const std::string& flag, const CLI::Option* option) {
     return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
   };
-  const std::set<std::string> common{"help", "version", "output"};
+  const std::set<std::string> common{"help", "version", "output", "list-options"};
   std::string out;
   for (const CLI::Option* option : impl_->declared)
     for (const std::string& name : option->get_lnames())
-      if (!common.contains(name) && !impl_->hidden.contains(name)) out += line("--" + name, option);
+      if (!common.contains(name)) out += line("--" + name, option);
   for (const auto& [old_flag, flag] : impl_->old_names) out += line(old_flag, impl_->app.get_option(flag));
   return out;
 }
