@@ -112,7 +112,7 @@ std::vector<CriticalPoints> read_points_of(const RegionFields& fields, const io:
   return parts;
 }
 
-// The layout of each region, and from them that of the whole if they share curves or have periodic sides.
+// The layout of each region, and from them that of the whole.
 SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<CriticalPoints>& points,
                                   const Settings& settings, cli::Session& session) {
   const CadFace& face = fields.whole.mesh.face;
@@ -121,7 +121,6 @@ SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<
       face, session.threads(), session.report(), [&](int region, int, Report& report) {
         return layout::compute_layout(*fields.evaluators[region], points[region], settings.options, report);
       });
-  if (face.partners.empty() && face.periodic_pairs.empty()) return std::move(graphs.front());
   session.begin_phase("couple");
   couple::RegionLayouts layouts{open.with_open_interfaces(), {}, {}, {}};
   for (int r = 0; r < face.num_regions(); ++r) {

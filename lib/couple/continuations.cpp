@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "couple/match_line_ends.hpp"
 #include "curve/chain.hpp"
 #include "curve/fit_line.hpp"
 #include "curve/nurbs.hpp"
@@ -14,89 +15,92 @@ namespace quadrille::couple {
 namespace {
 
 // Relative to the diameter of the region, or of the whole.
-constexpr double relative_same = 1e-8;        // a line nearer than this to a node ends there already
 constexpr double relative_tolerance = 1e-10;  // of a step
 constexpr double relative_step = 1.0 / 20;    // the greatest
 constexpr double relative_hit = 1e-5;         // a line that comes nearer to a node is not continued
 constexpr double relative_length = 4;         // the greatest of a line
 constexpr double relative_fit_tol = 2e-9;     // as for traced lines
 
-constexpr double greatest_bend = 0.1;  // radians: of lines that become one
-constexpr double relative_tie = 1e-6;  // bends that differ by less are equal
-
-// The place of a region's boundary, circles about the centre, before or after a turn.
-Place turned(const CadFace& face, const curve::Turn& turn, const Place& place) {
-  if (turn.angle == 0) return place;
-  return place_on_loop(face, face.loop_of(place.curve), turn.of(curve::point(face.curves[place.curve], place.t)));
+// A point of a region's boundary, circles about the centre, before or after a rotation.
+BoundaryPoint rotated(const CadFace& face, const curve::Rotation& rotation, const BoundaryPoint& point) {
+  if (rotation.angle == 0) return point;
+  return nearest_boundary_point(face, face.loop_of(point.curve),
+                                rotation.of(curve::point(face.curves[point.curve], point.t)));
 }
 
-/// The field of a region, turned as its layout was.
-struct TurnedField {
+/// The field of a region, rotated as its layout was.
+struct RotatedField {
   const field::FieldEvaluator& field;
-  curve::Turn turn;
+  curve::Rotation rotation;
 };
 
-std::optional<TracedLine> traced_line(const graph::CandidateLayout& layout, const TurnedField& turned_field,
-                                      const Place& start) {
-  const auto& [field, turn] = turned_field;
+std::optional<TracedLine> traced_line(const graph::CandidateLayout& layout, const RotatedField& rotated_field,
+                                      const BoundaryPoint& start) {
+  const auto& [field, rotation] = rotated_field;
   const CadFace& face = layout.graph().face;
   const double d = face.diameter;
   std::vector<Vec2> nodes;
   for (const GraphNode& node : layout.graph().nodes)
-    if (node.curve < 0) nodes.push_back(turn.inverse().of(node.position));
-  const Place before = turned(face, turn.inverse(), start);
+    if (node.curve < 0) nodes.push_back(rotation.inverse().of(node.position));
+  const BoundaryPoint before = rotated(face, rotation.inverse(), start);
   const trace::Streamline line =
       trace::advance(field, trace::launch_from_boundary(field, before.curve, before.t), PointGrid(std::move(nodes)),
                      {relative_tolerance * d, relative_step * d, relative_length * d, relative_hit * d});
   if (line.steps.empty()) return std::nullopt;
-  const auto point = [&field = field, &turn = turn, &line](double s, Vec2& direction) {
+  const auto point = [&field = field, &rotation = rotation, &line](double s, Vec2& direction) {
     const Vec2 x = line.at(field, s, direction);
-    direction = turn.of_vector(direction);
-    return turn.of(x);
+    direction = rotation.of_vector(direction);
+    return rotation.of(x);
   };
   TracedLine traced;
   traced.spline = curve::fit_line(point, line.length(), relative_fit_tol * d);
   traced.ends_on_boundary = line.end == trace::Streamline::End::boundary;
-  if (traced.ends_on_boundary) traced.end = turned(face, turn, place_at(face, line.reached.curve, line.reached.t));
+  if (traced.ends_on_boundary)
+    traced.end = rotated(face, rotation, boundary_point(face, line.reached.curve, line.reached.t));
   return traced;
 }
 
-bool has_station_at(const InterfaceChain& chain, int side, double position, double same) {
-  return std::any_of(chain.stations[side].begin(), chain.stations[side].end(), [&](const Station& s) {
-    const double d = std::abs(s.position - position);
-    return std::min(d, chain.is_closed ? chain.length() - d : d) <= same;
-  });
+bool has_node_at(const SidePair& pair, int side, double position, double same) {
+  return std::any_of(pair.nodes[side].begin(), pair.nodes[side].end(),
+                     [&](const SideNode& node) { return pair.distance(node.position, position) <= same; });
 }
 
-std::vector<Continuation> ways_on(const RegionLayouts& regions, CutEnds cuts, const Admits& admits) {
+std::vector<Continuation> traced_continuations(const RegionLayouts& regions, CutEnds cuts,
+                                               const CanInsert& can_insert) {
   const CadFace& face = regions.face;
   std::vector<Continuation> found;
-  for (const InterfaceChain& chain : interface_chains(regions, cuts))
+  for (const SidePair& pair : interface_sides(regions, cuts))
     for (const int side : {0, 1})
-      for (const Station& station : chain.stations[side]) {
-        if (has_station_at(chain, 1 - side, station.position, relative_same * face.diameter)) continue;
-        Continuation way;
-        way.start = place_on_side(face, chain, 1 - side, regions.place_of(station.region, station.node));
-        way.region = regions.region_of_curve(way.start.curve);
-        way.start.curve -= regions.first_curves[way.region];
-        const graph::CandidateLayout& layout = regions.layouts[way.region];
-        if (!admits(layout.subdivision, way.start)) continue;
-        way.line = traced_line(layout, {*regions.fields[way.region], regions.turn_of(way.region)}, way.start);
-        found.push_back(std::move(way));
+      for (const SideNode& node : pair.nodes[side]) {
+        if (has_node_at(pair, 1 - side, node.position, relative_same * face.diameter)) continue;
+        Continuation next;
+        next.start = point_on_side(face, pair, 1 - side, regions.point_of(node.layout, node.node));
+        next.region = regions.region_of_curve(next.start.curve);
+        next.start.curve -= regions.first_curves[next.region];
+        const graph::CandidateLayout& layout = regions.layouts[next.region];
+        if (!can_insert(layout.subdivision, next.start)) continue;
+        next.line = traced_line(layout, {*regions.fields[next.region], regions.rotation_of(next.region)}, next.start);
+        found.push_back(std::move(next));
       }
   return found;
 }
 
+Vec2 position_on(const CadFace& face, const BoundaryPoint& point) {
+  return curve::point(face.curves[point.curve], point.t);
+}
+
 // How far, relative to their lengths, each of two lines through a region ends from where the other one starts.
-double apart(const CadFace& face, const Continuation& a, const Continuation& b) {
+double end_distance(const CadFace& face, const Continuation& a, const Continuation& b) {
   if (a.region != b.region || !a.line || !b.line || !a.line->ends_on_boundary || !b.line->ends_on_boundary)
     return INFINITY;
-  return std::max(distance(a.end_in(face), b.start_in(face)) / a.line->spline.end(),
-                  distance(b.end_in(face), a.start_in(face)) / b.line->spline.end());
+  const auto distance_to = [&](const Continuation& from, const Continuation& to) {
+    return distance(position_on(face, from.line->end), position_on(face, to.start)) / from.line->spline.end();
+  };
+  return std::max(distance_to(a, b), distance_to(b, a));
 }
 
 // The line from the start of one to the start of the other, a blend (simplify/chord_blend.hpp).
-TracedLine united(const CadFace& face, const Continuation& a, const Continuation& b) {
+TracedLine merged(const CadFace& face, const Continuation& a, const Continuation& b) {
   const std::vector<Nurbs> splines{a.line->spline, b.line->spline};
   const curve::CurveTable table(face, splines);
   const int first = face.num_curves();
@@ -109,13 +113,13 @@ TracedLine united(const CadFace& face, const Continuation& a, const Continuation
 
 // Lines that cross a region in opposite directions, each the nearest to the other and not bent by more than
 // `greatest_bend`, become one.
-void unite_opposite_lines(const RegionLayouts& regions, std::vector<Continuation>& ways) {
+void merge_opposite_lines(const RegionLayouts& regions, std::vector<Continuation>& all) {
   const auto nearest = [&](std::size_t i) {
     std::optional<std::size_t> best;
     double least = greatest_bend;
-    for (std::size_t j = 0; j < ways.size(); ++j) {
-      if (i == j || ways[i].region != ways[j].region) continue;
-      const double here = apart(regions.layouts[ways[i].region].graph().face, ways[i], ways[j]);
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (i == j || all[i].region != all[j].region) continue;
+      const double here = end_distance(regions.layouts[all[i].region].graph().face, all[i], all[j]);
       if (here >= least + relative_tie) continue;
       best = std::abs(here - least) <= relative_tie ? std::nullopt : std::optional(j);
       least = std::min(here, least);
@@ -123,21 +127,21 @@ void unite_opposite_lines(const RegionLayouts& regions, std::vector<Continuation
     return best;
   };
   std::vector<std::optional<std::size_t>> partners;
-  for (std::size_t i = 0; i < ways.size(); ++i) partners.push_back(nearest(i));
-  for (std::size_t i = 0; i < ways.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i) partners.push_back(nearest(i));
+  for (std::size_t i = 0; i < all.size(); ++i) {
     const std::optional<std::size_t> j = partners[i];
     if (!j || *j < i || partners[*j] != i) continue;
-    ways[i].line = united(regions.layouts[ways[i].region].graph().face, ways[i], ways[*j]);
-    ways[*j].line.reset();
+    all[i].line = merged(regions.layouts[all[i].region].graph().face, all[i], all[*j]);
+    all[*j].line.reset();
   }
 }
 
 }  // namespace
 
-std::vector<Continuation> continuations(const RegionLayouts& regions, CutEnds cuts, const Admits& admits) {
-  std::vector<Continuation> ways = ways_on(regions, cuts, admits);
-  unite_opposite_lines(regions, ways);
-  return ways;
+std::vector<Continuation> continuations(const RegionLayouts& regions, CutEnds cuts, const CanInsert& can_insert) {
+  std::vector<Continuation> all = traced_continuations(regions, cuts, can_insert);
+  merge_opposite_lines(regions, all);
+  return all;
 }
 
 }  // namespace quadrille::couple

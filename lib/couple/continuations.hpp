@@ -1,12 +1,12 @@
 #pragma once
-// How lines that end on an interface go on in the field of the other side.
+// Continuations of lines that end on an interface, in the field of the other side.
 
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "couple/interface_chains.hpp"
 #include "couple/region_layouts.hpp"
+#include "couple/side_pairs.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::couple {
@@ -15,25 +15,22 @@ namespace quadrille::couple {
 struct TracedLine {
   Nurbs spline;
   bool ends_on_boundary = false;
-  Place end;  ///< in the region
+  BoundaryPoint end;  ///< in the region
 };
 
-/// A line that ends on an interface, where no line of the other side does, and its way on there.
+/// A line of one region that starts where a line of a neighbour ends alone.
 struct Continuation {
   int region = 0;
-  Place start;  ///< in the region
-  std::optional<TracedLine> line;
-
-  Vec2 start_in(const CadFace& face) const { return curve::point(face.curves[start.curve], start.t); }
-  Vec2 end_in(const CadFace& face) const { return curve::point(face.curves[line->end.curve], line->end.t); }
+  BoundaryPoint start;             ///< in the region
+  std::optional<TracedLine> line;  ///< none: it cannot be traced, or is part of another one
 };
 
-/// Whether a line that starts at a place of a region's boundary can be inserted into its layout.
-using Admits = std::function<bool(const graph::Subdivision&, const Place&)>;
+/// Whether a line that starts at a point of a region's boundary can be inserted into its layout.
+using CanInsert = std::function<bool(const graph::Subdivision&, const BoundaryPoint&)>;
 
-/// The ways on of all lines that end where no line of the other side does. Lines that cross a region in opposite
-/// directions, each the nearest to the other and not bent by more than 0.1 radian, become one, from the end of one to
-/// the end of the other; the second one has no way of its own then.
-std::vector<Continuation> continuations(const RegionLayouts& regions, CutEnds cuts, const Admits& admits);
+/// Those of all lines that end where no line of the other side does. Lines that cross a region in opposite directions,
+/// each the nearest to the other and not bent by more than `greatest_bend`, become one, from the start of one to the
+/// start of the other; the second one has no line of its own then.
+std::vector<Continuation> continuations(const RegionLayouts& regions, CutEnds cuts, const CanInsert& can_insert);
 
 }  // namespace quadrille::couple

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "couple/continuations.hpp"
-#include "couple/renew_lines.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "graph/crossings.hpp"
@@ -17,9 +16,7 @@
 namespace quadrille::couple {
 namespace {
 
-// All relative to the diameter of the region.
-constexpr double relative_same = 1e-8;  // a line nearer than this to a node ends there already
-constexpr double relative_end = 1e-6;   // of a piece: crossings nearer to its ends are at a node
+constexpr double relative_end = 1e-6;  // of a piece: crossings nearer to its ends are at a node
 
 /// A point of an arc: `at.piece` counts the pieces of the half-edge.
 struct ArcPoint {
@@ -116,11 +113,11 @@ std::optional<FaceExit> exit_of_face(const graph::Subdivision& subdivision, Half
 }
 
 // The faces that the line divides, by the points where it leaves them. It may end on lines of earlier rounds (those of
-// this round have the splines from `first_new` on) and where another line ends on the far side. With Reach::first_line
-// it ends at the first such place, with Reach::region at the last one that it reaches through opposite sides of faces.
-// Empty if it reaches none.
+// this round have the splines from `first_new` on) and where another line ends on the far side. With
+// ContinueTo::first_line it ends at the first such place, with ContinueTo::boundary at the last one that it reaches
+// through opposite sides of faces. Empty if it reaches none.
 std::vector<FaceExit> exits_of_line(const graph::Subdivision& subdivision, HalfEdge entry, const TracedLine& line,
-                                    double same, int first_new, Reach reach) {
+                                    double same, int first_new, ContinueTo limit) {
   const ArcGraph& graph = subdivision.graph();
   std::vector<FaceExit> exits;
   std::size_t num_certain = 0;
@@ -133,14 +130,14 @@ std::vector<FaceExit> exits_of_line(const graph::Subdivision& subdivision, HalfE
     const bool may_end = exit->point.is_end || !is_new;
     if (may_end) num_certain = exits.size();
     const bool is_last = exit->point.is_end || graph.arcs[entry.arc].is_boundary;
-    if (is_last || (may_end && reach == Reach::first_line)) break;
+    if (is_last || (may_end && limit == ContinueTo::first_line)) break;
   }
   exits.resize(num_certain);
   return exits;
 }
 
 // Where a line that starts on the boundary enters a face that it can divide.
-std::optional<ArcPoint> entry_at(const graph::Subdivision& subdivision, const Place& start) {
+std::optional<ArcPoint> entry_at(const graph::Subdivision& subdivision, const BoundaryPoint& start) {
   const ArcGraph& graph = subdivision.graph();
   std::vector<HalfEdge> boundary;
   for (int a = 0; a < subdivision.arc_bound(); ++a)
@@ -150,13 +147,14 @@ std::optional<ArcPoint> entry_at(const graph::Subdivision& subdivision, const Pl
 }
 
 // Divides the faces that the line enters, if it reaches the opposite sides.
-bool insert_line(graph::CandidateLayout& layout, TracedLine line, const Place& start, int first_new, Reach reach) {
+bool insert_line(graph::CandidateLayout& layout, TracedLine line, const BoundaryPoint& start, int first_new,
+                 ContinueTo limit) {
   graph::Subdivision& subdivision = layout.subdivision;
   const ArcGraph& graph = subdivision.graph();
   const std::optional<ArcPoint> entry = entry_at(subdivision, start);
   if (!entry) return false;
   const std::vector<FaceExit> exits =
-      exits_of_line(subdivision, entry->h, line, relative_same * graph.face.diameter, first_new, reach);
+      exits_of_line(subdivision, entry->h, line, relative_same * graph.face.diameter, first_new, limit);
   if (exits.empty()) return false;
   const auto begin = graph::divide_at_point(subdivision, entry->h, entry->at);
   Nurbs& spline = line.spline;
@@ -180,21 +178,36 @@ bool insert_line(graph::CandidateLayout& layout, TracedLine line, const Place& s
   return true;
 }
 
+// Of each region, the kinds of the lines of its splines.
+std::vector<std::vector<LineKind>> kinds_of_lines(const RegionLayouts& regions) {
+  std::vector<std::vector<LineKind>> kinds;
+  for (const graph::CandidateLayout& layout : regions.layouts)
+    kinds.push_back(graph::spline_kinds(layout.graph(), layout.lines));
+  return kinds;
+}
+
+// `kinds`: before the change.
+void rebuild_lines(RegionLayouts& regions, std::vector<std::vector<LineKind>> kinds) {
+  for (std::size_t r = 0; r < kinds.size(); ++r)
+    graph::rebuild_lines(regions.layouts[r], std::move(kinds[r]), LineKind::traced);
+}
+
 }  // namespace
 
-int continue_lines(RegionLayouts& regions, CutEnds cuts, Reach reach) {
+int continue_lines(RegionLayouts& regions, CutEnds cuts, ContinueTo limit) {
   std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
   std::vector<int> first_new;  // spline of each region
   for (const graph::CandidateLayout& layout : regions.layouts)
     first_new.push_back(static_cast<int>(layout.graph().splines.size()));
-  std::vector<Continuation> ways = continuations(
-      regions, cuts, [](const graph::Subdivision& s, const Place& start) { return entry_at(s, start).has_value(); });
+  std::vector<Continuation> all = continuations(
+      regions, cuts,
+      [](const graph::Subdivision& s, const BoundaryPoint& start) { return entry_at(s, start).has_value(); });
   int num_lines = 0;
-  for (Continuation& way : ways)
-    if (way.line)
+  for (Continuation& next : all)
+    if (next.line)
       num_lines +=
-          insert_line(regions.layouts[way.region], std::move(*way.line), way.start, first_new[way.region], reach);
-  renew_lines(regions, std::move(kinds), LineKind::traced);
+          insert_line(regions.layouts[next.region], std::move(*next.line), next.start, first_new[next.region], limit);
+  rebuild_lines(regions, std::move(kinds));
   return num_lines;
 }
 
@@ -219,7 +232,7 @@ int remove_needless_cuts(RegionLayouts& regions) {
     }
     subdivision.compact();
   }
-  renew_lines(regions, std::move(kinds), LineKind::traced);
+  rebuild_lines(regions, std::move(kinds));
   return num_removed;
 }
 

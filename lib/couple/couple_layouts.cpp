@@ -1,36 +1,25 @@
 #include "couple/couple_layouts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "couple/conforming_layout.hpp"
 #include "couple/continue_lines.hpp"
-#include "couple/interface_corner.hpp"
 #include "couple/join_layouts.hpp"
-#include "couple/meet_stations.hpp"
-#include "couple/periodic_layout.hpp"
+#include "couple/match_line_ends.hpp"
 #include "couple/periodic_nodes.hpp"
-#include "couple/turn_round_regions.hpp"
-#include "curve/chain.hpp"
+#include "couple/rotate_circular_regions.hpp"
 #include "graph/face_corners.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
 #include "model/periodic_arcs.hpp"
-#include "quantize/extend_lines.hpp"
-#include "quantize/quantize.hpp"
-#include "quantize/t_mesh_faces.hpp"
 #include "simplify/simplify.hpp"
 
 namespace quadrille::couple {
 namespace {
-
-constexpr double relative_unit = 0.1;  // an arc of this length, relative to the diameter, has integer length one
 
 // With blocks worse than the first, lines follow the field across whole regions if that makes better ones, and not
 // more; with blocks worse than the second also if it makes more.
@@ -40,38 +29,6 @@ constexpr double equal_quality = 1e-6;
 
 constexpr int max_rounds = 8;  // of lines continued from one region into the next
 
-std::vector<double> arc_lengths(const ArcGraph& graph) {
-  const curve::CurveTable table(graph.face, graph.splines);
-  std::vector<double> lengths;
-  for (const GraphArc& arc : graph.arcs) lengths.push_back(curve::Chain(table, arc.pieces).length());
-  return lengths;
-}
-
-[[noreturn]] void fail_to_continue(const CadFace& face) {
-  if (face.num_regions() > 1)
-    throw ComputeError(
-        "the lines of the regions cannot be continued across their interfaces: a strip of blocks winds onto itself; "
-        "mesh the regions alone (cad2tri --face)");
-  std::string remedy;
-  if (const auto corner = sharpest_interface_corner(face))
-    remedy =
-        fmt::format(", round the corner of the curve at {}, where it turns by {:.0f} degrees",
-                    rounded_position_text(face.joints[corner->joint].position + face.origin), degrees(corner->turn));
-  throw ComputeError(
-      "the lines on both sides of an embedded curve or of periodic sides cannot be continued across: a strip of blocks "
-      "winds onto itself; choose other nodes (critpoints --nodes, --topology)" +
-      remedy + ", or leave the curve out");
-}
-
-graph::CandidateLayout conforming(const graph::CandidateLayout& t_mesh) {
-  const ArcGraph& graph = t_mesh.graph();
-  const std::vector<quantize::TFace> faces = quantize::t_mesh_faces(t_mesh.subdivision);
-  const quantize::Quantization found =
-      quantize::quantize_or_explain(faces, arc_lengths(graph), relative_unit * graph.face.diameter);
-  if (found.lengths.empty()) fail_to_continue(graph.face);
-  return quantize::extend_lines(t_mesh, faces, found.lengths);
-}
-
 // The deviation of continued lines is that from the field of the region through which each runs.
 void certify(const field::FieldsOfRegions& fields, graph::CandidateLayout& layout, Report& report) {
   double& deviation = layout.certificate.largest_deviation_degrees;
@@ -79,33 +36,35 @@ void certify(const field::FieldsOfRegions& fields, graph::CandidateLayout& layou
   layout::certify(*layout.certificate.method, layout, report);
 }
 
-graph::CandidateLayout coupled(RegionLayouts regions, Reach reach, const layout::LayoutOptions& options,
-                               Report& report) {
-  report.set("couple.turned_regions", turn_round_regions(regions));
-  int num_met = 0, num_continued = 0;
+// Lines of the regions that end on interfaces match lines of the other side, or are continued there.
+void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, Report& report) {
+  int num_matched = 0, num_continued = 0;
+  const auto match = [&](CutEnds cuts) { num_matched += match_line_ends(regions, interface_sides(regions, cuts)); };
   for (const CutEnds cuts : {CutEnds::ignored, CutEnds::included}) {
-    num_met += meet_stations(regions, cuts);
+    match(cuts);
     for (int round = 0; round < max_rounds; ++round) {
-      const int num = continue_lines(regions, cuts, reach);
+      const int num = continue_lines(regions, cuts, limit);
       if (num == 0) break;
       num_continued += num;
-      num_met += meet_stations(regions, cuts);
+      match(cuts);
     }
     if (cuts == CutEnds::ignored) remove_needless_cuts(regions);
   }
-  report.set("couple.lines_met", num_met);
+  report.set("couple.lines_met", num_matched);
   report.set("couple.lines_continued", num_continued);
-  const field::FieldsOfRegions fields(regions.fields, regions.turns);
+}
+
+graph::CandidateLayout coupled(RegionLayouts regions, ContinueTo limit, const layout::LayoutOptions& options,
+                               Report& report) {
+  report.set("couple.turned_regions", rotate_circular_regions(regions));
+  continue_across_interfaces(regions, limit, report);
   SeparatrixGraph joined = join_layouts(regions);
-  const bool is_periodic = !joined.face.periodic_pairs.empty();
-  if (is_periodic) snap_periodic_nodes(joined);
+  snap_periodic_nodes(joined);
   graph::CandidateLayout layout = graph::candidate_layout(std::move(joined));
   report.set("couple.t_junctions", layout.t_junctions.size());
   report.set("couple.faces_before", layout.subdivision.num_faces());
-  if (is_periodic)
-    layout = conforming_across_periodic_sides(std::move(layout), fields, relative_unit, report);
-  else if (!layout.t_junctions.empty())
-    layout = conforming(layout);
+  layout = conforming_layout(regions, std::move(layout), report);
+  const field::FieldsOfRegions fields(regions.fields, regions.rotations);
   graph::require_four_corners(layout.subdivision);
   if (options.simplify != layout::SimplifyLevel::none)
     layout = simplify::simplify(fields, std::move(layout), layout::simplify_options(options), report);
@@ -124,7 +83,7 @@ void follow_field_if_better(RegionLayouts regions, const layout::LayoutOptions& 
   if (quality >= good_scaled_jacobian) return;
   Report attempt_report(report.progress());
   try {
-    graph::CandidateLayout attempt = coupled(std::move(regions), Reach::region, options, attempt_report);
+    graph::CandidateLayout attempt = coupled(std::move(regions), ContinueTo::boundary, options, attempt_report);
     const layout::LayoutQuality after = layout::quality_of(attempt.subdivision);
     if (!after.is_valid || after.least_scaled_jacobian <= quality + equal_quality) return;
     if (quality >= acceptable_scaled_jacobian && after.num_blocks > before.num_blocks) return;
@@ -138,7 +97,10 @@ void follow_field_if_better(RegionLayouts regions, const layout::LayoutOptions& 
 }  // namespace
 
 SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report) {
-  graph::CandidateLayout layout = coupled(regions, Reach::first_line, options, report);
+  const CadFace& face = regions.face;
+  if (face.partners.empty() && face.periodic_pairs.empty())
+    return graph::separatrix_graph(std::move(regions.layouts.front()));
+  graph::CandidateLayout layout = coupled(regions, ContinueTo::first_line, options, report);
   follow_field_if_better(std::move(regions), options, layout, report);
   return graph::separatrix_graph(std::move(layout));
 }

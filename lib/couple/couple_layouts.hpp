@@ -10,11 +10,11 @@
 
 namespace quadrille::couple {
 
-/// Joins the layouts: lines that end on an interface near each other are bent to meet (couple/meet_stations.hpp), the
-/// others end in T-junctions of one T-mesh (couple/join_layouts.hpp), integer lengths are found for its arcs
-/// (quantize/quantize.hpp), and each line goes on in the neighbour through its integer grid
-/// (quantize/extend_lines.hpp). Also of one region, with slits. Reports couple.*. Throws ComputeError if there are no
-/// integer lengths, or lines cannot be continued.
+/// The layout of one region that shares no curve and has no periodic sides is that of the whole, as it is. Others are
+/// joined: lines that end on an interface near each other are bent to match (couple/match_line_ends.hpp), the others
+/// are continued in the neighbour (couple/continue_lines.hpp) or end in T-junctions of one T-mesh
+/// (couple/join_layouts.hpp), from which integer lengths make a conforming layout (couple/conforming_layout.hpp).
+/// Reports couple.* and simplify.*. Throws ComputeError if there are no integer lengths, or lines cannot be continued.
 SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report);
 
 }  // namespace quadrille::couple

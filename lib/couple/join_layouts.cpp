@@ -10,7 +10,6 @@
 namespace quadrille::couple {
 namespace {
 
-constexpr double relative_same = 1e-8;       // relative to the diameter: nodes nearer than this on an interface are one
 constexpr double relative_parameter = 1e-6;  // of a curve's interval: nodes that are one differ by less
 constexpr int straight = 2;                  // valence of a sector without a node
 
@@ -19,9 +18,9 @@ struct RegionNode {
   int region = 0, node = -1;
 };
 
-/// A point of the boundaries of the regions that becomes one node.
-struct BoundaryPoint {
-  std::vector<Place> places;  // places_of_point
+/// A point of the plane on boundaries of regions that becomes one node.
+struct SharedPoint {
+  std::vector<BoundaryPoint> points;  // coincident_points
   std::vector<RegionNode> members;
   bool is_inside = false;
 };
@@ -34,7 +33,7 @@ class LayoutJoiner {
     graph_.face = face_;
     for (const graph::CandidateLayout& layout : regions_.layouts) nodes_.emplace_back(layout.graph().nodes.size(), -1);
     add_inner_nodes();
-    for (const BoundaryPoint& point : boundary_points()) add_boundary_node(point);
+    for (const SharedPoint& shared : shared_points()) add_boundary_node(shared);
     for (int r = 0; r < num_regions(); ++r) add_arcs(r);
     add_t_junctions();
     return std::move(graph_);
@@ -54,65 +53,64 @@ class LayoutJoiner {
         }
   }
 
-  // The place of a point by which all its places are known: the lowest.
-  Place lowest(const Place& place) const {
-    const std::vector<Place> places = places_of_point(face_, place);
-    return *std::min_element(places.begin(), places.end());
+  // Of coincident points, the one that stands for all.
+  BoundaryPoint lowest(const BoundaryPoint& point) const {
+    const std::vector<BoundaryPoint> points = coincident_points(face_, point);
+    return *std::min_element(points.begin(), points.end());
   }
 
-  // Ordered by their lowest places. Points inside an interface that are nearly the same are united; at joints they are
+  // Ordered by their lowest points. Points inside an interface that are nearly the same are united; at joints they are
   // the same, because each region moved what ends near a joint onto it.
-  std::vector<BoundaryPoint> boundary_points() const {
-    std::map<Place, std::vector<RegionNode>> by_place;
+  std::vector<SharedPoint> shared_points() const {
+    std::map<BoundaryPoint, std::vector<RegionNode>> by_point;
     for (int r = 0; r < num_regions(); ++r)
       for (int n = 0; n < static_cast<int>(nodes_[r].size()); ++n)
-        if (part(r).nodes[n].curve >= 0) by_place[lowest(regions_.place_of(r, n))].push_back({r, n});
-    std::vector<BoundaryPoint> points;
+        if (part(r).nodes[n].curve >= 0) by_point[lowest(regions_.point_of(r, n))].push_back({r, n});
+    std::vector<SharedPoint> all;
     const double same = relative_same * face_.diameter;
-    for (auto& [place, members] : by_place) {
-      if (!points.empty() && points.back().places.front().curve == place.curve && face_.is_interface(place.curve) &&
-          distance(position(points.back().places.front()), position(place)) <= same) {
-        append(points.back().members, members);
+    for (auto& [point, members] : by_point) {
+      if (!all.empty() && all.back().points.front().curve == point.curve && face_.is_interface(point.curve) &&
+          distance(position(all.back().points.front()), position(point)) <= same) {
+        append(all.back().members, members);
         continue;
       }
-      points.push_back({places_of_point(face_, place), std::move(members), is_inside_whole(face_, place)});
+      all.push_back({coincident_points(face_, point), std::move(members), is_inside_whole(face_, point)});
     }
-    return points;
+    return all;
   }
 
   static void append(std::vector<RegionNode>& all, const std::vector<RegionNode>& more) {
     all.insert(all.end(), more.begin(), more.end());
   }
 
-  Vec2 position(const Place& place) const { return curve::point(face_.curves[place.curve], place.t); }
+  Vec2 position(const BoundaryPoint& point) const { return curve::point(face_.curves[point.curve], point.t); }
 
   // The kind that the node has in the whole.
-  NodeKind kind_of(const BoundaryPoint& point) const {
-    if (!point.is_inside) {
-      if (point.places.size() > 1) return NodeKind::corner;
-      const RegionNode& member = point.members.front();
+  NodeKind kind_of(const SharedPoint& shared) const {
+    if (!shared.is_inside) {
+      if (shared.points.size() > 1) return NodeKind::corner;
+      const RegionNode& member = shared.members.front();
       const NodeKind kind = part(member.region).nodes[member.node].kind;
       // A cut that is left is the line of a neighbour, which ends where it would have gone on.
       return kind == NodeKind::cut ? NodeKind::boundary : kind;
     }
-    const bool is_smooth = point.places.size() == 2 &&
-                           std::none_of(point.members.begin(), point.members.end(), [&](const RegionNode& member) {
+    const bool is_smooth = shared.points.size() == 2 &&
+                           std::none_of(shared.members.begin(), shared.members.end(), [&](const RegionNode& member) {
                              return part(member.region).nodes[member.node].kind == NodeKind::corner;
                            });
     return is_smooth ? NodeKind::interface : NodeKind::junction;
   }
 
-  void add_boundary_node(const BoundaryPoint& point) {
+  void add_boundary_node(const SharedPoint& shared) {
     const int number = static_cast<int>(graph_.nodes.size());
-    const Place& place = point.places.front();
-    int valence = straight * (static_cast<int>(point.places.size()) - static_cast<int>(point.members.size()));
-    for (const RegionNode& member : point.members) {
+    const BoundaryPoint& point = shared.points.front();
+    int valence = straight * (static_cast<int>(shared.points.size()) - static_cast<int>(shared.members.size()));
+    for (const RegionNode& member : shared.members) {
       valence += part(member.region).nodes[member.node].valence;
       nodes_[member.region][member.node] = number;
     }
-    const Vec2 x = place.is_joint(face_) ? face_.joints[place.curve].position : position(place);
-    graph_.nodes.push_back({x, kind_of(point), valence, place.curve, place.t});
-    for (const Place& p : point.places) on_curve_[p.curve][p.t] = number;
+    graph_.nodes.push_back({point.position(face_), kind_of(shared), valence, point.curve, point.t});
+    for (const BoundaryPoint& p : shared.points) on_curve_[p.curve][p.t] = number;
   }
 
   // The parameters at which a piece is divided, with the nodes there.

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "couple/join_layouts.hpp"
-#include "couple/periodic_chains.hpp"
+#include "couple/side_pairs.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/divide_at_point.hpp"
 #include "model/periodic.hpp"
@@ -12,26 +12,20 @@
 namespace quadrille::couple {
 namespace {
 
-constexpr double relative_same = 1e-8;  // relative to the diameter: nodes nearer than this are one
-
-Vec2 point_at(const CadFace& face, const Place& place) {
-  return place.is_joint(face) ? face.joints[place.curve].position : curve::point(face.curves[place.curve], place.t);
-}
-
 // A node inside a curve and the boundary arcs beside it.
-void move_node(SeparatrixGraph& graph, int node, const Place& place) {
+void move_node(SeparatrixGraph& graph, int node, const BoundaryPoint& point) {
   GraphNode& n = graph.nodes[node];
   for (GraphArc& arc : graph.arcs) {
     if (!arc.is_boundary) continue;
     ArcPiece &first = arc.pieces.front(), &last = arc.pieces.back();
-    if (arc.from == node && first.curve == place.curve) first.t0 = place.t;
-    if (arc.to == node && last.curve == place.curve) last.t1 = place.t;
+    if (arc.from == node && first.curve == point.curve) first.t0 = point.t;
+    if (arc.to == node && last.curve == point.curve) last.t1 = point.t;
   }
-  n.t = place.t;
-  n.position = point_at(graph.face, place);
+  n.t = point.t;
+  n.position = point.position(graph.face);
 }
 
-// Where a boundary arc runs through a place.
+// Where a boundary arc runs through a point.
 struct InArc {
   int arc = -1;
   curve::ChainPoint at;
@@ -93,8 +87,8 @@ void snap_periodic_nodes(SeparatrixGraph& graph) {
       if (node.curve != b || node.t == face.curves[b].begin()) continue;
       for (const GraphNode& other : graph.nodes) {
         if (other.curve != a || other.t == face.curves[a].begin()) continue;
-        const Place image{b, periodic_parameter(face, a, other.t, b)};
-        if (distance(point_at(face, image), node.position) > relative_same * face.diameter) continue;
+        const BoundaryPoint image{b, periodic_parameter(face, a, other.t, b)};
+        if (distance(image.position(face), node.position) > relative_same * face.diameter) continue;
         move_node(graph, n, image);
         break;
       }
@@ -105,9 +99,9 @@ void snap_periodic_nodes(SeparatrixGraph& graph) {
 
 int divide_periodic_sides(graph::CandidateLayout& layout) {
   int num_divided = 0;
-  for (const PeriodicChain& chain : periodic_chains(layout.graph().face)) {
+  for (const SidePair& pair : periodic_sides({layout.graph().face, {}, {}, {}})) {
     const CadFace& face = layout.graph().face;
-    const int first = chain.chain.curves.front(), last = chain.chain.curves.back();
+    const int first = pair.curves[0].front(), last = pair.curves[0].back();
     num_divided += divide_at(layout, first, face.curves[first].begin());
     num_divided += divide_at(layout, last, face.curves[last].end());
   }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "couple/boundary_place.hpp"
+#include "couple/boundary_point.hpp"
 #include "field/evaluate.hpp"
 #include "graph/candidate_layout.hpp"
 #include "model/cad_face.hpp"
@@ -15,17 +15,17 @@ struct RegionLayouts {
   std::vector<graph::CandidateLayout> layouts;  ///< one for each region; their faces are those of regions/split.hpp
   std::vector<const field::FieldEvaluator*> fields;  ///< one for each region
   std::vector<int> first_curves;                     ///< number in the whole of the first curve of each region
-  std::vector<curve::Turn> turns = {};               ///< of round regions, by region; empty: none was turned
+  std::vector<curve::Rotation> rotations = {};       ///< of circular regions, by region; empty: none was rotated
 
-  curve::Turn turn_of(int region) const { return turns.empty() ? curve::Turn{} : turns[region]; }
+  curve::Rotation rotation_of(int region) const { return rotations.empty() ? curve::Rotation{} : rotations[region]; }
   field::FieldsOfRegions field_of(int region) const {
-    return field::FieldsOfRegions({fields[region]}, {turn_of(region)});
+    return field::FieldsOfRegions({fields[region]}, {rotation_of(region)});
   }
   int region_of_curve(int curve) const { return face.region_of_loop(face.loop_of(curve)); }
-  /// Place of a node of a region's graph that is on the boundary of the region.
-  Place place_of(int region, int node) const {
+  /// The point of the whole at which a node of a region's graph lies that is on the boundary of the region.
+  BoundaryPoint point_of(int region, int node) const {
     const GraphNode& n = layouts[region].graph().nodes[node];
-    return place_at(face, n.curve + first_curves[region], n.t);
+    return boundary_point(face, n.curve + first_curves[region], n.t);
   }
 };
 

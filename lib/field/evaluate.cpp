@@ -140,11 +140,11 @@ std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& poin
 
 // The value is that of a cross: it turns four times as far.
 std::vector<PointSample> FieldsOfRegions::values_in(std::size_t region, std::vector<Vec2> points) const {
-  const curve::Turn& turn = turns_[region];
-  if (turn.angle == 0) return regions_[region]->values_at(points);
-  for (Vec2& x : points) x = turn.inverse().of(x);
+  const curve::Rotation& rotation = rotations_[region];
+  if (rotation.angle == 0) return regions_[region]->values_at(points);
+  for (Vec2& x : points) x = rotation.inverse().of(x);
   std::vector<PointSample> samples = regions_[region]->values_at(points);
-  for (PointSample& sample : samples) sample.value = curve::Turn{{}, 4 * turn.angle}.of_vector(sample.value);
+  for (PointSample& sample : samples) sample.value = curve::Rotation{{}, 4 * rotation.angle}.of_vector(sample.value);
   return samples;
 }
 

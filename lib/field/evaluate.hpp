@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "curve/turn.hpp"
+#include "curve/rotation.hpp"
 #include "field/element_terms.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/tri_topology.hpp"
@@ -77,26 +77,26 @@ class FieldEvaluator {
   std::unique_ptr<const ElementTerms> expanded_;  // nullptr if far terms are summed
 };
 
-/// The fields of the regions of a face, of which each point has one. A field whose region is round may be turned.
+/// The fields of the regions of a face, of which each point has one. A field whose region is round may be rotated.
 class FieldsOfRegions {
  public:
   FieldsOfRegions(const FieldEvaluator& only)  // NOLINT(*-explicit-*): one field is a case of many
       : FieldsOfRegions(std::vector<const FieldEvaluator*>{&only}) {}
-  /// Not null; they must outlive the object. `turns`: of each region, or empty.
-  explicit FieldsOfRegions(std::vector<const FieldEvaluator*> regions, std::vector<curve::Turn> turns = {})
-      : regions_(std::move(regions)), turns_(std::move(turns)) {
-    turns_.resize(regions_.size());
+  /// Not null; they must outlive the object. `rotations`: of each region, or empty.
+  explicit FieldsOfRegions(std::vector<const FieldEvaluator*> regions, std::vector<curve::Rotation> rotations = {})
+      : regions_(std::move(regions)), rotations_(std::move(rotations)) {
+    rotations_.resize(regions_.size());
   }
 
-  /// As FieldEvaluator::values_at, of the first region that contains the point; in a turned region PointSample::at is
-  /// where the point lies before the turn.
+  /// As FieldEvaluator::values_at, of the first region that contains the point; in a rotated region PointSample::at is
+  /// where the point lies before the rotation.
   std::vector<PointSample> values_at(const std::vector<Vec2>& points) const;
 
  private:
   std::vector<PointSample> values_in(std::size_t region, std::vector<Vec2> points) const;
 
   std::vector<const FieldEvaluator*> regions_;
-  std::vector<curve::Turn> turns_;
+  std::vector<curve::Rotation> rotations_;
 };
 
 }  // namespace quadrille::field

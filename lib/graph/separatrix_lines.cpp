@@ -35,4 +35,10 @@ std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vect
   return lines;
 }
 
+void rebuild_lines(CandidateLayout& layout, std::vector<LineKind> kinds, LineKind added) {
+  kinds.resize(layout.graph().splines.size(), added);
+  layout.lines = lines_of_arcs(layout.graph(), kinds);
+  layout.subdivision.drop_unused_splines();
+}
+
 }  // namespace quadrille::graph

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/candidate_layout.hpp"
 #include "model/separatrix_graph.hpp"
 
 namespace quadrille::graph {
@@ -13,5 +14,9 @@ std::vector<LineKind> spline_kinds(const ArcGraph& graph, const std::vector<Sepa
 
 /// For each spline a line for each run of arcs, of the kind that `kinds` has for the spline.
 std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vector<LineKind>& kinds);
+
+/// Sets the lines of a layout whose arcs changed, and removes splines that no arc uses. `kinds`: of its splines before
+/// the change; those that were added are of the kind `added`.
+void rebuild_lines(CandidateLayout& layout, std::vector<LineKind> kinds, LineKind added);
 
 }  // namespace quadrille::graph

@@ -17,7 +17,7 @@
 namespace quadrille::quantize {
 namespace {
 
-constexpr double relative_tie = 1e-6;        // relative to the diameter: arrivals nearer than this are equal
+constexpr double relative_arrival = 1e-6;    // relative to the diameter: arrivals nearer than this are equal
 constexpr double relative_first_length = 2;  // relative to the diameter: length to which lines are traced first
 // So many lines stop each other much earlier: traced first so many times as far as the side of a square of which each
 // line has one, relative to the diameter squared.
@@ -84,7 +84,7 @@ graph::CandidateLayout TMeshTracer::trace(Report& report) {
     lines_.merge(report.progress());  // lines need no end here: merging can always be decided
     const trace::LineArrangement& arrangement = lines_.arrangement();
     const std::vector<CoveredPart> covered = trace_motorcycle_graph(
-        trails_of(arrangement, cuts_.head_starts), arrangement.inner_crossings, relative_tie * face.diameter);
+        trails_of(arrangement, cuts_.head_starts), arrangement.inner_crossings, relative_arrival * face.diameter);
     if (follow_unstopped_lines(covered)) continue;
     ClippedLines clipped = clip_lines(arrangement, covered);
     SeparatrixGraph graph = graph::build_graph(face, fixed_, std::move(clipped.pieces), clipped.crossings,

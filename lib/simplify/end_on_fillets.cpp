@@ -135,11 +135,7 @@ FilletEnds end_lines_on_fillets(const field::FieldsOfRegions& fields, const std:
                          [&](const EndMove& move) { return move.curve == fillet.curve && move.t == fillet.t; });
     });
   }
-  if (ends.num_moved > 0) {
-    kinds.resize(layout.graph().splines.size(), LineKind::merged);  // the new ones are blends
-    layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
-    subdivision.drop_unused_splines();
-  }
+  if (ends.num_moved > 0) graph::rebuild_lines(layout, std::move(kinds), LineKind::merged);  // the new ones are blends
   return ends;
 }
 

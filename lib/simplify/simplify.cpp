@@ -201,11 +201,10 @@ graph::CandidateLayout simplify(const field::FieldsOfRegions& fields, graph::Can
   const double least = simplifier.least_scaled_jacobian();
   layout.subdivision = std::move(simplifier.subdivision());
   report_steps(simplifier, report);
-  if (simplifier.num_collapsed() + simplifier.num_shortened() > 0) {
-    kinds.resize(layout.graph().splines.size(), LineKind::merged);  // the new ones are blends
-    layout.lines = graph::lines_of_arcs(layout.graph(), kinds);
-  }
-  layout.subdivision.drop_unused_splines();
+  if (simplifier.num_collapsed() + simplifier.num_shortened() > 0)
+    graph::rebuild_lines(layout, std::move(kinds), LineKind::merged);  // the new ones are blends
+  else
+    layout.subdivision.drop_unused_splines();
   report.set("simplify.least_scaled_jacobian", least);
   LayoutCertificate& certificate = layout.certificate;
   certificate.collapsed_chords += simplifier.num_collapsed();

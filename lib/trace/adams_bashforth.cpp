@@ -19,12 +19,6 @@ StreamStep hermite(Vec2 x, Vec2 direction, Vec2 end, Vec2 end_direction, double 
   return {in_the_plane, s, h, h, {x, rise, bend, rise - h * end_direction - bend, {}}};
 }
 
-struct BoundaryFoot {
-  int curve = -1;
-  double t = 0;
-  Vec2 position;
-};
-
 // The nearest point of the boundary beside an element, within a thousandth of the diameter; else curve -1.
 BoundaryFoot boundary_foot_near(const field::FieldEvaluator& evaluator, int elem, Vec2 x) {
   const TriMesh& mesh = evaluator.field().mesh;

@@ -41,12 +41,6 @@ double direction_of(const field::FieldEvaluator& evaluator, const StreamStep& st
   return near + wrap_pi(angle_of(dx_dxi * step.slope(fraction)) - near);
 }
 
-struct BoundaryFoot {
-  int curve = -1;
-  double t = 0;
-  Vec2 position;
-};
-
 // The point of the CAD curve nearest to where a step crosses an element's edge on the boundary.
 BoundaryFoot boundary_foot(const field::FieldEvaluator& evaluator, const StreamStep& step, const ElementExit& exit) {
   const TriMesh& mesh = evaluator.field().mesh;

@@ -11,7 +11,7 @@ namespace quadrille::trace {
 namespace {
 
 constexpr double same_position = 1e-6;   // relative to the diameter
-constexpr double same_direction = 1e-3;  // radians: two lines of one node are never as near
+constexpr double along_axis = 1e-3;      // radians: two lines of one node are never as near
 constexpr double most_deviation = 0.01;  // radians
 
 bool maps_nodes(const curve::Isometry& mirror, const std::vector<graph::FixedNode>& nodes, double near) {
@@ -41,7 +41,7 @@ std::optional<Launch> straight_launch(const field::FieldEvaluator& evaluator, co
   const Vec2 start = unit(launch.angle);
   for (const MirrorAxis& axis : axes) {
     if (std::abs(cross(axis.direction, launch.origin - axis.point)) > near) continue;
-    if (std::abs(cross(axis.direction, start)) > same_direction) continue;
+    if (std::abs(cross(axis.direction, start)) > along_axis) continue;
     const Vec2 along = dot(axis.direction, start) > 0 ? axis.direction : -axis.direction;
     move_to_axis(evaluator, axis, launch);
     launch.angle += wrap_pi(angle_of(along) - launch.angle);

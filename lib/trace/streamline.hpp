@@ -14,6 +14,13 @@ namespace quadrille::trace {
 /// Of one line. Lines of 20 diameters need up to 18,000.
 inline constexpr int max_stream_steps = 40000;
 
+/// Where a line leaves the face. Curve -1: nowhere.
+struct BoundaryFoot {
+  int curve = -1;
+  double t = 0;
+  Vec2 position;
+};
+
 class Streamline {
  public:
   enum class End { boundary, node, length };

@@ -128,13 +128,13 @@ TEST(FieldEvaluator, says_when_a_point_is_outside) {
   EXPECT_FALSE(FieldEvaluator(field).value_at({1.5, 0.5}, value));
 }
 
-TEST(FieldsOfRegions, turns_the_cross_of_a_turned_field_with_it) {
+TEST(FieldsOfRegions, rotates_the_cross_of_a_rotated_field) {
   const Field field = interpolated_field(square_mesh({-1, -1}, 2, 3), 5, cubic);
   const FieldEvaluator evaluator(field);
-  const curve::Turn turn{{0.1, 0.2}, 0.3};
-  const FieldsOfRegions turned({&evaluator}, {turn});
+  const curve::Rotation rotation{{0.1, 0.2}, 0.3};
+  const FieldsOfRegions rotated({&evaluator}, {rotation});
   const Vec2 x{0.3, -0.2};
-  const PointSample sample = turned.values_at({turn.of(x)}).front();
+  const PointSample sample = rotated.values_at({rotation.of(x)}).front();
   ASSERT_GE(sample.at.elem, 0);
   EXPECT_NEAR(distance(evaluator.maps()[sample.at.elem].position(sample.at.xi), x), 0, tol);
   EXPECT_NEAR(angle_of(sample.value), angle_of(cubic(x)) + 4 * 0.3, tol);

@@ -1,4 +1,4 @@
-#include "couple/best_turn.hpp"
+#include "couple/best_rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tie = 1e-6;  // of angles, and of sums of squares beside 1
 
-/// How far the own ends, turned by an angle, are from the others.
+/// How far the own ends, rotated by an angle, are from the others.
 struct Offsets {
   double mean = 0, squares = 0;
 };
@@ -36,7 +36,7 @@ bool is_among(const std::vector<double>& angles, double angle) {
   return std::any_of(angles.begin(), angles.end(), [&](double a) { return std::abs(wrap_pi(a - angle)) <= tie; });
 }
 
-// Whether a turn by this angle maps the own ends onto themselves.
+// Whether a rotation by this angle maps the own ends onto themselves.
 bool is_symmetry(const std::vector<EndAngles>& loops, double angle) {
   return std::all_of(loops.begin(), loops.end(), [&](const EndAngles& loop) {
     return std::all_of(loop.own.begin(), loop.own.end(), [&](double own) { return is_among(loop.own, own + angle); });
@@ -57,7 +57,7 @@ std::vector<double> best_of(const std::vector<EndAngles>& loops, std::vector<dou
   return best;
 }
 
-// The turns that bring an own end to another one, each moved to the nearest minimum.
+// The rotations that bring an own end to another one, each moved to the nearest minimum.
 std::vector<double> candidates(const std::vector<EndAngles>& loops) {
   std::vector<double> angles;
   for (const EndAngles& loop : loops)
@@ -86,7 +86,7 @@ std::vector<double> middles(const std::vector<EndAngles>& loops, const std::vect
 
 }  // namespace
 
-double best_turn(const std::vector<EndAngles>& loops) {
+double best_rotation(const std::vector<EndAngles>& loops) {
   const std::vector<double> all = candidates(loops);
   if (all.empty()) return 0;
   const std::vector<double> best = best_of(loops, all);

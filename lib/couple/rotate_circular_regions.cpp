@@ -1,4 +1,4 @@
-#include "couple/turn_round_regions.hpp"
+#include "couple/rotate_circular_regions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "couple/best_turn.hpp"
+#include "couple/best_rotation.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::couple {
 namespace {
 
-constexpr double relative_round = 1e-9;  // relative to the diameter: deviation of a boundary from circles
+constexpr double relative_circular = 1e-9;  // relative to the diameter: deviation of a boundary from circles
 constexpr int samples_of_curve = 9;
 
 Vec2 point_at(const Nurbs& curve, double fraction) {
@@ -28,7 +28,7 @@ std::optional<Vec2> circumcentre(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 // The common centre of the circles that bound the face.
-std::optional<Vec2> round_centre(const CadFace& face) {
+std::optional<Vec2> common_centre(const CadFace& face) {
   const Nurbs& first = face.curves.front();
   const std::optional<Vec2> centre = circumcentre(point_at(first, 0), point_at(first, 0.3), point_at(first, 0.6));
   if (!centre) return std::nullopt;
@@ -37,43 +37,43 @@ std::optional<Vec2> round_centre(const CadFace& face) {
     for (int c = face.loop_offsets[l]; c < face.loop_offsets[l + 1]; ++c)
       for (int i = 0; i <= samples_of_curve; ++i) {
         const Vec2 x = point_at(face.curves[c], static_cast<double>(i) / samples_of_curve);
-        if (std::abs(distance(x, *centre) - radius) > relative_round * face.diameter) return std::nullopt;
+        if (std::abs(distance(x, *centre) - radius) > relative_circular * face.diameter) return std::nullopt;
       }
   }
   return centre;
 }
 
-class RoundRegions {
+class CircularRegions {
  public:
-  explicit RoundRegions(RegionLayouts& regions) : regions_(regions) {
+  explicit CircularRegions(RegionLayouts& regions) : regions_(regions) {
     for (std::size_t r = 0; r < regions.layouts.size(); ++r) {
       const CadFace& face = regions.layouts[r].graph().face;
-      centres_.push_back(face.num_regions() == 1 && face.partners.empty() ? round_centre(face) : std::nullopt);
+      centres_.push_back(face.num_regions() == 1 && face.partners.empty() ? common_centre(face) : std::nullopt);
       is_settled_.push_back(!centres_.back());
       is_line_end_.push_back(line_ends(regions.layouts[r]));
       has_lines_.push_back(std::find(is_line_end_[r].begin(), is_line_end_[r].end(), true) != is_line_end_[r].end());
     }
     passing_.resize(regions.layouts.size());
-    regions.turns.assign(regions.layouts.size(), {});
+    regions.rotations.assign(regions.layouts.size(), {});
   }
 
-  int turn_all() {
-    int num_turned = 0;
+  int rotate_all() {
+    int num_rotated = 0;
     if (std::none_of(is_settled_.begin(), is_settled_.end(), [](bool settled) { return settled; }))
       is_settled_[first_with_lines()] = true;
     for (bool is_new = true; is_new;) {
       is_new = false;
-      // Those beside a settled region are turned to its lines as they are now.
-      std::vector<int> turned;
+      // Those beside a settled region are rotated to its lines as they are now.
+      std::vector<int> next;
       for (int r = 0; r < static_cast<int>(is_settled_.size()); ++r)
-        if (!is_settled_[r] && has_settled_neighbour(r)) turned.push_back(r);
-      for (const int r : turned) {
-        num_turned += has_lines_[r] ? turn(r) : pass_through(r);
+        if (!is_settled_[r] && has_settled_neighbour(r)) next.push_back(r);
+      for (const int r : next) {
+        num_rotated += has_lines_[r] ? rotate_one(r) : pass_through(r);
         is_new = true;
       }
-      for (const int r : turned) is_settled_[r] = true;
+      for (const int r : next) is_settled_[r] = true;
     }
-    return num_turned;
+    return num_rotated;
   }
 
  private:
@@ -121,10 +121,10 @@ class RoundRegions {
       const ArcGraph& graph = regions_.layouts[other].graph();
       for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
         if (graph.nodes[n].curve < 0 || !is_line_end_[other][n]) continue;
-        for (const Place& place :
-             places_of_point(regions_.face, regions_.place_of(static_cast<int>(other), static_cast<int>(n))))
-          if (regions_.region_of_curve(place.curve) == region)
-            loops[face.loop_of(place.curve - regions_.first_curves[region])].others.push_back(
+        for (const BoundaryPoint& point :
+             coincident_points(regions_.face, regions_.point_of(static_cast<int>(other), static_cast<int>(n))))
+          if (regions_.region_of_curve(point.curve) == region)
+            loops[face.loop_of(point.curve - regions_.first_curves[region])].others.push_back(
                 angle_about(*centres_[region], graph.nodes[n].position));
       }
     }
@@ -134,20 +134,20 @@ class RoundRegions {
     return loops;
   }
 
-  // A ring without lines of its own lets those of its neighbours pass; it is not turned.
+  // A ring without lines of its own lets those of its neighbours pass; it is not rotated.
   bool pass_through(int region) {
     for (const EndAngles& loop : angles_of_loops(region))
       passing_[region].insert(passing_[region].end(), loop.others.begin(), loop.others.end());
     return false;
   }
 
-  bool turn(int region) {
-    const double angle = best_turn(angles_of_loops(region));
+  bool rotate_one(int region) {
+    const double angle = best_rotation(angles_of_loops(region));
     if (angle == 0) return false;
     graph::CandidateLayout& layout = regions_.layouts[region];
     SeparatrixGraph graph = graph::separatrix_graph(std::move(layout));
-    regions_.turns[region] = {*centres_[region], angle};
-    rotate(graph, regions_.turns[region]);
+    regions_.rotations[region] = {*centres_[region], angle};
+    rotate(graph, regions_.rotations[region]);
     layout = graph::candidate_layout(std::move(graph));
     return true;
   }
@@ -165,15 +165,15 @@ class RoundRegions {
     return pieces;
   }
 
-  static void rotate(SeparatrixGraph& graph, const curve::Turn& turn) {
+  static void rotate(SeparatrixGraph& graph, const curve::Rotation& rotation) {
     for (Nurbs& spline : graph.splines)
-      for (Vec2& pole : spline.poles) pole = turn.of(pole);
+      for (Vec2& pole : spline.poles) pole = rotation.of(pole);
     for (GraphNode& node : graph.nodes) {
-      node.position = turn.of(node.position);
+      node.position = rotation.of(node.position);
       if (node.curve < 0) continue;
-      const Place place = place_on_loop(graph.face, graph.face.loop_of(node.curve), node.position);
-      node.curve = place.curve;
-      node.t = place.t;
+      const BoundaryPoint point = nearest_boundary_point(graph.face, graph.face.loop_of(node.curve), node.position);
+      node.curve = point.curve;
+      node.t = point.t;
     }
     for (GraphArc& arc : graph.arcs)
       if (arc.is_boundary) arc.pieces = path(graph.face, graph.nodes[arc.from], graph.nodes[arc.to]);
@@ -188,9 +188,9 @@ class RoundRegions {
 
 }  // namespace
 
-int turn_round_regions(RegionLayouts& regions) {
+int rotate_circular_regions(RegionLayouts& regions) {
   if (regions.layouts.size() == 1) return 0;
-  return RoundRegions(regions).turn_all();
+  return CircularRegions(regions).rotate_all();
 }
 
 }  // namespace quadrille::couple

@@ -1,5 +1,5 @@
 #pragma once
-// The angle by which a round region is turned to its neighbours.
+// The angle by which a circular region is rotated towards its neighbours.
 
 #include <vector>
 
@@ -12,8 +12,8 @@ struct EndAngles {
 
 /// The angle with the least sum of squares from each own end to the nearest other one. Where several are equally good,
 /// as where the neighbours' lines are symmetric, the best one in the middle between two of them, which is symmetric as
-/// well; if there are several of those too, the least in magnitude of the equally good ones. Angles that turn the own
-/// ends into the same places are one.
-double best_turn(const std::vector<EndAngles>& loops);
+/// well; if there are several of those too, the least in magnitude of the equally good ones. Angles that bring the own
+/// ends to the same places are one.
+double best_rotation(const std::vector<EndAngles>& loops);
 
 }  // namespace quadrille::couple

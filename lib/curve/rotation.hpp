@@ -7,7 +7,7 @@
 
 namespace quadrille::curve {
 
-struct Turn {
+struct Rotation {
   Vec2 centre;
   double angle = 0;  ///< radians
 
@@ -16,7 +16,7 @@ struct Turn {
     return {c * v.x - s * v.y, s * v.x + c * v.y};
   }
   Vec2 of(Vec2 x) const { return centre + of_vector(x - centre); }
-  Turn inverse() const { return {centre, -angle}; }
+  Rotation inverse() const { return {centre, -angle}; }
 };
 
 }  // namespace quadrille::curve
