@@ -103,6 +103,12 @@ void write_regions() {
   io::write_separatrix_graph(target("separatrix_graph", "passed", "regions.sep.json"), samples::two_regions_graph());
   io::write_block_layout(target("block_layout", "passed", "regions.blocks.h5"), samples::two_regions_layout());
   io::write_quad_mesh(target("quad_mesh", "passed", "regions.quad.h5"), samples::two_regions_quads());
+  io::write_block_layout(target("block_layout", "passed", "open.blocks.h5"), samples::open_regions_layout());
+  io::write_quad_mesh(target("quad_mesh", "passed", "open.quad.h5"), samples::open_regions_quads());
+  write_broken("block_layout", ".blocks.h5", io::write_block_layout, samples::open_regions_layout(), "BLK-R17",
+               [](BlockLayout& b) { b.open_curves.clear(); });
+  write_broken("quad_mesh", ".quad.h5", io::write_quad_mesh, samples::open_regions_quads(), "QUA-R14",
+               [](QuadMesh& m) { m.open_curves.clear(); });
   write_broken("block_layout", ".blocks.h5", io::write_block_layout, samples::two_regions_layout(), "BLK-R16",
                [](BlockLayout& b) {
                  b.block_region = {1, 0};
