@@ -15,10 +15,10 @@ PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout qua
 @test "every page has its model, check, test and input/output of the same stem" {
   for page in $PAGES; do
     stem=${page//-/_}
-    assert_file_exist "$ROOT/lib/model/$stem.hpp"
-    assert_file_exist "$ROOT/lib/check/${stem}_check.cpp"
+    assert_file_exist "$ROOT/lib/core/model/$stem.hpp"
+    assert_file_exist "$ROOT/lib/core/check/${stem}_check.cpp"
     assert_file_exist "$ROOT/tests/unit/check/${stem}_check_test.cpp"
-    assert_file_exist "$ROOT/lib/io/${stem}_io.cpp"
+    assert_file_exist "$ROOT/lib/files/io/${stem}_io.cpp"
     [ "$page" = cad-face ] || assert_dir_exist "$ROOT/tests/formats/$stem/passed"
   done
 }
@@ -27,7 +27,7 @@ PAGES="cad-face tri-mesh field critical-points separatrix-graph block-layout qua
   for page in $PAGES; do
     stem=${page//-/_}
     in_page=$(grep -oE '^\| [A-Z]{3}-R[0-9]+ ' "$ROOT/formats/$page.md" | tr -d '| ' | sort)
-    in_code=$(grep -oE '"[A-Z]{3}-R[0-9]+", RuleKind' "$ROOT/lib/check/${stem}_check.cpp" | cut -d'"' -f2 | sort)
+    in_code=$(grep -oE '"[A-Z]{3}-R[0-9]+", RuleKind' "$ROOT/lib/core/check/${stem}_check.cpp" | cut -d'"' -f2 | sort)
     assert_equal "$in_page" "$in_code"
     for rule in $in_page; do
       grep -q "\"$rule\"" "$ROOT/tests/unit/check/${stem}_check_test.cpp" || fail "$rule has no test"

@@ -19,7 +19,7 @@ check() {
   check options
 }
 
-@test "every folder of lib has a short page that names what comes in, what goes out and a header to start with" {
+@test "every area of lib and every folder of it has a short page that names what comes in, what goes out and a header to start with" {
   check folders
 }
 

@@ -11,7 +11,8 @@ import json, pathlib, re, sys
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 CODE_ENDINGS = (".hpp", ".cpp", ".bats", ".bash", ".py", ".sh", ".jq", ".txt")
 SOURCE_FOLDERS = ("lib", "tools", "tests", "pipelines")
-FOLDERS = sorted(path.name for path in (ROOT / "lib").iterdir() if path.is_dir())
+AREAS = sorted(path for path in (ROOT / "lib").glob("*") if path.is_dir())
+FOLDERS = {path.name: path for area in AREAS for path in sorted(area.iterdir()) if path.is_dir()}
 faults = []
 
 
@@ -134,31 +135,39 @@ def check_paths(file, text):
             fault(file, f"names {path}, which does not exist")
     if file.suffix in (".md", ".hpp", ".cpp"):
         for path in re.findall(rf"(?<![\w/.\"<-])((?:{'|'.join(FOLDERS)})/[a-z]\w+(?:\.[hc]pp)?)\b", text):
-            if (ROOT / "lib" / path.split("/")[0]).is_dir() and not is_placeholder(path):
+            if not is_placeholder(path):
                 count += 1
-                if not list((ROOT / "lib").glob(path if path.endswith("pp") else path + ".[hc]pp")):
+                file = path if path.endswith("pp") else path + ".[hc]pp"
+                if not (ROOT / "lib" / path).is_dir() and not list((ROOT / "lib").glob(f"*/{file}")):
                     fault(file, f"names {path}, which is not in lib")
     return count
 
 
+def check_page(folder, lines):
+    """The page of a folder or an area of lib: how it begins, what goes in and out, a header to start with."""
+    page = folder / "README.md"
+    if not page.is_file():
+        faults.append(f"{folder.relative_to(ROOT)} has no README.md")
+        return
+    text = page.read_text()
+    if len(text.splitlines()) > lines:
+        fault(page, f"has more than {lines} lines")
+    if not text.startswith(f"# {folder.name}: "):
+        fault(page, f"does not begin with '# {folder.name}: '")
+    for part in ("- In: ", "- Out: "):
+        if part not in text:
+            fault(page, f"has no '{part}'")
+    header = re.search(r"Start with \[[\w.]+\]\(([\w/]+\.hpp)\)", text)
+    if not header or not (folder / header[1]).is_file():
+        fault(page, "names no header of the folder to start with")
+
+
 def check_folders():
-    for folder in FOLDERS:
-        page = ROOT / "lib" / folder / "README.md"
-        if not page.is_file():
-            faults.append(f"lib/{folder} has no README.md")
-            continue
-        text = page.read_text()
-        if len(text.splitlines()) > 15:
-            fault(page, "has more than 15 lines")
-        if not text.startswith(f"# {folder}: "):
-            fault(page, f"does not begin with '# {folder}: '")
-        for part in ("- In: ", "- Out: "):
-            if part not in text:
-                fault(page, f"has no '{part}'")
-        header = re.search(r"Start with \[(\w+\.hpp)\]", text)
-        if not header or not (page.parent / header[1]).is_file():
-            fault(page, "names no header of the folder to start with")
-    return len(FOLDERS)
+    for folder in FOLDERS.values():
+        check_page(folder, lines=15)
+    for area in AREAS:
+        check_page(area, lines=50)
+    return len(AREAS) + len(FOLDERS)
 
 
 def check_schemas():
@@ -183,7 +192,7 @@ def rows_of(page, section):
 
 def check_warnings():
     """The codes of base/warning_codes.hpp are all in use, and are those of the page; no other source spells one out."""
-    page, header = ROOT / "formats/report.md", ROOT / "lib/base/warning_codes.hpp"
+    page, header = ROOT / "formats/report.md", ROOT / "lib/core/base/warning_codes.hpp"
     listed = rows_of(page, "## Warnings")
     named = dict(re.findall(r"(\w+) = \"(W-[A-Z]+-\d+)\";", header.read_text()))
     used = set()
@@ -313,7 +322,7 @@ def check_terms():
     code = "\n".join(path.read_text() for path in (ROOT / "lib").rglob("*.?pp"))
     words = set(re.findall(r"\w+", re.sub(r"//.*", "", code)))
     count = 0
-    for page in [ROOT / "formats/glossary.md", ROOT / "lib/README.md", *(ROOT / "lib").glob("*/README.md")]:
+    for page in [ROOT / "formats/glossary.md", ROOT / "lib/README.md", *(ROOT / "lib").glob("*/**/README.md")]:
         rows = "\n".join(re.findall(r"(?m)^\|.*", page.read_text())) if page.name == "glossary.md" else page.read_text()
         names = set(re.findall(r"`((?:[A-Z][a-z]+)+|[a-z]+(?:_[a-z]+)+)`", rows))
         count += len(names)
@@ -324,8 +333,8 @@ def check_terms():
 
 def check_options():
     """Options that pages name in running text are those of a tool or pipeline, or of tests/run."""
-    programs = [*(ROOT / "tools").glob("*.cpp"), *(ROOT / "lib/cli").glob("*.cpp"), ROOT / "tests/run",
-                *scripts()]
+    programs = [*(ROOT / "tools").glob("*.cpp"), *(ROOT / "lib/program/cli").glob("*.cpp"),
+                *(ROOT / "lib/program/stage").glob("*.cpp"), ROOT / "tests/run", *scripts()]
     known = set(re.findall(r"--[a-z][a-z-]+", "\n".join(path.read_text() for path in programs)))
     count = 0
     for page in pages():

@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
       "prints how the files were made instead.";
   tool.examples = {"stagecheck half_disc.tri.h5", "stagecheck -v half_disc.crit.json half_disc.quad.h5",
                    "stagecheck --history half_disc.crit.json half_disc.quad.h5"};
-  tool.options = [&](cli::Options& options) {
+  tool.options = [&](Options& options) {
     options.inputs("FILE", paths, "stage files to check");
     options.flag("--history", is_history,
                  "print the commands by which each FILE was made, with all options, from its provenance, each "

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
+#include "check/same_origin.hpp"
 #include "cli/tool_main.hpp"
 #include "draw/comparison.hpp"
 #include "draw/draw.hpp"
@@ -79,10 +80,10 @@ Read read_related(const std::string& path, const std::vector<Read>& others, cli:
   io::InputFile file = io::read_input(path);
   page::Stage stage = read_stage(file, session);
   const auto is_related = [&](const Read& other) {
-    return io::have_same_origin(other.file, provenance_of(other.stage), file, provenance_of(stage));
+    return check::have_same_origin(other.file, provenance_of(other.stage), file, provenance_of(stage));
   };
   if (!others.empty() && std::none_of(others.begin(), others.end(), is_related))
-    io::require_same_origin(others.back().file, provenance_of(others.back().stage), file, provenance_of(stage));
+    check::require_same_origin(others.back().file, provenance_of(others.back().stage), file, provenance_of(stage));
   file.bytes = {};
   return {std::move(file), std::move(stage)};
 }
@@ -154,9 +155,9 @@ std::string picture_of_pair(const std::array<page::Stage, 2>& pair, const Settin
 }
 
 /// The report with the commands by which the files were made, named after the last of them.
-page::Run run_of(const std::vector<Read>& files, const Settings& settings) {
+page::RunRecord run_of(const std::vector<Read>& files, const Settings& settings) {
   if (settings.run_report.empty()) return {};
-  page::Run run{io::read_report(settings.run_report), {}};
+  page::RunRecord run{io::read_report(settings.run_report), {}};
   io::History history;
   for (const Read& read : files)
     for (const std::string& line :
@@ -166,7 +167,7 @@ page::Run run_of(const std::vector<Read>& files, const Settings& settings) {
 }
 
 std::string page_of(std::vector<Read> files, const Settings& settings) {
-  const page::Run run = run_of(files, settings);
+  const page::RunRecord run = run_of(files, settings);
   std::vector<page::Stage> stages;
   for (Read& read : files) stages.push_back(std::move(read.stage));
   return page::html_page(stages, run);
@@ -243,7 +244,7 @@ int main(int argc, char** argv) {
                    "stageview half_disc.crit.json --field half_disc.field.h5 -o points.svg",
                    "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html",
                    "stageview --compare half_disc.quad.h5 half_disc.quad.h5 --width 1400 -o both.svg"};
-  tool.options = [&](cli::Options& o) {
+  tool.options = [&](Options& o) {
     o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
     o.output(settings.output,
              "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");

@@ -1,4 +1,4 @@
-"""The word that a mistyped one stands for; the rule is that of lib/base/name_text.
+"""The word that a mistyped one stands for; the rule is that of lib/core/base/name_text.
 
     nearest_word.py WORD OTHER...  prints the nearest of the others, or nothing
 """

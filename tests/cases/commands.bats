@@ -145,7 +145,7 @@ code() {
   run -0 code 'ninja -C build ([a-z_]+)'
   assert [ "${#lines[@]}" -ge 5 ]
   for name in "${lines[@]}"; do
-    [[ -e $ROOT/tools/$name.cpp || -d $ROOT/lib/$name || -d $ROOT/tests/unit/${name#unit_} ]] ||
+    [[ -e $ROOT/tools/$name.cpp || -d $ROOT/tests/unit/${name#unit_} ]] || compgen -G "$ROOT/lib/*/$name/" >/dev/null ||
       grep -qE "^ *(add_custom_target|add_executable)\($name\b" "$ROOT"/{,tests,tools}/CMakeLists.txt || fail "no target $name"
   done
   run -0 code "(bats -f ('[^']+'|[a-z]+) [a-z/]+\.bats)"

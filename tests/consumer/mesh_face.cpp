@@ -1,8 +1,12 @@
 // mesh_face x.tri.h5 x.crit.json x.quad.h5 [quantized]: from triangles to quads by the library, without running a tool.
+// mesh_any_face, the same with WITH_TRIANGLES, also where no separatrices make blocks.
 #include <iostream>
 #include <quadrille/fields.hpp>
 #include <quadrille/files.hpp>
 #include <quadrille/layouts.hpp>
+#ifdef WITH_TRIANGLES
+#include <quadrille/triangles.hpp>
+#endif
 
 int main(int argc, char** argv) try {
   if (argc < 4) return 2;
@@ -12,7 +16,10 @@ int main(int argc, char** argv) try {
   const CriticalPoints points = api::find_nodes(field);
   if (points.form == NodeForm::phase) field = api::solve_field_of_nodes(triangles, points);
   api::TraceSettings settings;
-  if (argc == 5) settings.way = api::LayoutWay::quantized;
+  if (argc == 5) settings.layout = layout::LayoutChoice::quantized;
+#ifdef WITH_TRIANGLES
+  settings.coarse_mesher = api::coarse_triangles;
+#endif
   const QuadMesh mesh = api::make_quads(api::make_blocks(api::trace_layout(field, points, settings)));
   api::write(argv[2], points);
   api::write(argv[3], mesh);

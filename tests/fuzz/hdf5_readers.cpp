@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace quadrille::check;
   using namespace quadrille::io;
   using quadrille::FormatError;
-  const InputFile file{"fuzz", std::string(reinterpret_cast<const char*>(data), size), ""};
+  const InputFile file{{"fuzz", ""}, std::string(reinterpret_cast<const char*>(data), size)};
   try {
     const std::string format = stage_format(file);
     if (format == "tri-mesh") check_tri_mesh(read_tri_mesh(file), CheckDepth::full);

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace quadrille::check;
   using namespace quadrille::io;
   using quadrille::FormatError;
-  const InputFile file{"fuzz", std::string(reinterpret_cast<const char*>(data), size), ""};
+  const InputFile file{{"fuzz", ""}, std::string(reinterpret_cast<const char*>(data), size)};
   const auto attempt = [](const auto& read_and_check) {
     try {
       read_and_check();

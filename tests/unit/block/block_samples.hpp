@@ -1,5 +1,5 @@
 #pragma once
-// Layouts of one block with known trouble, and the rules that a layout breaks, for the tests of lib/block.
+// Layouts of one block with known trouble, and the rules that a layout breaks, for the tests of lib/layout/block.
 
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"

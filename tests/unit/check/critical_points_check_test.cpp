@@ -70,7 +70,7 @@ template <typename Damage>
 Rules broken_beside_field(const Damage& damage) {
   CriticalPoints points = samples::critical_points();
   damage(points);
-  return rules_of(check_critical_points_of(points, samples::field()));
+  return rules_of(check_critical_points_of(points, samples::field().mesh));
 }
 
 TEST(CriticalPointsCheck, TheSampleFitsItsField) {
@@ -104,7 +104,7 @@ template <typename Damage>
 Rules broken_resolved_beside_field(const Damage& damage) {
   CriticalPoints points = samples::resolved_points();
   damage(points);
-  return rules_of(check_critical_points_of(points, samples::field()));
+  return rules_of(check_critical_points_of(points, samples::field().mesh));
 }
 
 TEST(CriticalPointsCheck, TheResolvedSampleIsValid) {
@@ -176,7 +176,8 @@ Rules broken_regions(const Damage& damage) {
 
 TEST(CriticalPointsCheck, PointsOfRegionsAreValid) {
   EXPECT_EQ(broken_regions([](auto&) {}), Rules{});
-  EXPECT_EQ(rules_of(check_critical_points_of(samples::two_regions_points(), samples::two_regions_field())), Rules{});
+  EXPECT_EQ(rules_of(check_critical_points_of(samples::two_regions_points(), samples::two_regions_field().mesh)),
+            Rules{});
 }
 TEST(CriticalPointsCheck, CrtR06EachRegionCounts) {
   EXPECT_EQ(broken_regions([](auto& c) {
@@ -206,7 +207,7 @@ TEST(CriticalPointsCheck, CrtR14HolesAreCountedInEachRegion) {
   CriticalPoints points = samples::two_regions_points();
   points.form = NodeForm::phase;
   points.hole_winding_offsets = {0};
-  EXPECT_EQ(rules_of(check_critical_points_of(points, samples::two_regions_field())), Rules{"CRT-R14"})
+  EXPECT_EQ(rules_of(check_critical_points_of(points, samples::two_regions_field().mesh)), Rules{"CRT-R14"})
       << "two loops, but no hole";
 }
 

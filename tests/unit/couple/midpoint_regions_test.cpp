@@ -6,6 +6,7 @@
 #include "graph/face_corners.hpp"
 #include "graph/subdivision.hpp"
 #include "model/interfaces.hpp"
+#include "triangulate/coarse_triangles.hpp"
 
 namespace quadrille::couple {
 namespace {
@@ -21,7 +22,7 @@ TriMesh without_triangles(const CadFace& face) {
 
 SeparatrixGraph division(const CadFace& face) {
   Report report;
-  return midpoint_regions(face, without_triangles(face), "", report);
+  return midpoint_regions(face, without_triangles(face), triangulate::coarse_triangles, "", report);
 }
 
 int num_interface_arcs(const SeparatrixGraph& graph) {
@@ -68,7 +69,8 @@ TEST(MidpointRegions, AnOpenInterfaceIsTwoBoundaries) {
   CadFace open = face;
   open.partners.assign(face.num_curves(), -1);
   Report report;
-  const SeparatrixGraph graph = midpoint_regions(open, without_triangles(face), "", report);
+  const SeparatrixGraph graph =
+      midpoint_regions(open, without_triangles(face), triangulate::coarse_triangles, "", report);
   EXPECT_EQ(num_interface_arcs(graph), 0);
   EXPECT_EQ(index_sum_of(graph), 8);
 }
@@ -76,7 +78,8 @@ TEST(MidpointRegions, AnOpenInterfaceIsTwoBoundaries) {
 TEST(MidpointRegions, AReasonIsAWarning) {
   const CadFace face = face_of_regions({rectangle({0, 0}, {1, 1}), rectangle({1, 0}, {2, 1})});
   Report report;
-  EXPECT_EQ(midpoint_regions(face, without_triangles(face), "a strip winds", report).certificate.reason,
+  EXPECT_EQ(midpoint_regions(face, without_triangles(face), triangulate::coarse_triangles, "a strip winds", report)
+                .certificate.reason,
             "a strip winds");
   ASSERT_EQ(report.warnings().size(), 1u);
   EXPECT_EQ(report.warnings().front().code, "W-SEP-002");

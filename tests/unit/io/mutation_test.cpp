@@ -23,21 +23,20 @@ struct Format {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> all{
-      {"tri-mesh", true, [](const std::string& p) { write_tri_mesh(p, samples::tri_mesh()); }, read_tri_mesh},
-      {"field", true, [](const std::string& p) { write_field(p, samples::field()); }, read_field},
-      {"critical-points", false, [](const std::string& p) { write_critical_points(p, samples::critical_points()); },
+      {"tri-mesh", true, [](const std::string& p) { write_stage(p, samples::tri_mesh()); }, read_tri_mesh},
+      {"field", true, [](const std::string& p) { write_stage(p, samples::field()); }, read_field},
+      {"critical-points", false, [](const std::string& p) { write_stage(p, samples::critical_points()); },
        read_critical_points},
-      {"critical-points", false, [](const std::string& p) { write_critical_points(p, samples::resolved_points()); },
+      {"critical-points", false, [](const std::string& p) { write_stage(p, samples::resolved_points()); },
        read_critical_points},
-      {"field", true, [](const std::string& p) { write_field(p, samples::phase_field()); }, read_field},
-      {"separatrix-graph", false, [](const std::string& p) { write_separatrix_graph(p, samples::separatrix_graph()); },
+      {"field", true, [](const std::string& p) { write_stage(p, samples::phase_field()); }, read_field},
+      {"separatrix-graph", false, [](const std::string& p) { write_stage(p, samples::separatrix_graph()); },
        read_separatrix_graph},
-      {"block-layout", true, [](const std::string& p) { write_block_layout(p, samples::block_layout()); },
-       read_block_layout},
-      {"quad-mesh", true, [](const std::string& p) { write_quad_mesh(p, samples::quad_mesh()); }, read_quad_mesh},
-      {"tri-mesh", true, [](const std::string& p) { write_tri_mesh(p, samples::two_regions_mesh()); }, read_tri_mesh},
-      {"field", true, [](const std::string& p) { write_field(p, samples::two_regions_phase_field()); }, read_field},
-      {"critical-points", false, [](const std::string& p) { write_critical_points(p, samples::two_regions_points()); },
+      {"block-layout", true, [](const std::string& p) { write_stage(p, samples::block_layout()); }, read_block_layout},
+      {"quad-mesh", true, [](const std::string& p) { write_stage(p, samples::quad_mesh()); }, read_quad_mesh},
+      {"tri-mesh", true, [](const std::string& p) { write_stage(p, samples::two_regions_mesh()); }, read_tri_mesh},
+      {"field", true, [](const std::string& p) { write_stage(p, samples::two_regions_phase_field()); }, read_field},
+      {"critical-points", false, [](const std::string& p) { write_stage(p, samples::two_regions_points()); },
        read_critical_points}};
   return all;
 }
@@ -202,8 +201,7 @@ TEST_F(Damaged, MissingAndMistypedMembersAreNamed) {
 /// JSON members are cut by their key's name; the first place where `name` stands is the one.
 TEST_F(Damaged, RequiredMembersOfCriticalPointsAreMissed) {
   const Format format{"critical-points", false,
-                      [](const std::string& p) { write_critical_points(p, samples::resolved_points()); },
-                      read_critical_points};
+                      [](const std::string& p) { write_stage(p, samples::resolved_points()); }, read_critical_points};
   const std::string bytes = sample(format);
   const auto without = [&](const std::string& name) {
     std::string changed = bytes;
@@ -235,8 +233,7 @@ TEST_F(Damaged, RequiredMembersOfCriticalPointsAreMissed) {
 /// May be missing, but must be what the page says where they are there.
 TEST_F(Damaged, MistypedOptionalMembersOfCriticalPointsAreNamed) {
   const Format format{"critical-points", false,
-                      [](const std::string& p) { write_critical_points(p, samples::resolved_points()); },
-                      read_critical_points};
+                      [](const std::string& p) { write_stage(p, samples::resolved_points()); }, read_critical_points};
   const std::string bytes = sample(format);
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string changed = bytes;

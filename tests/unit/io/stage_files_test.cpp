@@ -12,11 +12,11 @@ namespace {
 class StageFiles : public Scratch {
  protected:
   /// Writing what was read gives the same bytes: nothing is lost and nothing is added.
-  template <typename Stage, typename Read, typename Write>
-  void expect_same_bytes(const Stage& stage, const Read& read, const Write& write) {
-    write(path("first"), stage);
+  template <typename Stage, typename Read>
+  void expect_same_bytes(const Stage& stage, const Read& read) {
+    write_stage(path("first"), stage);
     const InputFile file = read_input(path("first"));
-    write(path("second"), read(file));
+    write_stage(path("second"), read(file));
     EXPECT_EQ(bytes_of("first"), bytes_of("second"));
     EXPECT_GT(file.bytes.size(), 500u);
   }
@@ -34,7 +34,7 @@ class StageFiles : public Scratch {
 };
 
 TEST_F(StageFiles, TriMeshSurvivesTheRoundTrip) {
-  expect_same_bytes(samples::tri_mesh(), read_tri_mesh, write_tri_mesh);
+  expect_same_bytes(samples::tri_mesh(), read_tri_mesh);
   const TriMesh mesh = read_tri_mesh(read_input(path("second"))), expected = samples::tri_mesh();
   EXPECT_EQ(mesh.vertices, expected.vertices);
   EXPECT_EQ(mesh.elem2vertices, expected.elem2vertices);
@@ -47,22 +47,22 @@ TEST_F(StageFiles, TriMeshSurvivesTheRoundTrip) {
 }
 
 TEST_F(StageFiles, RegionsSurviveTheRoundTrip) {
-  expect_same_bytes(samples::two_regions_mesh(), read_tri_mesh, write_tri_mesh);
+  expect_same_bytes(samples::two_regions_mesh(), read_tri_mesh);
   const TriMesh mesh = read_tri_mesh(read_input(path("second"))), expected = samples::two_regions_mesh();
   EXPECT_EQ(mesh.region_elems, expected.region_elems);
   expect_same_regions(mesh.face, expected.face);
-  expect_same_bytes(samples::two_regions_points(), read_critical_points, write_critical_points);
+  expect_same_bytes(samples::two_regions_points(), read_critical_points);
   expect_same_regions(read_critical_points(read_input(path("second"))).face, expected.face);
-  expect_same_bytes(samples::two_regions_field(), read_field, write_field);
+  expect_same_bytes(samples::two_regions_field(), read_field);
   expect_same_regions(read_field(read_input(path("second"))).mesh.face, expected.face);
 }
 
 TEST_F(StageFiles, RegionsOfLayoutsAndMeshesSurviveTheRoundTrip) {
-  expect_same_bytes(samples::two_regions_graph(), read_separatrix_graph, write_separatrix_graph);
+  expect_same_bytes(samples::two_regions_graph(), read_separatrix_graph);
   expect_same_regions(read_separatrix_graph(read_input(path("second"))).face, samples::two_regions_face());
-  expect_same_bytes(samples::two_regions_layout(), read_block_layout, write_block_layout);
+  expect_same_bytes(samples::two_regions_layout(), read_block_layout);
   EXPECT_EQ(read_block_layout(read_input(path("second"))).block_region, (std::vector<int>{0, 1}));
-  expect_same_bytes(samples::two_regions_quads(), read_quad_mesh, write_quad_mesh);
+  expect_same_bytes(samples::two_regions_quads(), read_quad_mesh);
   const QuadMesh mesh = read_quad_mesh(read_input(path("second")));
   EXPECT_EQ(mesh.block_region, (std::vector<int>{0, 1}));
   ASSERT_EQ(mesh.interface_edges.size(), 2u);
@@ -71,7 +71,7 @@ TEST_F(StageFiles, RegionsOfLayoutsAndMeshesSurviveTheRoundTrip) {
 
 TEST_F(StageFiles, PhasesOfRegionsSurviveTheRoundTrip) {
   const Field expected = samples::two_regions_phase_field();
-  expect_same_bytes(expected, read_field, write_field);
+  expect_same_bytes(expected, read_field);
   const Field field = read_field(read_input(path("second")));
   ASSERT_EQ(field.region_phases.size(), 2u);
   for (std::size_t r = 0; r < 2; ++r) {
@@ -83,28 +83,28 @@ TEST_F(StageFiles, PhasesOfRegionsSurviveTheRoundTrip) {
 
 TEST_F(StageFiles, OneRegionHasNoArraysOfRegions) {
   const auto bytes = [&](const auto& stage, const auto& write) {
-    write(path("file"), stage);
+    write_stage(path("file"), stage);
     return bytes_of("file");
   };
   for (const char* name : {"region_elems", "region_loops", "region_names", "partners", "periodic_pairs"}) {
-    EXPECT_EQ(bytes(samples::tri_mesh(), write_tri_mesh).find(name), std::string::npos) << name;
-    EXPECT_NE(bytes(samples::two_regions_mesh(), write_tri_mesh).find(name), std::string::npos) << name;
+    EXPECT_EQ(bytes(samples::tri_mesh()).find(name), std::string::npos) << name;
+    EXPECT_NE(bytes(samples::two_regions_mesh()).find(name), std::string::npos) << name;
   }
   for (const char* name : {"block_region", "region_names"}) {
-    EXPECT_EQ(bytes(samples::block_layout(), write_block_layout).find(name), std::string::npos) << name;
-    EXPECT_NE(bytes(samples::two_regions_layout(), write_block_layout).find(name), std::string::npos) << name;
+    EXPECT_EQ(bytes(samples::block_layout()).find(name), std::string::npos) << name;
+    EXPECT_NE(bytes(samples::two_regions_layout()).find(name), std::string::npos) << name;
   }
   for (const char* name : {"block_region", "interface_edges"}) {
-    EXPECT_EQ(bytes(samples::quad_mesh(), write_quad_mesh).find(name), std::string::npos) << name;
-    EXPECT_NE(bytes(samples::two_regions_quads(), write_quad_mesh).find(name), std::string::npos) << name;
+    EXPECT_EQ(bytes(samples::quad_mesh()).find(name), std::string::npos) << name;
+    EXPECT_NE(bytes(samples::two_regions_quads()).find(name), std::string::npos) << name;
   }
-  const std::string slit = bytes(samples::slit_mesh(), write_tri_mesh);
+  const std::string slit = bytes(samples::slit_mesh());
   EXPECT_NE(slit.find("partners"), std::string::npos);
   EXPECT_EQ(slit.find("region_"), std::string::npos);
 }
 
 TEST_F(StageFiles, FieldSurvivesTheRoundTrip) {
-  expect_same_bytes(samples::field(), read_field, write_field);
+  expect_same_bytes(samples::field(), read_field);
   const Field field = read_field(read_input(path("second")));
   EXPECT_EQ(field.u, samples::field().u);
   EXPECT_EQ(field.adapt_steps.size(), 1u);
@@ -116,13 +116,13 @@ TEST_F(StageFiles, FieldSurvivesTheRoundTrip) {
 }
 
 TEST_F(StageFiles, CriticalPointsSurviveTheRoundTrip) {
-  expect_same_bytes(samples::critical_points(), read_critical_points, write_critical_points);
+  expect_same_bytes(samples::critical_points(), read_critical_points);
   EXPECT_EQ(read_critical_points(read_input(path("second"))).critical_points[1].error, 2e-9);
   EXPECT_EQ(stage_format(read_input(path("first"))), "critical-points");
 }
 
 TEST_F(StageFiles, PhaseFieldSurvivesTheRoundTrip) {
-  expect_same_bytes(samples::phase_field(), read_field, write_field);
+  expect_same_bytes(samples::phase_field(), read_field);
   const Field field = read_field(read_input(path("second")));
   EXPECT_EQ(field.kind, FieldKind::phase);
   EXPECT_TRUE(field.u.empty());
@@ -133,7 +133,7 @@ TEST_F(StageFiles, PhaseFieldSurvivesTheRoundTrip) {
 }
 
 TEST_F(StageFiles, ResolvedPointsSurviveTheRoundTrip) {
-  expect_same_bytes(samples::resolved_points(), read_critical_points, write_critical_points);
+  expect_same_bytes(samples::resolved_points(), read_critical_points);
   const CriticalPoints points = read_critical_points(read_input(path("second")));
   EXPECT_EQ(points.form, NodeForm::phase);
   EXPECT_EQ(points.critical_points[1].source, NodeSource::cluster);
@@ -188,7 +188,7 @@ TEST_F(StageFiles, UnknownKindsOfChangesAreReadButUnknownFormsAreRefused) {
 }
 
 TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
-  expect_same_bytes(samples::separatrix_graph(), read_separatrix_graph, write_separatrix_graph);
+  expect_same_bytes(samples::separatrix_graph(), read_separatrix_graph);
   const SeparatrixGraph graph = read_separatrix_graph(read_input(path("second")));
   EXPECT_EQ(graph.nodes[4].kind, NodeKind::boundary);
   EXPECT_EQ(graph.arcs[6].pieces[0].curve, 4);
@@ -200,13 +200,13 @@ TEST_F(StageFiles, SeparatrixGraphSurvivesTheRoundTrip) {
 TEST_F(StageFiles, ASeparatrixGraphMayComeWithoutACertificate) {
   SeparatrixGraph graph = samples::separatrix_graph();
   graph.certificate = {};
-  expect_same_bytes(graph, read_separatrix_graph, write_separatrix_graph);
+  expect_same_bytes(graph, read_separatrix_graph);
   EXPECT_FALSE(read_separatrix_graph(read_input(path("second"))).certificate.method);
   EXPECT_EQ(bytes_of("second").find("certificate"), std::string::npos);
 }
 
 TEST_F(StageFiles, BlockLayoutSurvivesTheRoundTrip) {
-  expect_same_bytes(samples::block_layout(), read_block_layout, write_block_layout);
+  expect_same_bytes(samples::block_layout(), read_block_layout);
   const BlockLayout layout = read_block_layout(read_input(path("second")));
   EXPECT_EQ(layout.block2arcs, samples::block_layout().block2arcs);
   EXPECT_EQ(layout.block_scaled_jacobian, samples::block_layout().block_scaled_jacobian);
@@ -219,23 +219,23 @@ TEST_F(StageFiles, NamesThatNobodyGaveAreRecorded) {
   BlockLayout layout = samples::block_layout();
   layout.unnamed_blocks = {1};
   layout.face.unnamed_curves = {0, 2};
-  expect_same_bytes(layout, read_block_layout, write_block_layout);
+  expect_same_bytes(layout, read_block_layout);
   const BlockLayout read = read_block_layout(read_input(path("second")));
   EXPECT_EQ(read.unnamed_blocks, layout.unnamed_blocks);
   EXPECT_EQ(read.face.unnamed_curves, layout.face.unnamed_curves);
   QuadMesh mesh = samples::quad_mesh();
   mesh.unnamed_blocks = {0};
-  expect_same_bytes(mesh, read_quad_mesh, write_quad_mesh);
+  expect_same_bytes(mesh, read_quad_mesh);
   EXPECT_EQ(read_quad_mesh(read_input(path("second"))).unnamed_blocks, mesh.unnamed_blocks);
 }
 
 TEST_F(StageFiles, QuadMeshSurvivesTheRoundTrip) {
-  expect_same_bytes(samples::quad_mesh(), read_quad_mesh, write_quad_mesh);
+  expect_same_bytes(samples::quad_mesh(), read_quad_mesh);
   EXPECT_EQ(stage_format(read_input(path("first"))), "quad-mesh");
   QuadMesh mesh = samples::quad_mesh();
   mesh.is_valid = false;
   mesh.least_jacobian_bound = -0.25;
-  expect_same_bytes(mesh, read_quad_mesh, write_quad_mesh);
+  expect_same_bytes(mesh, read_quad_mesh);
   EXPECT_FALSE(read_quad_mesh(read_input(path("second"))).is_valid);
   EXPECT_EQ(read_quad_mesh(read_input(path("second"))).least_jacobian_bound, -0.25);
 }

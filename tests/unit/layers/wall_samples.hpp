@@ -1,5 +1,5 @@
 #pragma once
-// Layouts and planned walls for the tests of lib/layers.
+// Layouts and planned walls for the tests of lib/quads/layers.
 
 #include <algorithm>
 #include <string>

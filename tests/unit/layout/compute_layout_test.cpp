@@ -7,6 +7,7 @@
 #include "../support/hall_field.hpp"
 #include "base/error.hpp"
 #include "graph/face_corners.hpp"
+#include "triangulate/coarse_triangles.hpp"
 
 namespace quadrille::layout {
 namespace {
@@ -94,9 +95,20 @@ TEST_F(ComputeLayout, NodesThatNoLineCanUseAreRefusedWithTheirPosition) {
 
 TEST_F(ComputeLayout, WhereNodesCannotBeUsedAutomaticDividesTriangles) {
   points.corners[0].valence = 0;
+  options.coarse_mesher = triangulate::coarse_triangles;
   const SeparatrixGraph graph = computed(LayoutChoice::automatic);
   EXPECT_EQ(graph.certificate.method, LayoutMethod::midpoint);
   EXPECT_EQ(report.warnings().size(), 1u);
+}
+
+TEST_F(ComputeLayout, WithoutACoarseMesherAutomaticStatesWhyThereIsNoLayout) {
+  points.corners[0].valence = 0;
+  try {
+    computed(LayoutChoice::automatic);
+    FAIL() << "no exception";
+  } catch (const ComputeError& error) {
+    EXPECT_NE(std::string(error.what()).find("at (1, 0)"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(ComputeLayout, OptionsAreCheckedFirst) {

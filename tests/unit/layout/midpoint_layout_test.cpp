@@ -5,6 +5,7 @@
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 #include "graph/face_corners.hpp"
+#include "triangulate/coarse_triangles.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::layout {
@@ -17,7 +18,7 @@ TriMesh annulus() {
 
 TEST(MidpointLayout, EveryFaceHasFourCorners) {
   Report report;
-  const graph::CandidateLayout layout = midpoint_layout(annulus(), report);
+  const graph::CandidateLayout layout = midpoint_layout(annulus(), triangulate::coarse_triangles, report);
   EXPECT_TRUE(graph::faces_without_four_corners(layout.subdivision).empty());
   EXPECT_EQ(layout.subdivision.num_faces() % 3, 0);
 }
@@ -31,7 +32,7 @@ TEST(MidpointLayout, WithoutAFieldOnlyMidpointAndAutoArePossible) {
 
 TEST(MidpointLayout, AReasonIsAWarning) {
   Report report;
-  graph::CandidateLayout layout = midpoint_layout(annulus(), report);
+  graph::CandidateLayout layout = midpoint_layout(annulus(), triangulate::coarse_triangles, report);
   certify_midpoint(layout, "", report);
   EXPECT_TRUE(report.warnings().empty());
   EXPECT_EQ(layout.certificate.reason, "");
@@ -43,7 +44,7 @@ TEST(MidpointLayout, AReasonIsAWarning) {
 
 TEST(MidpointLayout, TheCertificateCountsBlocksAndIndices) {
   Report report;
-  graph::CandidateLayout layout = midpoint_layout(annulus(), report);
+  graph::CandidateLayout layout = midpoint_layout(annulus(), triangulate::coarse_triangles, report);
   certify_midpoint(layout, "", report);
   EXPECT_EQ(layout.certificate.method, LayoutMethod::midpoint);
   EXPECT_EQ(layout.certificate.index_sum, 0);

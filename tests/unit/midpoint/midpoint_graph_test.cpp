@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "../triangulate/faces.hpp"
+#include "base/error.hpp"
 #include "check/check.hpp"
+#include "triangulate/coarse_triangles.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::midpoint {
@@ -22,7 +24,7 @@ struct Outcome {
 
 Outcome divided(const TriMesh& mesh) {
   Report report;
-  Outcome outcome{midpoint_graph(mesh, report), 0, ""};
+  Outcome outcome{midpoint_graph(mesh, triangulate::coarse_triangles, report), 0, ""};
   for (const auto& [key, value] : report.entries()) {
     if (key == "midpoint.triangles") outcome.triangles = std::get<long long>(value);
     if (key == "midpoint.origin") outcome.origin = std::get<std::string>(value);
@@ -66,6 +68,11 @@ TEST(MidpointGraph, WithoutCoarseTrianglesThoseOfTheMeshAreDivided) {
   const Outcome outcome = divided(mesh);
   EXPECT_EQ(outcome.origin, "field");
   EXPECT_EQ(outcome.triangles, mesh.num_elems());
+}
+
+TEST(MidpointGraph, WithoutAMesherThereIsNone) {
+  Report report;
+  EXPECT_THROW(midpoint_graph(triangulated(testing_faces::square()), {}, report), ComputeError);
 }
 
 }  // namespace

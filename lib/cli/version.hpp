@@ -1,8 +1,0 @@
-#pragma once
-
-namespace quadrille::cli {
-
-/// The version of all tools, "0.1.0".
-extern const char* const version;
-
-}  // namespace quadrille::cli

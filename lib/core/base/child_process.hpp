@@ -1,0 +1,34 @@
+#pragma once
+// Runs work that may crash, such as third-party readers of arbitrary bytes, in a child process: a copy of this process,
+// or a program with libraries that this one shall not load.
+
+#include <sys/types.h>
+
+#include <functional>
+#include <string>
+
+namespace quadrille {
+
+/// Starts a copy of this process, which executes `body`; its value is the exit code, an exception aborts. The copy has
+/// none of this process's signal handlers, does not run its exit handlers, and gets `death_signal` when the calling
+/// thread ends. Throws Defect if no process can be started.
+pid_t start_child(const std::function<int()>& body, int death_signal);
+
+/// Runs `work` in a forked child and returns its result. Errors of base/error.hpp thrown in the child are rethrown here
+/// with their type and message. Throws FormatError with `crash_message` if the child is killed by a signal, runs out of
+/// memory or exceeds `cpu_seconds` of CPU time.
+std::string run_in_child(const std::function<std::string()>& work, const std::string& crash_message,
+                         int cpu_seconds = 300);
+
+/// The same for `program`, which answers `input` with answer_parent(). Throws Error (exit 70) if it cannot be started.
+std::string run_program(const std::string& program, const std::string& input, const std::string& crash_message,
+                        int cpu_seconds = 300);
+
+/// The main function of such a program: passes standard input to `work` and its result or error to the parent.
+/// Meanwhile nothing is written to standard output and standard error, whatever libraries print there.
+[[noreturn]] void answer_parent(const std::function<std::string(const std::string& input)>& work);
+
+/// The path of a program that belongs to this one: in the folder libexec beside that of this program.
+std::string helper_program(const std::string& name);
+
+}  // namespace quadrille

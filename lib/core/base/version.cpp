@@ -1,0 +1,7 @@
+#include "base/version.hpp"
+
+namespace quadrille {
+
+const char* const version = QUADRILLE_VERSION;
+
+}  // namespace quadrille

@@ -1,0 +1,62 @@
+#include "base/numbered_names.hpp"
+#include "io/cad_face_io.hpp"
+#include "io/stage_files.hpp"
+#include "io/stage_io.hpp"
+
+namespace quadrille::io {
+
+namespace {
+
+constexpr FormatVersion block_layout_version{"block-layout", 2, 0};
+
+void describe_block_sides(Archive& archive, std::vector<std::array<HalfEdge, 4>>& block2arcs) {
+  std::vector<std::array<int, 4>> codes;
+  for (const auto& [s0, s1, s2, s3] : block2arcs)
+    codes.push_back({file_code(s0), file_code(s1), file_code(s2), file_code(s3)});
+  archive.field("block2arcs", codes, {"", "side k: arc a forwards, or -1-a backwards"});
+  block2arcs.clear();
+  for (const auto& [c0, c1, c2, c3] : codes)
+    block2arcs.push_back({half_edge_of_code(c0), half_edge_of_code(c1), half_edge_of_code(c2), half_edge_of_code(c3)});
+}
+
+void describe_block_layout(Archive& archive, BlockLayout& layout) {
+  describe_face(archive, layout.face);
+  describe_nurbs(archive, "splines", layout.splines);
+  describe_graph(archive, layout.nodes, layout.arcs);
+  describe_open_curves(archive, layout.open_curves);
+  archive.field("block2nodes", layout.block2nodes, {"", "nodes of each block, counter-clockwise"});
+  describe_block_sides(archive, layout.block2arcs);
+  archive.field("arc_chord", layout.arc_chord, {"", "chord of each arc"});
+  archive.field("block_jacobian_bound", layout.block_jacobian_bound,
+                {"length^2", "least Bernstein bound of det J of the block as one order-8 quad"});
+  if (archive.has("block_scaled_jacobian"))
+    archive.field("block_scaled_jacobian", layout.block_scaled_jacobian,
+                  {"1", "least scaled Jacobian of the block as one order-8 quad"});
+  if (archive.has("block_boundary_distance"))
+    archive.field("block_boundary_distance", layout.block_boundary_distance,
+                  {"length", "greatest distance of the boundary of that quad from the CAD curves"});
+  archive.field("block_names", layout.block_names, {"", "name of each block"});
+  if (archive.has("unnamed_blocks"))
+    archive.field("unnamed_blocks", layout.unnamed_blocks,
+                  {"", "blocks whose name is made from their number, ascending"});
+  else
+    layout.unnamed_blocks = presumed_numbered_names(layout.block_names, "block");
+  if (archive.is_reading() ? archive.has("block_region") : !layout.block_region.empty())
+    archive.field("block_region", layout.block_region, {"", "region of each block"});
+}
+
+}  // namespace
+
+BlockLayout read_block_layout(const InputFile& file) {
+  BlockLayout layout;
+  layout.provenance =
+      read_hdf5_stage(file, block_layout_version, [&](Archive& a) { describe_block_layout(a, layout); });
+  return layout;
+}
+
+std::string stage_bytes(const BlockLayout& layout) {
+  BlockLayout copy = layout;
+  return hdf5_stage_bytes(block_layout_version, layout.provenance, [&](Archive& a) { describe_block_layout(a, copy); });
+}
+
+}  // namespace quadrille::io

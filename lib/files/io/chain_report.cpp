@@ -1,0 +1,221 @@
+#include "io/chain_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/counted.hpp"
+#include "io/json_text.hpp"
+
+namespace quadrille::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parsed(const std::string& text) {
+  Json json = Json::parse(text, nullptr, false);
+  return json.is_object() ? json : Json::object();
+}
+
+/// The value of a dotted key, or null.
+Json at(const Json& root, const std::string& key) {
+  const Json* value = &root;
+  for (std::size_t begin = 0; begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    const auto found = value->is_object() ? value->find(key.substr(begin, end - begin)) : value->end();
+    if (!value->is_object() || found == value->end()) return nullptr;
+    value = &*found;
+    begin = end + 1;
+  }
+  return *value;
+}
+
+double number_at(const Json& root, const std::string& key) {
+  const Json value = at(root, key);
+  return value.is_number() ? value.get<double>() : 0;
+}
+
+/// A run of a stage.
+struct StageRun {
+  std::string stage;
+  Json report;
+  bool is_used = true;  ///< not one of failed_*
+};
+
+std::vector<StageRun> runs_of(const std::vector<StageReport>& stages) {
+  std::vector<StageRun> runs;
+  for (const StageReport& stage : stages) {
+    Json report = parsed(stage.json);
+    if (report.contains("tool")) runs.push_back({stage.stage, std::move(report), !stage.stage.starts_with("failed_")});
+  }
+  return runs;
+}
+
+/// The last used run of a tool; null if there is none.
+Json report_of(const std::vector<StageRun>& runs, const std::string& tool) {
+  Json found;
+  for (const StageRun& run : runs)
+    if (run.is_used && run.report["tool"] == tool) found = run.report;
+  return found;
+}
+
+/// "TOOL: MESSAGE" of the first used run that failed, if the last one did not.
+Json given_up(const std::vector<StageRun>& runs) {
+  Json message;
+  int last_code = 0;
+  for (const StageRun& run : runs) {
+    if (!run.is_used) continue;
+    last_code = static_cast<int>(number_at(run.report, "exit_code"));
+    if (last_code != 0 && message.is_null())
+      message = fmt::format("{}: {}", run.report["tool"].get<std::string>(), run.report.value("error", ""));
+  }
+  return last_code == 0 ? message : Json();
+}
+
+/// Times of each stage, those of equal names added.
+Json times_of(const std::vector<StageRun>& runs) {
+  Json times = Json::object();
+  for (const StageRun& run : runs) {
+    if (!run.report.contains("timings")) continue;
+    Json& sum = times[run.stage];
+    if (sum.is_null()) sum = Json::object();
+    const Json total = at(run.report, "timings.total");
+    for (const auto& [key, value] : total.items())
+      sum[key] = value.get<double>() + (sum.contains(key) ? sum[key].get<double>() : 0.0);
+  }
+  return times;
+}
+
+Json warnings_of(const std::vector<StageRun>& runs) {
+  Json all = Json::array();
+  for (const StageRun& run : runs) {
+    const Json warnings = run.report.value("warnings", Json::array());
+    if (!run.is_used && (warnings.empty() || warnings[0].value("tool", "") != "quadmesh")) continue;
+    for (const Json& warning : warnings) {
+      Json one{{"tool", run.report["tool"]}};
+      one.update(warning);
+      all.push_back(std::move(one));
+    }
+  }
+  return all;
+}
+
+/// Whole numbers without a point.
+void write_whole_numbers(Json& value) {
+  if (value.is_structured())
+    for (Json& part : value) write_whole_numbers(part);
+  else if (value.is_number_float() && std::abs(value.get<double>()) < 1e15 &&
+           value.get<double>() == std::floor(value.get<double>()))
+    value = static_cast<long long>(value.get<double>());
+}
+
+Json optional_text(const std::optional<std::string>& text) { return text ? Json(*text) : Json(); }
+
+/// Keys that quadrefine reports of the mesh.
+constexpr const char* mesh_keys[] = {"least_jacobian_bound",
+                                     "valid",
+                                     "least_scaled_jacobian",
+                                     "greatest_edge_ratio",
+                                     "greatest_area_jump",
+                                     "least_node_distance",
+                                     "walls",
+                                     "growth",
+                                     "boundary"};
+
+Json composed(const std::vector<StageReport>& stages, const ChainFacts& facts) {
+  const std::vector<StageRun> runs = runs_of(stages);
+  const Json refine = report_of(runs, "quadrefine"), exported = report_of(runs, "quadexport");
+  Json root;
+  root["tool"] = "quadmesh";
+  root["version"] = facts.version;
+  root["form"] = optional_text(facts.form);
+  root["critical_points"] = facts.num_nodes;
+  root["irregular_nodes"] = at(refine, "irregular_nodes");
+  root["blocks"] = at(refine, "blocks");
+  root["certificate"] = at(report_of(runs, "separatrix"), "certificate");
+  root["given_up"] = given_up(runs);
+  root["remedy"] = facts.remedy.empty() ? Json() : Json(facts.remedy);
+  root["estimated_quads"] = at(refine, "estimated_quads");
+  root["quads"] = at(refine, "quads").is_null() ? at(exported, "quads") : at(refine, "quads");
+  for (const char* key : mesh_keys) root[key] = at(refine, key);
+  root["unit"] = at(exported, "unit");
+  root["scale"] = at(exported, "scale");
+  double cpu = 0;
+  for (const StageRun& run : runs) cpu += number_at(run.report, "timings.total.cpu_seconds");
+  root["cpu_seconds"] = cpu;
+  root["wall_seconds"] = facts.wall_seconds;
+  root["stages"] = times_of(runs);
+  root["warnings"] = warnings_of(runs);
+  root["exit_code"] = facts.exit_code;
+  root["stage"] = optional_text(facts.failed_stage);
+  root["error"] = optional_text(facts.error);
+  write_whole_numbers(root);
+  return root;
+}
+
+/// A number rounded to `digits` decimals, without trailing zeros.
+std::string rounded(double value, int digits) {
+  const double power = std::pow(10, digits);
+  return fmt::format("{}", std::round(value * power) / power);
+}
+
+std::string counted_at(const Json& report, const std::string& key, const char* noun) {
+  return counted(static_cast<long long>(number_at(report, key)), noun);
+}
+
+}  // namespace
+
+std::vector<ReportedWarning> warnings_of(const StageReport& report) {
+  const Json root = parsed(report.json);
+  std::vector<ReportedWarning> warnings;
+  for (const Json& warning : root.value("warnings", Json::array()))
+    warnings.push_back(
+        {warning.value("tool", root.value("tool", "")), warning.value("code", ""), warning.value("message", "")});
+  return warnings;
+}
+
+std::optional<std::string> value_of(const StageReport& report, const std::string& key) {
+  const Json value = at(parsed(report.json), key);
+  if (value.is_null()) return std::nullopt;
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+ChainReport::ChainReport(const std::vector<StageReport>& stages, const ChainFacts& facts)
+    : text_(json_text(composed(stages, facts))) {}
+
+std::string ChainReport::text_with_command(const std::string& command) const {
+  Json root{{"command", command}};
+  root.update(parsed(text_));
+  return json_text(root);
+}
+
+std::string ChainReport::times() const {
+  const Json root = parsed(text_);
+  const double all = number_at(root, "cpu_seconds");
+  std::string lines;
+  for (const auto& [stage, times] : root["stages"].items()) {
+    const double cpu = number_at(times, "cpu_seconds");
+    lines += fmt::format("{:<16.16} {} s CPU, {} %\n", stage, rounded(cpu, 3), std::round(cpu / all * 100));
+  }
+  return lines +
+         fmt::format("all stages       {} s CPU, {} s\n", rounded(all, 3), rounded(number_at(root, "wall_seconds"), 3));
+}
+
+std::string ChainReport::summary() const {
+  const Json root = parsed(text_);
+  if (root["blocks"].is_null()) return counted_at(root, "quads", "quad");
+  std::string line = fmt::format(
+      "{}, {}, {}, worst scaled Jacobian {}, greatest edge ratio {}", counted_at(root, "blocks", "block"),
+      counted_at(root, "irregular_nodes", "irregular node"), counted_at(root, "quads", "quad"),
+      rounded(number_at(root, "least_scaled_jacobian"), 2), rounded(number_at(root, "greatest_edge_ratio.value"), 1));
+  if (at(root, "certificate.method") == "midpoint") line += ", by midpoint division of triangles";
+  const Json scale = root["scale"];
+  if (scale.is_null() || scale == 1) return line;
+  const std::string unit = root["unit"].is_string() ? root["unit"].get<std::string>() : "unknown";
+  return line + fmt::format(", coordinates in {}, {} times those of the CAD file",
+                            unit == "unknown" ? "an unknown unit" : unit, scale.get<double>());
+}
+
+}  // namespace quadrille::io

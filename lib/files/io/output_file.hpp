@@ -1,0 +1,22 @@
+#pragma once
+// Atomic output: a temporary name in the same folder, flushed, then renamed; never a half file under the final name.
+
+#include <string>
+
+#include "base/report.hpp"
+
+namespace quadrille::io {
+
+/// Writes `bytes` to `path` ("-": standard output; binary is refused on a terminal). Throws OutputError.
+void write_output(const std::string& path, const std::string& bytes, bool is_binary);
+
+/// Writes a report as JSON: {"tool", "version", entries nested by their dots, "warnings": [{code, message}]}.
+void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report);
+
+/// Its text.
+std::string report_text(const std::string& tool, const std::string& version, const Report& report);
+
+/// A report that was written before, as JSON in one line. Throws FormatError if the file is no JSON object.
+std::string read_report(const std::string& path);
+
+}  // namespace quadrille::io

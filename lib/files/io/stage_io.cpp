@@ -1,0 +1,149 @@
+#include "io/stage_io.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/child_process.hpp"
+#include "base/error.hpp"
+#include "base/name_text.hpp"
+#include "io/cad_face_io.hpp"
+#include "io/checksum.hpp"
+#include "io/hdf5_archive.hpp"
+#include "io/json_archive.hpp"
+#include "io/output_file.hpp"
+#include "io/sha256.hpp"
+#include "io/stage_files.hpp"
+
+namespace quadrille::io {
+
+namespace {
+
+struct Hdf5Header {
+  std::string format;
+  std::vector<int> version;
+};
+
+Hdf5Header read_header(const Hdf5GroupReader& root, const std::string& file_name) {
+  if (!root.has_attribute("format"))
+    throw FormatError(
+        fmt::format("{}: an HDF5 file, but not a stage file: the root has no attribute 'format'", file_name));
+  return {root.text_attribute("format"), root.integer_attribute("version")};
+}
+
+/// Every later stage writes it into an attribute, which holds at most 64 KiB in the files that any HDF5 library reads.
+constexpr std::size_t longest_provenance = 60000;
+
+void require_short(const Provenance& provenance, const std::string& file_name) {
+  if (provenance_text(provenance).size() > longest_provenance)
+    throw FormatError(fmt::format("{}: 'provenance' is longer than {} characters, which no stage file can hold",
+                                  file_name, longest_provenance));
+}
+
+/// Runs `read` on the image. Bytes with the checksum of the library's own writer are read at once; others, which may
+/// crash libhdf5, are first read in a child process.
+template <typename Read>
+void read_safely(const InputFile& file, const Read& read) {
+  if (!looks_like_hdf5(file.bytes)) throw FormatError(fmt::format("{}: not an HDF5 file", file.name));
+  std::string_view image;
+  const Checksum checksum = verify_checksum(file.bytes, image);
+  if (checksum == Checksum::wrong)
+    throw FormatError(fmt::format("{}: damaged: its checksum does not match its data", file.name));
+  const auto read_image = [&] { read(Hdf5Reader(image, file.name)); };
+  if (checksum == Checksum::missing) {
+    const auto probe = [&] {
+      read_image();
+      return std::string("sound");
+    };
+    run_in_child(probe, fmt::format("{}: truncated or damaged: the HDF5 reader fails on it", file.name), 60);
+  }
+  read_image();
+}
+
+}  // namespace
+
+std::string hdf5_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe) {
+  Hdf5Writer writer;
+  writer.root().text_attribute("format", version.format);
+  writer.root().integer_attribute("version", {version.major, version.minor});
+  writer.root().text_attribute("producer", producer_of(provenance));
+  writer.root().text_attribute("provenance", provenance_text(provenance));
+  describe(*hdf5_archive(writer.root()));
+  std::string bytes = writer.image();
+  append_checksum(bytes);
+  return bytes;
+}
+
+Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, const Describe& describe) {
+  Provenance provenance;
+  read_safely(file, [&](const Hdf5Reader& reader) {
+    const Hdf5Header header = read_header(reader.root(), file.name);
+    require_version(file.name, version, header.format, header.version);
+    provenance = parse_provenance(reader.root().text_attribute("provenance"), file.name);
+    describe_version(*hdf5_archive(reader.root()), version, header.version, describe);
+  });
+  return provenance;
+}
+
+std::string json_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe) {
+  JsonWriter writer;
+  std::string format = version.format, producer = producer_of(provenance);
+  std::vector<int> numbers{version.major, version.minor};
+  Provenance chain = provenance;
+  writer.root().field("format", format);
+  writer.root().field("version", numbers);
+  writer.root().field("producer", producer);
+  describe_provenance(writer.root(), chain);
+  describe(writer.root());
+  return writer.text();
+}
+
+Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe) {
+  if (looks_like_hdf5(file.bytes))
+    throw FormatError(fmt::format("{}: expected a {} file (JSON), found an HDF5 file", file.name, version.format));
+  JsonReader reader(file.bytes, file.name);
+  std::string format;
+  std::vector<int> numbers;
+  reader.root().field("format", format);
+  reader.root().field("version", numbers);
+  require_version(file.name, version, format, numbers);
+  Provenance provenance;
+  describe_provenance(reader.root(), provenance);
+  require_short(provenance, file.name);
+  describe_version(reader.root(), version, numbers, describe);
+  return provenance;
+}
+
+void write_stage_bytes(const std::string& path, const std::string& bytes) {
+  write_output(path, bytes, looks_like_hdf5(bytes));
+}
+
+FileIdentity identity_of(const std::string& name, const std::string& bytes) { return {name, sha256_hex(bytes)}; }
+
+std::string stage_format(const InputFile& file) {
+  std::string format;
+  if (looks_like_hdf5(file.bytes)) {
+    read_safely(file, [&](const Hdf5Reader& reader) { format = read_header(reader.root(), file.name).format; });
+  } else {
+    const std::size_t first = file.bytes.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos || file.bytes[first] != '{')
+      throw FormatError(fmt::format("{}: neither HDF5 nor a JSON object: not a stage file", file.name));
+    JsonReader(file.bytes, file.name).root().field("format", format);
+  }
+  constexpr const char* known[] = {"tri-mesh",         "field",        "critical-points",
+                                   "separatrix-graph", "block-layout", "quad-mesh"};
+  if (std::find(std::begin(known), std::end(known), format) == std::end(known))
+    throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file.name, clean_name(format)));
+  return format;
+}
+
+CadFace read_face(const InputFile& file) {
+  CadFace face;
+  if (looks_like_hdf5(file.bytes))
+    read_safely(file, [&](const Hdf5Reader& reader) { describe_face(*hdf5_archive(reader.root()), face); });
+  else
+    describe_face(JsonReader(file.bytes, file.name).root(), face);
+  return face;
+}
+
+}  // namespace quadrille::io

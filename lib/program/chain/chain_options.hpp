@@ -1,0 +1,75 @@
+#pragma once
+// What the command line of quadmesh asks for: its own options, and those of the stages.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chain/budget.hpp"
+#include "chain/chain_stages.hpp"
+#include "stage/blocksplit.hpp"
+#include "stage/cad2tri.hpp"
+#include "stage/critpoints.hpp"
+#include "stage/fieldsolve.hpp"
+#include "stage/padapt.hpp"
+#include "stage/quadexport.hpp"
+#include "stage/quadrefine.hpp"
+#include "stage/separatrix.hpp"
+
+namespace quadrille::chain {
+
+/// The options of each stage, with defaults where the command line has none.
+struct StageOptions {
+  stage::Cad2triOptions cad2tri;
+  stage::FieldsolveOptions fieldsolve;
+  stage::PadaptOptions padapt;
+  stage::CritpointsOptions critpoints;
+  stage::SeparatrixOptions separatrix;
+  stage::BlocksplitOptions blocksplit;
+  stage::QuadrefineOptions quadrefine;
+  stage::QuadexportOptions quadexport;
+};
+
+/// Declares those of one stage.
+void declare(Options& options, Stage stage, StageOptions& values);
+
+/// Words of the command line, by the command that takes them.
+using Words = std::map<std::string, std::vector<std::string>>;
+
+struct ChainOptions {
+  std::string shape;                  ///< path, or "-"; may be empty with `first`
+  std::string output;                 ///< path; empty or "-": standard output
+  std::string workdir, report, html;  ///< paths; empty: none
+  std::string nodes_file;             ///< critical points to use; "-": standard input
+  std::string threads;                ///< as given; empty: auto
+  int num_threads = 0;                ///< 0: auto
+  Limits limits;                      ///< of seconds and memory
+  Stage first = Stage::cad2tri, last = Stage::quadexport;
+  std::string from, until;   ///< their names if they were given
+  std::string point_option;  ///< an option of points2step that was given
+  std::string cad_option;    ///< an option of cad2tri that was given
+  bool is_verbose = false, is_quiet = false, is_dry_run = false;
+  std::map<Stage, std::string> programs;  ///< external programs in place of stages, commands for a shell
+  Words words;                            ///< of each stage and of points2step, as given
+  std::string typed;                      ///< the command, for the page: files without folders
+
+  bool has(const std::string& tool, const std::string& flag) const;  ///< whether the words of the tool hold the flag
+};
+
+/// What is to be done besides.
+enum class Request { run, show_help, show_version };
+
+/// Reads the command line (argv without the name of the program). Throws UsageError.
+Request read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);
+
+/// The values of the words of each stage. Throws UsageError with the message of the stage.
+StageOptions stage_options(const ChainOptions& options);
+
+/// The text of --help.
+std::string help_text();
+
+/// For a shell, quoted where necessary.
+std::string shell_command(const std::vector<std::string>& words);
+
+}  // namespace quadrille::chain

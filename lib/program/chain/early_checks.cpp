@@ -1,0 +1,288 @@
+#include "chain/early_checks.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "chain/choose_nodes.hpp"
+#include "chain/quad_inputs.hpp"
+#include "cli/outcome.hpp"
+
+namespace quadrille::chain {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_range(const ChainOptions& options) {
+  if (is_before(options.last, options.first))
+    throw UsageError(fmt::format("--from {} comes after --until {}: no stage would run", options.from, options.until));
+  if (options.first != Stage::cad2tri && options.workdir.empty())
+    throw UsageError(
+        fmt::format("--from {} needs --workdir, the folder with the files of the stages before", options.from));
+  if (options.last != Stage::quadexport && options.workdir.empty())
+    throw UsageError(
+        fmt::format("--until {} needs --workdir, the folder in which the files of the stages are kept", options.until));
+}
+
+/// Whether a stage that runs takes the flag too.
+bool has_runner(const ChainOptions& options, const std::string& flag) {
+  for (int i = static_cast<int>(options.first); i < num_stages; ++i)
+    if (options.has(enum_name(static_cast<Stage>(i)), flag)) return true;
+  return false;
+}
+
+/// Options of stages before --from could not change anything.
+void check_skipped_options(const ChainOptions& options) {
+  if (options.first == Stage::cad2tri) return;
+  if (!options.cad_option.empty())
+    throw UsageError(fmt::format("{} is an option of cad2tri, which --from {} does not run: leave one of them out",
+                                 options.cad_option, options.from));
+  if (!options.point_option.empty())
+    throw UsageError(fmt::format("{} makes a CAD file of points, which --from {} does not read: leave one of them out",
+                                 options.point_option, options.from));
+  for (const Stage stage : {Stage::critpoints, Stage::separatrix, Stage::blocksplit, Stage::quadrefine}) {
+    const auto words = options.words.find(enum_name(stage));
+    if (!is_before(stage, options.first) || words == options.words.end()) continue;
+    for (const std::string& word : words->second)
+      if (word.starts_with("--") && !has_runner(options, word))
+        throw UsageError(
+            fmt::format("{} is an option of {}, which --from {} does not run: leave it out, or begin with --from {}",
+                        word, enum_name(stage), options.from, enum_name(stage)));
+  }
+}
+
+/// What the stages refuse before they read a file.
+void check_stage_options(const StageOptions& values) {
+  values.cad2tri.validate();
+  values.critpoints.validate();
+  values.separatrix.validate();
+  values.quadrefine.validate();
+}
+
+void check_output_format(const ChainOptions& options, const StageOptions& values) {
+  const std::string format = stage::format_of(options.output.empty() ? "-" : options.output, values.quadexport);
+  if (options.last == Stage::quadexport) stage::require_order(format, values.quadrefine.refine.order);
+}
+
+void check_nodes_option(const ChainOptions& options, const StageOptions& values) {
+  if (options.nodes_file.empty()) return;
+  if (values.separatrix.layout == layout::LayoutChoice::midpoint)
+    throw UsageError("--nodes and --layout midpoint exclude each other: it uses no nodes");
+  if (is_before(Stage::separatrix, options.first))
+    throw UsageError(fmt::format("--nodes needs separatrix, which --from {} does not run", options.from));
+  if (is_before(options.last, Stage::critpoints))
+    throw UsageError(fmt::format("--nodes is not used before critpoints, where --until {} ends", options.until));
+  if (const auto words = options.words.find("critpoints"); words != options.words.end())
+    throw UsageError(fmt::format("--nodes takes the place of critpoints: {} is an option of it, leave it out",
+                                 words->second.front()));
+  if (options.nodes_file == "-" && options.shape == "-")
+    throw UsageError("SHAPE and --nodes cannot both be standard input");
+}
+
+/// Endings of the files that the first stage reads.
+std::vector<std::string> needed_endings(const ChainOptions& options, const StageOptions& values) {
+  const bool has_no_field = values.separatrix.layout == layout::LayoutChoice::midpoint;
+  switch (options.first) {
+    case Stage::cad2tri:
+      return {};
+    case Stage::fieldsolve:
+      return {"tri.h5"};
+    case Stage::padapt:
+      if (has_no_field) return {"tri.h5"};
+      return {"tri.h5", "solve.h5"};
+    case Stage::critpoints:
+      if (has_no_field) return {"tri.h5"};
+      return {"tri.h5", "field.h5"};
+    case Stage::separatrix:
+      if (has_no_field) return {"tri.h5"};
+      if (!options.nodes_file.empty()) return {"tri.h5", "field.h5"};
+      return {"tri.h5", "field.h5", "crit.json"};
+    case Stage::blocksplit:
+      return {"sep.json"};
+    case Stage::quadrefine:
+      return {"blocks.h5"};
+    case Stage::quadexport:
+      return {exported_ending(options, values)};
+  }
+  return {};
+}
+
+std::string maker_of(const std::string& ending) {
+  for (int i = 0; i < num_stages; ++i)
+    if (stage_endings[i] == ending) return enum_name(static_cast<Stage>(i));
+  return {};
+}
+
+void require_stage_files(const ChainState& chain) {
+  for (const std::string& ending : needed_endings(chain.options, chain.values)) {
+    const std::string path = chain.files.stem + '.' + ending;
+    std::error_code error;
+    if (fs::file_size(path, error) == 0 || error)
+      throw FormatError(fmt::format("--from {} needs {}, which does not exist or is empty: begin with {} or before",
+                                    chain.options.from, path, maker_of(ending)));
+  }
+}
+
+/// Exists, can be read, is not empty.
+void require_input(const std::string& path) {
+  if (path.empty() || path == "-") return;
+  std::error_code error;
+  if (!fs::exists(path, error)) throw FormatError(path + ": no such file");
+  if (fs::is_directory(path)) throw FormatError(path + ": is a directory, not a file");
+  if (access(path.c_str(), R_OK) != 0) throw FormatError(path + ": cannot be read: permission denied");
+  if (fs::is_regular_file(path) && fs::file_size(path) == 0) throw FormatError(path + ": is empty");
+}
+
+bool is_file(const std::string& path) {
+  std::error_code error;
+  return !path.empty() && path != "-" && fs::is_regular_file(path, error);
+}
+
+void check_inputs(const ChainState& chain) {
+  const ChainOptions& options = chain.options;
+  const StageOptions& values = chain.values;
+  if (options.first == Stage::cad2tri) require_input(options.shape);
+  if (!options.nodes_file.empty() && options.nodes_file != "-" && !fs::exists(options.nodes_file))
+    throw FormatError(
+        fmt::format("--nodes {}: no such file; the rules are none, fewest, field and auto", options.nodes_file));
+  for (const std::string& path :
+       {values.cad2tri.names_file, values.blocksplit.names_file, options.nodes_file, values.quadrefine.size_field_file})
+    require_input(path);
+  if (is_file(values.cad2tri.names_file)) boundary_names(chain);
+  if (is_file(values.blocksplit.names_file)) block_names(chain);
+  if (is_file(values.quadrefine.size_field_file)) prescribed_sizes(chain, {});
+  if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
+}
+
+void refuse_stage_file(const ChainState& chain, const std::string& path) {
+  for (const char* ending : {"outline.step", "tri.h5", "solve.h5", "field.h5", "crit.json", "phase.solve.h5",
+                             "phase.h5", "sep.json", "blocks.h5", "quad.h5"})
+    if (is_same_file(path, chain.files.stem + '.' + ending))
+      throw UsageError(
+          fmt::format("the output {} is a file of the stages in --workdir {}", path, chain.options.workdir));
+}
+
+/// Would replace no input and no file of the stages; its folder exists.
+void check_output(const ChainState& chain, const std::string& path) {
+  if (path.empty() || path == "-") return;
+  const StageOptions& values = chain.values;
+  for (const std::string& input : {chain.options.shape, values.cad2tri.names_file, values.blocksplit.names_file,
+                                   values.quadrefine.size_field_file, chain.options.nodes_file})
+    if (is_file(input) && is_same_file(path, input))
+      throw UsageError(fmt::format("the output {} is the input {}", path, input));
+  if (!chain.options.workdir.empty()) refuse_stage_file(chain, path);
+  if (fs::is_directory(path)) throw OutputError(path + ": cannot be written: is a directory");
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+  if (!fs::is_directory(folder))
+    throw OutputError(fmt::format("{}: cannot be written: there is no folder {}", path, folder));
+  if (!fs::exists(path) && access(folder.c_str(), W_OK) != 0)
+    throw OutputError(path + ": cannot be written: the folder is write-protected");
+}
+
+void refuse_pair(const std::string& path, const std::string& other, const char* what, const char* what_other) {
+  if (path.empty() || other.empty() || path == "-" || other == "-" || path.starts_with("/dev/")) return;
+  if (is_same_file(path, other))
+    throw UsageError(fmt::format("{} and {} are the same file: {}", what, what_other, path));
+}
+
+void check_outputs(const ChainState& chain) {
+  const ChainOptions& options = chain.options;
+  const std::string& healed = chain.values.cad2tri.healed_file;
+  const bool is_stdout = options.output.empty() || options.output == "-";
+  if (is_stdout && options.report == "-" && options.last == Stage::quadexport)
+    throw UsageError("the mesh and the report cannot both go to standard output: give -o FILE");
+  for (const std::string& path : {options.output, options.report, healed, options.html}) check_output(chain, path);
+  refuse_pair(options.output, options.report, "the mesh", "the report");
+  refuse_pair(options.output, healed, "the mesh", "the healed face");
+  refuse_pair(options.report, healed, "the report", "the healed face");
+  refuse_pair(options.html, options.output, "the page", "the mesh");
+  refuse_pair(options.html, options.report, "the page", "the report");
+}
+
+/// The face in the first file that this run has of it.
+std::optional<CadFace> known_face(ChainState& chain) {
+  if (chain.files.triangles.is_in_memory()) return chain.files.triangles.model().face;
+  std::string ending = "tri.h5";
+  if (chain.options.first == Stage::blocksplit) ending = "sep.json";
+  if (chain.options.first == Stage::quadrefine) ending = "blocks.h5";
+  if (chain.options.first == Stage::quadexport) ending = exported_ending(chain.options, chain.values);
+  const std::string path = chain.files.stem + '.' + ending;
+  if (!is_file(path)) return std::nullopt;  // with --dry-run
+  return io::read_face(io::read_input(path));
+}
+
+void check_face_for(ChainState& chain, Stage stage, const CadFace& face) {
+  if (chosen_words(chain, stage).empty()) return;
+  const cli::Outcome outcome = cli::outcome_of([&] {
+    if (stage == Stage::critpoints) stage::require_critpoints_of(face, chain.values.critpoints);
+    if (stage == Stage::quadrefine)
+      stage::require_quadrefine_of(face, prescribed_sizes(chain, face).content, chain.values.quadrefine);
+    if (stage == Stage::quadexport) stage::require_quadexport_of(face, chain.values.quadexport);
+  });
+  if (outcome.code != ExitCode::usage && outcome.code != ExitCode::no_result) return;  // the stage says the rest
+  chain.last.clear();                                                                  // no later stage has seen it
+  fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
+  throw ChainFailure{outcome.code, "quadmesh", outcome.message};
+}
+
+}  // namespace
+
+void check_command_line(const ChainOptions& options, const StageOptions& values) {
+  if (options.shape.empty() && options.from.empty()) throw UsageError("no shape given");
+  if (!options.html.empty() && (options.html.size() < 6 || !options.html.ends_with(".html")))
+    throw UsageError(fmt::format("--html: '{}' does not end in .html", options.html));
+  check_range(options);
+  check_skipped_options(options);
+  check_stage_options(values);
+  check_output_format(options, values);
+  check_nodes_option(options, values);
+}
+
+std::string stem_of(const std::string& shape) {
+  if (shape == "-") return "shape";
+  const std::string name = shape.substr(shape.rfind('/') + 1);  // npos + 1 is 0
+  return name.substr(0, name.rfind('.'));
+}
+
+std::string exported_ending(const ChainOptions& options, const StageOptions& values) {
+  const bool is_step = stage::format_of(options.output.empty() ? "-" : options.output, values.quadexport) == "step";
+  return is_step ? "blocks.h5" : "quad.h5";
+}
+
+std::string shape_of(const ChainOptions& options, const StageOptions& values) {
+  if (!options.shape.empty() || options.first == Stage::cad2tri) return options.shape;
+  const std::string ending = needed_endings(options, values).front();
+  std::string shape;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(options.workdir, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with('.' + ending) || name.ends_with(".phase." + ending)) continue;
+    if (!shape.empty())
+      throw UsageError(options.workdir +
+                       " has files of several shapes: name the SHAPE, of which only the name is used");
+    shape = name.substr(0, name.size() - ending.size()) + "step";
+  }
+  if (shape.empty())
+    throw UsageError(
+        fmt::format("--from {} needs a file *.{} in {}, and there is none", options.from, ending, options.workdir));
+  return shape;
+}
+
+void check_files(const ChainState& chain) {
+  require_stage_files(chain);
+  check_inputs(chain);
+  check_outputs(chain);
+}
+
+void check_face(ChainState& chain) {
+  const std::optional<CadFace> face = known_face(chain);
+  if (!face) return;
+  for (const Stage stage : {Stage::critpoints, Stage::quadrefine, Stage::quadexport})
+    check_face_for(chain, stage, *face);
+}
+
+}  // namespace quadrille::chain

@@ -1,0 +1,98 @@
+#include "chain/end_of_run.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/version.hpp"
+#include "chain/helper_programs.hpp"
+#include "cli/outcome.hpp"
+#include "io/output_file.hpp"
+
+namespace quadrille::chain {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+io::ChainFacts facts_of(const ChainState& chain) {
+  io::ChainFacts facts;
+  if (chain.form) facts.form = enum_name(*chain.form);
+  facts.num_nodes = chain.num_nodes;
+  facts.remedy = chain.remedy;
+  facts.version = version;
+  facts.wall_seconds = chain.runner.seconds();
+  return facts;
+}
+
+/// The files of all stages as tabs, and one with the report; what an earlier run left in the folder is older.
+void write_page(ChainState& chain, const io::ChainReport& report) {
+  const std::string run_report = chain.runner.scratch() + "/run.json", triangles = chain.files.triangles.path();
+  io::write_output(run_report, report.text_with_command(chain.options.typed), false);
+  std::vector<std::string> words{command_path("stageview"), "-q", triangles};
+  const fs::file_time_type begin = fs::last_write_time(triangles);
+  std::error_code error;
+  for (const char* ending : {"field.h5", "crit.json", "phase.h5", "sep.json", "blocks.h5", "quad.h5"}) {
+    const std::string path = chain.files.stem + '.' + ending;
+    const fs::file_time_type time = fs::last_write_time(path, error);
+    if (!error && time > begin) words.push_back(path);
+  }
+  words.insert(words.end(), {"--run-report", run_report, "-o", chain.options.html});
+  const auto [code, messages] = chain.runner.run_helper(words);
+  fmt::print(stderr, "{}", messages);
+  if (code != 0) throw ChainFailure{static_cast<ExitCode>(code), "stageview", {}};
+}
+
+void print_summary(const ChainState& chain, const io::ChainReport& report) {
+  const ChainOptions& options = chain.options;
+  const bool ends_early = options.last != Stage::quadexport;
+  if (options.is_quiet) return;
+  const bool uses_stdout = options.report == "-" || (!ends_early && (options.output.empty() || options.output == "-"));
+  FILE* const stream = uses_stdout ? stderr : stdout;
+  if (options.is_verbose) fmt::print(stream, "{}", report.times());
+  fmt::print(stream, "{}\n",
+             ends_early ? fmt::format("stages up to {}: {}", options.until, chain.last) : report.summary());
+}
+
+/// Where to look after a stage failed.
+void show_last_file(ChainState& chain, const std::string& stage) {
+  if (chain.options.workdir.empty()) {
+    fmt::print(stderr,
+               "quadmesh: run it again with --workdir DIR to keep the files of the stages before {} and a picture\n",
+               stage);
+    return;
+  }
+  const std::string picture = fmt::format("{}.before-{}.svg", chain.files.stem, stage);
+  std::vector<std::string> words{command_path("stageview"), chain.last, "-o", picture};
+  if (chain.last.ends_with(".crit.json")) words.insert(words.end(), {"--field", chain.files.field.path()});
+  if (chain.runner.run_helper(words).first != 0) return;
+  fmt::print(stderr, "quadmesh: the files of the stages before {} are kept in {}; look at the last one with\n", stage,
+             chain.options.workdir);
+  fmt::print(stderr, "  xdg-open '{}'\n", picture);
+}
+
+}  // namespace
+
+void end_run(ChainState& chain) {
+  const io::ChainReport report(chain.runner.reports(), facts_of(chain));
+  if (!chain.options.html.empty()) write_page(chain, report);
+  if (!chain.options.report.empty()) io::write_output(chain.options.report, report.text(), false);
+  print_summary(chain, report);
+}
+
+void end_failed_run(ChainState& chain, const ChainFailure& failure) {
+  if (!chain.options.report.empty() && !chain.options.is_dry_run) {
+    io::ChainFacts facts = facts_of(chain);
+    facts.exit_code = static_cast<int>(failure.code);
+    facts.failed_stage = failure.stage;
+    facts.error = failure.message;
+    const cli::Outcome written = cli::outcome_of(
+        [&] { io::write_output(chain.options.report, io::ChainReport(chain.runner.reports(), facts).text(), false); });
+    if (!written.is_success() && !failure.message.starts_with(chain.options.report + ": cannot be written"))
+      fmt::print(stderr, "{}", cli::error_text("quadmesh", written));
+  }
+  const bool may_be_the_shape = failure.code == ExitCode::no_result || failure.code == ExitCode::defect;
+  if (may_be_the_shape && !chain.last.empty()) show_last_file(chain, failure.stage);
+}
+
+}  // namespace quadrille::chain

@@ -1,0 +1,14 @@
+#pragma once
+// What a run leaves: the report, the page, the line about the mesh; after a failure a picture of the last file.
+
+#include "chain/chain.hpp"
+
+namespace quadrille::chain {
+
+/// Writes page and report, and prints the line about the mesh. Throws OutputError, ChainFailure.
+void end_run(ChainState& chain);
+
+/// Writes the report, with what failed, and says where to look.
+void end_failed_run(ChainState& chain, const ChainFailure& failure);
+
+}  // namespace quadrille::chain

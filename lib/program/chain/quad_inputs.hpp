@@ -1,0 +1,39 @@
+#pragma once
+// Files that users prescribe names and sizes by, read for the stages that take them.
+
+#include <optional>
+
+#include "chain/chain.hpp"
+#include "io/input_file.hpp"
+
+namespace quadrille::chain {
+
+/// What a file contains, with its identity; nothing without a file.
+template <typename Content>
+struct Prescribed {
+  Content content;
+  std::optional<FileIdentity> file = std::nullopt;
+
+  /// For a stage; this must outlive it.
+  std::optional<stage::Input<Content>> input() const {
+    if (!file) return std::nullopt;
+    return std::optional<stage::Input<Content>>(std::in_place, content, *file);
+  }
+};
+
+using Names = Prescribed<std::vector<NameRule>>;
+using PrescribedSizes = Prescribed<SizeSources>;
+
+/// The files that the options name, "-" standard input. All throw FormatError.
+Names boundary_names(const ChainState& chain);
+Names block_names(const ChainState& chain);
+/// With positions relative to face.origin, those of a table joined by triangles.
+PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face);
+
+/// A file, or what was read from standard input before.
+io::InputFile read_input(const ChainState& chain, const std::string& path);
+
+/// Whether two paths are one file, which need not exist.
+bool is_same_file(const std::string& path, const std::string& other);
+
+}  // namespace quadrille::chain

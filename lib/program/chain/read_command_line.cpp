@@ -1,0 +1,281 @@
+// The command line of quadmesh. Options of stages are kept as words for them.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/name_text.hpp"
+#include "chain/chain_options.hpp"
+#include "cli/stage_words.hpp"
+
+namespace quadrille::chain {
+
+namespace {
+
+const std::vector<std::string> own_flags{"--help", "--verbose", "--quiet", "--version", "--dry-run"};
+const std::vector<std::string> own_values{
+    "--output",  "--workdir",        "--html",           "--report", "--max-seconds",  "--max-memory",
+    "--threads", "--face",           "--boundary-names", "--name",   "--region-name",  "--periodic",
+    "--offset",  "--heal-tolerance", "--fit-tolerance",  "--blunt",  "--write-healed", "--nodes",
+    "--from",    "--until",          "--farfield",       "--wake",   "--chord",        "--stage"};
+const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
+                                       "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
+                                       "--blunt",    "--write-healed"};
+const std::set<std::string> of_points{"--farfield", "--wake", "--chord"};
+
+/// The stages whose options are options of quadmesh.
+constexpr std::array open_stages{Stage::critpoints, Stage::separatrix, Stage::blocksplit, Stage::quadrefine,
+                                 Stage::quadexport};
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// An option of stages, and the stages that have it.
+struct SharedOption {
+  std::vector<std::string> tools;
+  bool takes_value = true;
+};
+
+std::map<std::string, SharedOption> shared_options() {
+  std::map<std::string, SharedOption> all;
+  StageOptions values;
+  for (const Stage stage : open_stages)
+    for (const cli::OptionName& name : cli::option_names([&](Options& o) { declare(o, stage, values); }))
+      all[name.flag].tools.push_back(enum_name(stage)), all[name.flag].takes_value = name.takes_value;
+  return all;
+}
+
+class Reader {
+ public:
+  Reader(const std::vector<std::string>& arguments, ChainOptions& options)
+      : words_(arguments.begin(), arguments.end()), options_(options) {}
+
+  Request read() {
+    while (!words_.empty()) {
+      const std::string word = words_.front();
+      if (word.starts_with("--") && word.find('=') != std::string::npos)
+        split_at_equals(word);
+      else if (word.size() > 2 && word[0] == '-' && word[1] != '-')
+        split_letters(word);
+      else if (word.size() > 1 && word[0] == '-')
+        take_option(word);
+      else
+        take_shape(word);
+      if (request_ == Request::show_help) break;
+    }
+    return request_;
+  }
+
+ private:
+  /// --option=value becomes --option value.
+  void split_at_equals(const std::string& word) {
+    const std::size_t end = word.find('=');
+    const std::string flag = word.substr(0, end);
+    if (contains(own_flags, flag)) throw UsageError(flag + " takes no value");
+    words_.front() = word.substr(end + 1);
+    words_.insert(words_.begin(), flag);
+    take_option(flag);
+  }
+
+  /// -qv becomes -q -v, -oFILE becomes -o FILE.
+  void split_letters(const std::string& word) {
+    const std::string flag = word.substr(0, 2), rest = word.substr(2);
+    if (flag != "-o" && flag != "-v" && flag != "-q" && flag != "-h") unknown(flag);
+    words_.front() = flag == "-o" ? rest : '-' + rest;
+    words_.insert(words_.begin(), flag);
+    if (flag == "-o") take_option(flag);
+  }
+
+  void take_option(const std::string& word) {
+    static const std::map<std::string, std::string> long_names{
+        {"-o", "--output"}, {"-v", "--verbose"}, {"-q", "--quiet"}, {"-h", "--help"}};
+    const auto found = long_names.find(word);
+    const std::string flag = found == long_names.end() ? word : found->second;
+    words_.erase(words_.begin());
+    if (contains(own_flags, flag)) return take_flag(flag);
+    if (contains(own_values, flag)) return take_value(flag, value_of(word));
+    if (shared_.empty()) shared_ = shared_options();
+    const auto shared = shared_.find(flag);
+    if (shared == shared_.end()) unknown(word);
+    if (!shared->second.takes_value) return choose(shared->second.tools, {flag});
+    choose(shared->second.tools, {flag, value_of(word)});
+  }
+
+  /// The next word; it may be empty or begin with one -, but must not be an option.
+  std::string value_of(const std::string& word) {
+    if (words_.empty()) throw UsageError(word + " needs a value");
+    const std::string value = words_.front();
+    if (value.size() > 2 && value.starts_with("--"))
+      throw UsageError(fmt::format("{} needs a value, not the option {}", word, value));
+    words_.erase(words_.begin());
+    return value;
+  }
+
+  void take_flag(const std::string& flag) {
+    if (flag == "--help") request_ = Request::show_help;
+    if (flag == "--version") request_ = Request::show_version;
+    if (flag == "--verbose") options_.is_verbose = true;
+    if (flag == "--quiet") options_.is_quiet = true;
+    if (flag == "--dry-run") options_.is_dry_run = true;
+  }
+
+  void take_value(const std::string& flag, const std::string& value) {
+    if (of_cad2tri.contains(flag)) {
+      options_.cad_option = flag;
+      if (!value.empty() || flag == "--name" || flag == "--region-name" || flag == "--periodic" || flag == "--offset")
+        choose({"cad2tri"}, {flag, value});
+    } else if (of_points.contains(flag)) {
+      options_.point_option = flag;
+      choose({"points2step"}, {flag, value});
+    } else if (flag == "--nodes") {
+      take_nodes(value);
+    } else if (flag == "--stage") {
+      take_program(value);
+    } else {
+      take_own_value(flag, value);
+    }
+  }
+
+  void take_own_value(const std::string& flag, const std::string& value) {
+    if (flag == "--output") options_.output = value;
+    if (flag == "--workdir") options_.workdir = value;
+    if (flag == "--html") options_.html = value;
+    if (flag == "--report") options_.report = value;
+    if (flag == "--threads") options_.threads = value, options_.num_threads = cli::threads_of(value);
+    if (flag == "--max-seconds") options_.limits.seconds = parse_max_seconds(value);
+    if (flag == "--max-memory") options_.limits.memory = parse_max_memory(value);
+    if (flag == "--from") options_.first = stage_named(flag, value), options_.from = value;
+    if (flag == "--until") options_.last = stage_named(flag, value), options_.until = value;
+  }
+
+  void take_nodes(const std::string& value) {
+    if (value == "auto" || value == "none" || value == "fewest" || value == "field")
+      choose({"critpoints"}, {"--nodes", value});
+    else
+      options_.nodes_file = value;
+  }
+
+  void take_program(const std::string& value) {
+    const std::size_t end = value.find('=');
+    if (end == std::string::npos || end + 1 == value.size())
+      throw UsageError(fmt::format("--stage: '{}' is not NAME=COMMAND", value));
+    options_.programs[stage_named("--stage", value.substr(0, end))] = value.substr(end + 1);
+  }
+
+  static Stage stage_named(const std::string& flag, const std::string& name) {
+    if (const auto stage = enum_value<Stage>(name)) return *stage;
+    const std::vector<std::string> names = all_enum_names<Stage>();
+    throw UsageError(fmt::format("{}: '{}' is no stage{}: the stages are {}", flag, name, did_you_mean(name, names),
+                                 fmt::join(names, " ")));
+  }
+
+  void choose(const std::vector<std::string>& tools, const std::vector<std::string>& words) {
+    for (const std::string& tool : tools) {
+      std::vector<std::string>& chosen = options_.words[tool];
+      chosen.insert(chosen.end(), words.begin(), words.end());
+    }
+  }
+
+  [[noreturn]] void unknown(const std::string& word) {
+    if (shared_.empty()) shared_ = shared_options();
+    std::vector<std::string> known = own_values;
+    known.insert(known.end(), own_flags.begin(), own_flags.end());
+    for (const auto& [flag, option] : shared_) known.push_back(flag);
+    const std::string nearest = nearest_word(word, known);
+    throw UsageError(
+        fmt::format("unknown option {}{}", word, nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)));
+  }
+
+  void take_shape(const std::string& word) {
+    if (!options_.shape.empty()) throw UsageError(fmt::format("more than one shape: {} and {}", options_.shape, word));
+    if (word.empty()) throw UsageError("the name of the shape is empty");
+    options_.shape = word;
+    words_.erase(words_.begin());
+  }
+
+  std::vector<std::string> words_;  ///< that are left
+  ChainOptions& options_;
+  std::map<std::string, SharedOption> shared_;  ///< of the stages, once they are needed
+  Request request_ = Request::run;
+};
+
+/// The command for a shell; files without folders, so that the page can be given away.
+std::string typed_command(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{"quadmesh"};
+  for (const std::string& word : arguments) {
+    const std::size_t slash = word.rfind('/');
+    const std::size_t begin = word.starts_with("--") && word.find('=') != std::string::npos ? word.find('=') + 1 : 0;
+    const bool is_path = slash != std::string::npos && slash >= begin &&
+                         std::filesystem::is_directory(word.substr(begin, slash - begin));
+    words.push_back(is_path ? word.substr(0, begin) + word.substr(slash + 1) : word);
+  }
+  return shell_command(words);
+}
+
+}  // namespace
+
+void declare(Options& options, Stage stage, StageOptions& values) {
+  switch (stage) {
+    case Stage::cad2tri:
+      return declare(options, values.cad2tri);
+    case Stage::fieldsolve:
+      return declare(options, values.fieldsolve);
+    case Stage::padapt:
+      return declare(options, values.padapt);
+    case Stage::critpoints:
+      return declare(options, values.critpoints);
+    case Stage::separatrix:
+      return declare(options, values.separatrix);
+    case Stage::blocksplit:
+      return declare(options, values.blocksplit);
+    case Stage::quadrefine:
+      return declare(options, values.quadrefine);
+    case Stage::quadexport:
+      return declare(options, values.quadexport);
+  }
+}
+
+bool ChainOptions::has(const std::string& tool, const std::string& flag) const {
+  const auto found = words.find(tool);
+  return found != words.end() && contains(found->second, flag);
+}
+
+Request read_command_line(const std::vector<std::string>& arguments, ChainOptions& options) {
+  options.typed = typed_command(arguments);
+  return Reader(arguments, options).read();
+}
+
+StageOptions stage_options(const ChainOptions& options) {
+  StageOptions values;
+  for (int i = 0; i < num_stages; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    const auto words = options.words.find(enum_name(stage));
+    if (words != options.words.end()) cli::set_options([&](Options& o) { declare(o, stage, values); }, words->second);
+  }
+  return values;
+}
+
+std::string shell_command(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) {
+    const bool is_plain = !word.empty() && word.find_first_not_of(
+                                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                               "0123456789_./:=,+%@-") == std::string::npos;
+    line += line.empty() ? "" : " ";
+    if (is_plain) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+}  // namespace quadrille::chain

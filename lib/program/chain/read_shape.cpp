@@ -1,0 +1,101 @@
+#include "chain/read_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "base/json_string.hpp"
+#include "chain/helper_programs.hpp"
+#include "chain/quad_inputs.hpp"
+#include "io/output_file.hpp"
+
+namespace quadrille::chain {
+
+namespace {
+
+bool has_points(const ChainState& chain) {
+  const std::string& shape = chain.options.shape;
+  return chain.options.first == Stage::cad2tri &&
+         (!chain.options.point_option.empty() || shape.ends_with(".dat") || shape.ends_with(".xy"));
+}
+
+/// The warnings among what points2step wrote, as the report of a stage without times.
+std::string report_of_points(const std::string& messages) {
+  std::istringstream lines(messages);
+  const std::string start = "points2step: warning ";
+  std::string warnings;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(": ", start.size());
+    if (!line.starts_with(start) || colon == std::string::npos) continue;
+    warnings +=
+        fmt::format("{}{{\"code\": {}, \"message\": {}}}", warnings.empty() ? "" : ", ",
+                    json_string(line.substr(start.size(), colon - start.size())), json_string(line.substr(colon + 2)));
+  }
+  return warnings.empty() ? std::string() : fmt::format("{{\"tool\": \"points2step\", \"warnings\": [{}]}}", warnings);
+}
+
+/// Messages of points2step about its options are about those of quadmesh.
+std::string with_own_name(std::string text) {
+  for (const auto& [from, to] : {std::pair{"points2step: ", "quadmesh: "}, {"points2step --help", "quadmesh --help"}})
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += std::string(to).size())
+      text.replace(at, std::string(from).size(), to);
+  return text;
+}
+
+/// The shape as a CAD file. Throws ChainFailure.
+std::string cad_file(ChainState& chain) {
+  if (!has_points(chain)) return chain.options.shape;
+  const std::string made = chain.files.stem + ".outline.step";
+  std::string shape = chain.options.shape;
+  if (shape == "-" && chain.standard_input) {
+    shape = chain.runner.scratch() + "/points";
+    io::write_output(shape, *chain.standard_input, true);
+  }
+  std::vector<std::string> words{"points2step", shape, "-o", made};
+  if (const auto chosen = chain.options.words.find("points2step"); chosen != chain.options.words.end())
+    words.insert(words.end(), chosen->second.begin(), chosen->second.end());
+  if (chain.options.is_dry_run) {
+    fmt::print("{}\n", shell_command(words));
+    return made;
+  }
+  words.front() = command_path("points2step");
+  const auto [code, messages] = chain.runner.run_helper(words);
+  if (code != 0) {
+    fmt::print(stderr, "{}", with_own_name(messages));
+    const std::string line = messages.substr(0, messages.find('\n'));
+    throw ChainFailure{static_cast<ExitCode>(code), "points2step",
+                       line.starts_with("points2step: ") ? line.substr(13) : line};
+  }
+  if (std::string report = report_of_points(messages); !report.empty()) {
+    chain.runner.reports().push_back({"points2step", std::move(report)});
+    print_warnings(chain, 0);
+  }
+  return made;
+}
+
+}  // namespace
+
+void triangulate_shape(ChainState& chain) {
+  const std::string path = chain.is_due(Stage::cad2tri) ? cad_file(chain) : chain.options.shape;
+  StageTask task;
+  task.stage = Stage::cad2tri;
+  task.output = chain.files.triangles.path();
+  task.words = {path};
+  task.compute = [&chain, path](Run& run) {
+    const io::InputFile file = read_input(chain, path);
+    const Names names = boundary_names(chain);
+    stage::Cad2triInput input{{file.bytes, file}, {}};
+    if (names.file) input.names.emplace(names.content, *names.file);
+    const stage::Cad2triOptions& options = chain.values.cad2tri;
+    const stage::LoadedShape shape = stage::load_shape(input, options, run);
+    if (!options.healed_file.empty())
+      io::write_output(options.healed_file, stage::cad_file_of(shape.face, options.healed_file), false);
+    chain.files.triangles.set(stage::cad2tri(shape, options, run), chain.keeps_files);
+  };
+  task.write_inputs = [] {};
+  task.drop_result = [&] { chain.files.triangles.forget(); };
+  run_stage(chain, task);
+}
+
+}  // namespace quadrille::chain

@@ -1,0 +1,12 @@
+#pragma once
+// The first stage: from a CAD file, or points, to triangles.
+
+#include "chain/chain.hpp"
+
+namespace quadrille::chain {
+
+/// Runs points2step if the shape is a file of points, by its ending or by the options, and cad2tri. Throws
+/// ChainFailure.
+void triangulate_shape(ChainState& chain);
+
+}  // namespace quadrille::chain

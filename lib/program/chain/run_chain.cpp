@@ -1,0 +1,193 @@
+#include "chain/run_chain.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+
+#include "base/parallel.hpp"
+#include "base/version.hpp"
+#include "chain/early_checks.hpp"
+#include "chain/end_of_run.hpp"
+#include "chain/make_quads.hpp"
+#include "chain/read_shape.hpp"
+#include "chain/supervisor.hpp"
+#include "cli/outcome.hpp"
+#include "cli/signals.hpp"
+#include "io/output_file.hpp"
+
+namespace quadrille::chain {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// CPU seconds after which threads are worth their start.
+constexpr double least_cpu_seconds_for_threads = 0.2;
+
+std::string make_scratch() {
+  const char* const folder = std::getenv("TMPDIR");
+  std::string path = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/quadmesh.XXXXXX";
+  if (mkdtemp(path.data()) == nullptr)
+    throw OutputError(fmt::format("the temporary folder in {}: cannot be written: {}", path.substr(0, path.rfind('/')),
+                                  std::strerror(errno)));
+  return path;
+}
+
+void make_folder(const ChainOptions& options) {
+  if (options.workdir.empty() || fs::is_directory(options.workdir)) return;
+  if (options.is_dry_run) {
+    fmt::print("{}\n", shell_command({"mkdir", "-p", options.workdir}));
+    return;
+  }
+  std::error_code error;
+  fs::create_directories(options.workdir, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be written: {}", options.workdir, error.message()));
+}
+
+void export_mesh(ChainState& chain) {
+  ChainFiles& files = chain.files;
+  const std::string ending = exported_ending(chain.options, chain.values);
+  const bool is_step = ending == "blocks.h5";
+  StageTask task;
+  task.stage = Stage::quadexport;
+  task.output = chain.options.output.empty() ? "-" : chain.options.output;
+  task.words = {files.stem + '.' + ending};
+  task.compute = [&, is_step](Run& run) {
+    const std::string output = chain.options.output.empty() ? "-" : chain.options.output;
+    std::vector<stage::OutputFile> written;
+    if (is_step) {
+      const std::string bytes = io::stage_bytes(files.blocks.model());
+      written = {stage::quadexport_step({bytes, io::identity_of(files.blocks.path(), bytes)}, output,
+                                        chain.values.quadexport, run)};
+    } else {
+      written = stage::quadexport(files.quads.release(), files.quads.path(), output, chain.values.quadexport, run);
+    }
+    for (const stage::OutputFile& file : written) io::write_output(file.path, file.bytes, file.is_binary);
+  };
+  task.write_inputs = [&, is_step] { is_step ? files.blocks.write() : files.quads.write(); };
+  run_stage(chain, task);
+}
+
+/// Layers with blocks of their own need curves that cad2tri makes, others room below the irregular nodes.
+void add_options_of_walls(ChainState& chain) {
+  for (const std::string& offset : stage::offsets_of(chain.values.quadrefine)) {
+    chain.added["cad2tri"].insert(chain.added["cad2tri"].end(), {"--offset", offset});
+    chain.values.cad2tri.offsets.push_back(offset);
+  }
+}
+
+void add_clearances(ChainState& chain) {
+  if (!chain.is_due(Stage::critpoints) || !chain.options.nodes_file.empty() ||
+      chain.values.separatrix.layout == layout::LayoutChoice::midpoint)
+    return;
+  std::vector<std::string>& given = chain.values.critpoints.clearances;
+  const std::vector<std::string> of_user = given;
+  for (const std::string& clearance : stage::clearances_of(chain.values.quadrefine)) {
+    const std::string name = clearance.substr(0, clearance.rfind('=') + 1);
+    if (std::any_of(of_user.begin(), of_user.end(), [&](const std::string& one) { return one.starts_with(name); }))
+      continue;
+    chain.added["critpoints"].insert(chain.added["critpoints"].end(), {"--clearance", clearance});
+    given.push_back(clearance);
+  }
+}
+
+void run_stages(ChainState& chain) {
+  check_files(chain);
+  make_folder(chain.options);
+  triangulate_shape(chain);
+  check_face(chain);
+  add_clearances(chain);
+  make_quads(chain);
+  export_mesh(chain);
+  if (!chain.options.is_dry_run) end_run(chain);
+}
+
+/// An exception that no stage has caught is one of quadmesh.
+int run_to_the_end(ChainState& chain) {
+  ChainFailure failure;
+  const cli::Outcome outcome = cli::outcome_of([&] {
+    try {
+      run_stages(chain);
+    } catch (const ChainFailure& thrown) {
+      failure = thrown;
+    }
+  });
+  if (!outcome.is_success()) {
+    fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
+    if (outcome.code == ExitCode::usage) return static_cast<int>(outcome.code);
+    failure = {outcome.code, "quadmesh", outcome.message};
+  } else if (!failure.is_printed) {
+    fmt::print(stderr, "quadmesh: {}\n", failure.message);
+  }
+  if (failure.code != ExitCode::done) end_failed_run(chain, failure);
+  return static_cast<int>(failure.code);
+}
+
+/// What standard input holds, if it is the shape or the nodes: read once, before a process is copied.
+std::optional<std::string> standard_input(const ChainOptions& options) {
+  if (options.is_dry_run || (options.shape != "-" && options.nodes_file != "-")) return std::nullopt;
+  if (options.shape == "-" && options.first != Stage::cad2tri) return std::nullopt;
+  std::string bytes;
+  std::array<char, 65536> buffer{};
+  for (ssize_t count = 0; (count = read(STDIN_FILENO, buffer.data(), buffer.size())) > 0;)
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+  return bytes;
+}
+
+/// Everything after the command line was read.
+int run(ChainOptions options) {
+  const Budget budget(options.limits);
+  StageOptions values;
+  std::string scratch;
+  std::optional<std::string> input;
+  const cli::Outcome checked = cli::outcome_of([&] {
+    values = stage_options(options);
+    check_command_line(options, values);
+    options.shape = shape_of(options, values);
+    if (!options.is_dry_run) scratch = make_scratch();
+    input = standard_input(options);
+  });
+  if (!checked.is_success()) {
+    fmt::print(stderr, "{}", cli::error_text("quadmesh", checked));
+    return static_cast<int>(checked.code);
+  }
+  const auto work = [&](bool is_second_try) {
+    cli::install_signal_handlers();
+    if (options.num_threads == 0) start_threads_after(least_cpu_seconds_for_threads);
+    StageRunner runner(options, budget, is_second_try || budget.is_limited(), scratch);
+    const std::string folder = !options.workdir.empty() ? options.workdir : options.is_dry_run ? "." : scratch;
+    ChainState chain(options, values, runner, folder + '/' + stem_of(options.shape));
+    chain.standard_input = input;
+    chain.keeps_files = !options.workdir.empty() || !options.html.empty() || !options.nodes_file.empty() ||
+                        !options.programs.empty() || is_second_try || budget.is_limited();
+    try {
+      add_options_of_walls(chain);
+    } catch (const UsageError& e) {
+      fmt::print(stderr, "{}", cli::error_text("quadmesh", {ExitCode::usage, e.what()}));
+      return static_cast<int>(ExitCode::usage);
+    }
+    return run_to_the_end(chain);
+  };
+  return options.is_dry_run ? work(false) : supervise(work, scratch);
+}
+
+}  // namespace
+
+int run_chain(const std::vector<std::string>& arguments) {
+  ChainOptions options;
+  Request request = Request::run;
+  const cli::Outcome outcome = cli::outcome_of([&] { request = read_command_line(arguments, options); });
+  if (!outcome.is_success()) {
+    fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
+    return static_cast<int>(outcome.code);
+  }
+  if (request == Request::show_help) fmt::print("{}", help_text());
+  if (request == Request::show_version) fmt::print("quadmesh (Quadrille) {}\n", version);
+  return request == Request::run ? run(std::move(options)) : 0;
+}
+
+}  // namespace quadrille::chain

@@ -1,0 +1,158 @@
+#include "chain/stage_runner.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/cleanup.hpp"
+#include "base/json_string.hpp"
+#include "base/version.hpp"
+#include "base/warning_codes.hpp"
+#include "chain/watched_child.hpp"
+#include "cli/outcome.hpp"
+#include "cli/session.hpp"
+#include "io/input_file.hpp"
+#include "io/output_file.hpp"
+
+namespace quadrille::chain {
+
+namespace {
+
+/// Seconds between two states of the line of progress, and before the first one.
+constexpr double progress_interval = 0.2, progress_delay = 1;
+
+/// How many stages follow a run, if nothing unforeseen happens.
+int stages_after(const StageTask& task, const ChainOptions& options) {
+  constexpr std::array after{7, 6, 5, 4, 3, 2, 1, 0}, after_phase{0, 5, 4, 0, 0, 0, 0, 0};
+  const auto position = static_cast<std::size_t>(task.stage);
+  const int left_out = num_stages - 1 - static_cast<int>(options.last);
+  return std::max(0, (task.is_of_phase ? after_phase.at(position) : after.at(position)) - left_out);
+}
+
+/// What a killed stage cannot report itself; the warning holds if there are quads without a field.
+std::string report_of_stopped(const std::string& tool, const std::string& reason, const ChildEnd& end) {
+  return fmt::format(
+      R"({{"tool": {}, "exit_code": 1, "error": {}, "timings": {{"total": {{"cpu_seconds": {}, "wall_seconds": {}}}}}, )"
+      R"("warnings": [{{"tool": "quadmesh", "code": "{}", "message": {}}}]}})",
+      json_string(tool), json_string(reason), end.cpu_seconds, end.wall_seconds, warning::stage_stopped,
+      json_string(fmt::format("{} was {}: the quads are made without a field", tool, reason)));
+}
+
+/// A mistake on the command line is one of quadmesh: what is wrong with its options, or begins with one.
+std::string messages_of(const std::string& tool, const cli::Outcome& outcome) {
+  if (outcome.is_success()) return {};
+  const bool is_of_user = outcome.code == ExitCode::usage || outcome.message.starts_with("--");
+  return cli::error_text(is_of_user ? "quadmesh" : tool, outcome);
+}
+
+/// The report of a process that ended, as far as it wrote one.
+std::string report_in(const std::string& path) {
+  return std::filesystem::exists(path) && !std::filesystem::is_empty(path) ? io::read_input(path).bytes : std::string();
+}
+
+}  // namespace
+
+std::vector<std::string> command_words(const StageTask& task, const ChainOptions& options) {
+  std::vector<std::string> words = task.words;
+  words.insert(words.end(), {"-o", task.output});
+  if (!options.threads.empty()) words.insert(words.end(), {"--threads", options.threads});
+  if (options.is_quiet) words.emplace_back("-q");
+  return words;
+}
+
+StageRunner::StageRunner(const ChainOptions& options, Budget budget, bool in_children, std::string scratch)
+    : options_(options), budget_(std::move(budget)), in_children_(in_children), scratch_(std::move(scratch)) {}
+
+double StageRunner::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+bool StageRunner::is_in_child(Stage stage) const { return in_children_ || options_.programs.contains(stage); }
+
+std::string StageRunner::progress_title(const StageTask& task) const {
+  const int number = static_cast<int>(reports_.size()) + 1;
+  return fmt::format("quadmesh: stage {} of {}, {}", number, number + stages_after(task, options_),
+                     enum_name(task.stage));
+}
+
+StageEnd StageRunner::run(const StageTask& task, Share share) {
+  StageEnd end = is_in_child(task.stage) ? run_in_child(task, share) : run_here(task);
+  reports_.push_back(end.report);
+  if (!options_.is_quiet) print_messages(end);
+  return end;
+}
+
+void StageRunner::print_messages(const StageEnd& end) const { fmt::print(stderr, "{}", end.messages); }
+
+StageEnd StageRunner::run_here(const StageTask& task) {
+  const std::string tool = enum_name(task.stage);
+  cli::Session session(tool, "{}", options_.is_quiet ? -1 : 0, options_.num_threads);
+  session.leave_out_earlier_work();
+  if (!options_.is_quiet && isatty(STDERR_FILENO) == 1) {
+    cli::ProgressStyle style;
+    style.is_terminal = true;
+    style.delay = progress_delay;
+    style.title = progress_title(task);
+    style.seconds_before = seconds();
+    session.show_progress(style, progress_interval);
+  }
+  const cli::Outcome outcome = cli::outcome_of([&] { task.compute(session); });
+  session.finish();
+  if (!outcome.is_success()) remove_temporaries();
+  session.report().set("exit_code", static_cast<int>(outcome.code));
+  if (!outcome.is_success()) session.report().set("error", outcome.message);
+  return {outcome.code,
+          outcome.message,
+          messages_of(tool, outcome),
+          false,
+          {task.name, io::report_text(tool, version, session.report())}};
+}
+
+std::vector<std::string> StageRunner::command_of(const StageTask& task, const std::string& report) const {
+  std::vector<std::string> words{"/bin/sh", "-c", options_.programs.at(task.stage) + " \"$@\"", enum_name(task.stage)};
+  const std::vector<std::string> own = command_words(task, options_);
+  words.insert(words.end(), own.begin(), own.end());
+  words.insert(words.end(), {"--report", report});
+  if (!options_.is_quiet) words.emplace_back("-q");  // warnings are printed from its report
+  return words;
+}
+
+ChildEnd StageRunner::child_of(const StageTask& task, const std::string& report, Share share, std::string& errors) {
+  if (options_.programs.contains(task.stage)) {
+    task.write_inputs();
+    return run_command(command_of(task, report), {STDIN_FILENO, &errors}, budget_, share);
+  }
+  const auto body = [&] {
+    const StageEnd end = run_here(task);
+    io::write_output(report, end.report.json, false);
+    return static_cast<int>(end.code);
+  };
+  return run_child(body, budget_, share);
+}
+
+StageEnd StageRunner::run_in_child(const StageTask& task, Share share) {
+  constexpr int of_signal = 128, killed = of_signal + 9;
+  const std::string tool = enum_name(task.stage), report = fmt::format("{}/{}.json", scratch_, reports_.size());
+  StageEnd end;
+  ChildEnd child = child_of(task, report, share, end.messages);
+  task.drop_result();
+  if (!child.stopped && child.code == killed) child.stopped = "killed by signal 9, as systems do when memory runs out";
+  if (child.stopped)
+    return {ExitCode::no_result, *child.stopped, {}, true, {task.name, report_of_stopped(tool, *child.stopped, child)}};
+  end.code = static_cast<ExitCode>(child.code);
+  end.report = {task.name, report_in(report)};
+  end.message = io::value_of(end.report, "error").value_or("");
+  if (child.code > of_signal) end.message = fmt::format("ended by signal {}", child.code - of_signal);
+  if (!options_.programs.contains(task.stage)) end.messages = messages_of(tool, {end.code, end.message});
+  return end;
+}
+
+std::pair<int, std::string> StageRunner::run_helper(const std::vector<std::string>& words) {
+  std::string errors;
+  const ChildEnd end = run_command(words, {STDIN_FILENO, &errors}, budget_, Share::all);
+  return {end.code, errors};
+}
+
+}  // namespace quadrille::chain

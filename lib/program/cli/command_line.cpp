@@ -1,0 +1,310 @@
+#include "cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/name_text.hpp"
+#include "base/option_interval.hpp"
+#include "base/option_record.hpp"
+#include "cli/overwrite.hpp"
+#include "cli/stage_words.hpp"
+
+namespace quadrille::cli {
+
+namespace {
+
+/// The whole of `text` as a number; a leading + is allowed.
+template <typename T>
+bool parse_number(const std::string& text, T& value) {
+  const char* const begin = text.c_str() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+  const char* const end = text.c_str() + text.size();
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  return error == std::errc() && stop == end && begin != end;
+}
+
+/// `text` as the value of an option with this interval. Throws UsageError.
+int integer_within(const std::string& flag, const std::string& text, int low, int high) {
+  int given = 0;
+  if (!parse_number(text, given)) throw UsageError(fmt::format("{}: '{}' is not an integer", flag, text));
+  require_in_interval(flag, given, text, low, high);
+  return given;
+}
+
+/// The arguments with each old name, also in the form OLD=VALUE, replaced by the present one. Arguments after -- are
+/// kept.
+std::vector<std::string> with_present_names(int argc, char** argv,
+                                            const std::map<std::string, std::string>& old_names) {
+  std::vector<std::string> arguments(argv, argv + argc);
+  for (std::string& argument : arguments) {
+    if (argument == "--") break;
+    const std::size_t end = argument.find('=');
+    const auto found = old_names.find(argument.substr(0, end));
+    if (found != old_names.end())
+      argument = found->second + (end == std::string::npos ? std::string() : argument.substr(end));
+  }
+  return arguments;
+}
+
+}  // namespace
+
+int threads_of(const std::string& text) { return text == "auto" ? 0 : integer_within("--threads", text, 1, 1024); }
+
+namespace {
+
+/// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
+struct CallForOptionList {};
+
+}  // namespace
+
+struct CommandLine::Impl {
+  explicit Impl(HelpPage help) : page(std::move(help)), app(page.summary, page.name) {
+    app.set_help_flag("-h,--help");
+    app.set_version_flag("--version", "");
+    app.add_flag_callback("--list-options", [] { throw CallForOptionList(); });
+  }
+
+  CLI::Option* add(const std::string& flag, const std::string& placeholder, CLI::callback_t set, std::string help) {
+    page.options.push_back({flag + ' ' + placeholder, std::move(help)});
+    CLI::Option* const option = app.add_option(flag, std::move(set));
+    return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  }
+  static std::string key(const std::string& flag) {
+    return flag.substr(flag.rfind("--") == std::string::npos ? 0 : flag.rfind("--") + 2);
+  }
+
+  void add_threads(int& threads) {
+    const auto set = [&threads](const CLI::results_t& texts) {
+      threads = threads_of(texts.back());
+      return true;
+    };
+    add("--threads", "N|auto", set,
+        "number of threads, 1 to 1024; auto: as many as there are processors, for work that lasts longer than 0.2 s; "
+        "results do not depend on it (default: auto)");
+  }
+
+  static std::vector<std::string> named(const std::vector<std::function<std::vector<std::string>()>>& files) {
+    std::vector<std::string> names;
+    for (const auto& list : files)
+      for (std::string& name : list()) names.push_back(std::move(name));
+    return names;
+  }
+
+  /// Names the first word that is no option, with the nearest one, or the first surplus argument. Throws UsageError.
+  void require_no_extras() const {
+    const std::vector<std::string> extras = app.remaining();
+    if (extras.empty()) return;
+    const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+    const auto unknown = std::find_if(extras.begin(), extras.end(), is_option);
+    if (unknown == extras.end()) throw UsageError(fmt::format("surplus argument '{}'", extras.front()));
+    const std::string name = unknown->substr(0, unknown->find('='));
+    const std::string nearest = nearest_word(name, visible_options());
+    throw UsageError(fmt::format("unknown option {}{}", name,
+                                 nearest.empty() ? std::string() : fmt::format(": did you mean {}?", nearest)));
+  }
+  std::vector<std::string> visible_options() const {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames())
+        if (!hidden.contains(name)) names.push_back("--" + name);
+    return names;
+  }
+
+  HelpPage page;
+  CLI::App app;
+  OptionRecord record;
+  std::map<std::string, std::string> old_names;  ///< old flag -> present flag
+  std::set<std::string> hidden{"list-options"};
+  int verbose = 0;
+  bool quiet = false;
+  CommonOptions* common = nullptr;
+  const std::string* output = nullptr;
+  std::vector<std::function<std::vector<std::string>()>> read, written;  ///< files, after parsing
+  std::vector<CLI::Option*> declared;                                    ///< before those of every command
+};
+
+CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
+CommandLine::~CommandLine() = default;
+
+void CommandLine::input(const std::string& name, std::string& path, const std::string& help, bool required) {
+  if (path.empty() && !required) path = "-";
+  impl_->page.inputs.push_back({name, required ? help : help + " (default: -, standard input)"});
+  impl_->page.synopsis += required ? ' ' + name : " [" + name + ']';
+  impl_->read.emplace_back([&path] { return std::vector{path}; });
+  impl_->app.add_option(name, path)->required(required);
+}
+
+void CommandLine::inputs(const std::string& name, std::vector<std::string>& paths, const std::string& help) {
+  if (paths.empty()) paths = {"-"};
+  impl_->page.inputs.push_back({name + "...", help + " (default: -, standard input)"});
+  impl_->page.synopsis += " [" + name + "...]";
+  impl_->read.emplace_back([&paths] { return paths; });
+  impl_->app.add_option(name, paths);
+}
+
+void CommandLine::output(std::string& path, const std::string& help) {
+  if (path.empty()) path = "-";
+  impl_->page.options.push_back({"-o, --output FILE", help + " (default: -, standard output)"});
+  impl_->output = &path;
+  impl_->written.emplace_back([&path] { return std::vector{path}; });
+  impl_->app.add_option("-o,--output", path)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void CommandLine::number(const std::string& flag, double& value, double low, double high, const std::string& unit,
+                         const std::string& help) {
+  const std::string range = interval_text(low, high);
+  const auto set = [=, &value](const CLI::results_t& texts) {
+    double given = 0;
+    if (!parse_number(texts.back(), given))
+      throw UsageError(fmt::format("{}: '{}' is not a number", flag, texts.back()));
+    require_in_interval(flag, given, texts.back(), low, high);
+    value = given;
+    return true;
+  };
+  impl_->add(flag, "X", set, fmt::format("{} (unit: {}; default: {}; interval: {})", help, unit, value, range));
+  impl_->record.number(flag, value, low, high, unit, help);
+}
+
+void CommandLine::integer(const std::string& flag, int& value, int low, int high, const std::string& help) {
+  const std::string range = interval_text(low, high);
+  const auto set = [=, &value](const CLI::results_t& texts) {
+    value = integer_within(flag, texts.back(), low, high);
+    return true;
+  };
+  impl_->add(flag, "N", set, fmt::format("{} (unit: none; default: {}; interval: {})", help, value, range));
+  impl_->record.integer(flag, value, low, high, help);
+}
+
+void CommandLine::one_of(const std::string& flag, const std::vector<std::string>& words,
+                         const std::function<std::string()>& get, const std::function<void(const std::string&)>& set,
+                         const std::string& help) {
+  const std::string list = fmt::format("{}", fmt::join(words, "|"));
+  const auto set_known = [=](const CLI::results_t& texts) {
+    if (std::find(words.begin(), words.end(), texts.back()) == words.end())
+      throw UsageError(fmt::format("{}: '{}' is not one of {}", flag, texts.back(), list));
+    set(texts.back());
+    return true;
+  };
+  impl_->add(flag, list, set_known, fmt::format("{} (default: {})", help, get()));
+  if (impl_->common == nullptr) impl_->record.one_of(flag, words, get, set, help);
+}
+
+void CommandLine::text(const std::string& flag, std::string& value, const std::string& placeholder,
+                       const std::string& help, bool recorded) {
+  const auto set = [&value](const CLI::results_t& texts) {
+    value = texts.back();
+    return true;
+  };
+  impl_->add(flag, placeholder, set, value.empty() ? help : fmt::format("{} (default: {})", help, value));
+  impl_->record.text(flag, value, placeholder, help, recorded);
+}
+
+void CommandLine::input_file(const std::string& flag, std::string& path, const std::string& placeholder,
+                             const std::string& help, bool recorded) {
+  Options::input_file(flag, path, placeholder, help, recorded);
+  impl_->read.emplace_back([&path] { return std::vector{path}; });
+}
+
+void CommandLine::output_file(const std::string& flag, std::string& path, const std::string& help) {
+  Options::output_file(flag, path, help);
+  impl_->written.emplace_back([&path] { return std::vector{path}; });
+}
+
+void CommandLine::texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
+                        const std::string& help, bool records_none) {
+  const auto set = [&values](const CLI::results_t& texts) {
+    values = texts;
+    return true;
+  };
+  impl_->add(flag, placeholder, set, help + " (may be given several times)")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  impl_->record.texts(flag, values, placeholder, help, records_none);
+}
+
+void CommandLine::flag(const std::string& flag, bool& value, const std::string& help) {
+  impl_->page.options.push_back({flag, help});
+  impl_->app.add_flag(flag, value);
+  impl_->record.flag(flag, value, help);
+}
+
+void CommandLine::hidden_text(const std::string& flag, std::string& value) {
+  impl_->app.add_option(flag, value)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  impl_->hidden.insert(Impl::key(flag));
+}
+
+void CommandLine::formerly(const std::string& old_flag, const std::string& flag) { impl_->old_names[old_flag] = flag; }
+
+void CommandLine::add_common(CommonOptions& common) {
+  impl_->common = &common;
+  impl_->declared = impl_->app.get_options();
+  std::vector<HelpRow> own;
+  own.swap(impl_->page.options);
+  output_file("--report", common.report,
+              "write counts, timings, residuals and warnings as JSON, also after a failure (-: standard output)");
+  choice("--progress", common.progress, {"auto", "always", "never"},
+         "show progress on standard error; auto: on a terminal, for work longer than a second");
+  impl_->add_threads(common.threads);
+  impl_->app.add_flag("-v,--verbose", impl_->verbose);
+  impl_->app.add_flag("-q,--quiet", impl_->quiet);
+  const std::vector<HelpRow> flags{{"-v, --verbose", "report what is done; given twice: also the time of each phase"},
+                                   {"-q, --quiet", "print errors only, no warnings"},
+                                   {"-h, --help", "print this help and exit"},
+                                   {"--version", "print the version and exit"}};
+  impl_->page.options.insert(impl_->page.options.end(), flags.begin(), flags.end());
+  impl_->page.common_options.swap(impl_->page.options);
+  impl_->page.options.swap(own);
+}
+
+Request CommandLine::parse(int argc, char** argv) {
+  const std::vector<std::string> arguments = with_present_names(argc, argv, impl_->old_names);
+  std::vector<const char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+  try {
+    impl_->app.parse(argc, pointers.data());
+  } catch (const CLI::CallForHelp&) {
+    return Request::show_help;
+  } catch (const CLI::CallForVersion&) {
+    return Request::show_version;
+  } catch (const CallForOptionList&) {
+    return Request::list_options;
+  } catch (const CLI::ArgumentMismatch& e) {
+    const std::string message = e.what();
+    throw UsageError(message.substr(0, message.find(':')) + " needs a value");
+  } catch (const CLI::ParseError& e) {
+    impl_->require_no_extras();
+    std::string message = e.what();
+    for (char& c : message) c = c == '\n' ? ' ' : c;
+    throw UsageError(message);
+  }
+  refuse_to_overwrite(Impl::named(impl_->read), Impl::named(impl_->written));
+  if (impl_->common != nullptr) impl_->common->verbosity = impl_->quiet ? -1 : std::min(impl_->verbose, 2);
+  return Request::run;
+}
+
+const HelpPage& CommandLine::page() const { return impl_->page; }
+
+bool CommandLine::writes_to_stdout() const { return impl_->output != nullptr && *impl_->output == "-"; }
+
+std::string CommandLine::option_list() const {
+  const auto line = [&](const std::string& flag, const CLI::Option* option) {
+    return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
+  };
+  const std::set<std::string> common{"help", "version", "output"};
+  std::string out;
+  for (const CLI::Option* option : impl_->declared)
+    for (const std::string& name : option->get_lnames())
+      if (!common.contains(name) && !impl_->hidden.contains(name)) out += line("--" + name, option);
+  for (const auto& [old_flag, flag] : impl_->old_names) out += line(old_flag, impl_->app.get_option(flag));
+  return out;
+}
+
+std::string CommandLine::options_json() const { return impl_->record.json(); }
+
+}  // namespace quadrille::cli

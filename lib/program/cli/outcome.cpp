@@ -1,0 +1,49 @@
+#include "cli/outcome.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <exception>
+#include <new>
+
+namespace quadrille::cli {
+
+namespace {
+
+std::string out_of_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format("out of memory, at {} MB: raise the limit, or ask for fewer elements or lower orders",
+                     usage.ru_maxrss / 1024);
+}
+
+std::string internal_error(const std::string& what) {
+  return fmt::format("internal error, please report it: {}", what);
+}
+
+}  // namespace
+
+Outcome outcome_of(const std::function<void()>& work) {
+  try {
+    work();
+    return {};
+  } catch (const Defect& e) {
+    return {ExitCode::defect, internal_error(e.what())};
+  } catch (const Error& e) {
+    return {e.code(), e.what()};
+  } catch (const std::bad_alloc&) {
+    return {ExitCode::no_result, out_of_memory()};
+  } catch (const std::exception& e) {
+    return {ExitCode::defect, internal_error(e.what())};
+  } catch (...) {
+    return {ExitCode::defect, internal_error("unknown exception")};
+  }
+}
+
+std::string error_text(const std::string& name, const Outcome& outcome) {
+  std::string text = fmt::format("{}: {}\n", name, outcome.message);
+  if (outcome.code == ExitCode::usage) text += fmt::format("try '{} --help'\n", name);
+  return text;
+}
+
+}  // namespace quadrille::cli

@@ -1,0 +1,24 @@
+#pragma once
+// What work ended with: an exit code and, if it failed, a message. The only code that maps failures to exit codes.
+
+#include <functional>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace quadrille::cli {
+
+struct Outcome {
+  ExitCode code = ExitCode::done;
+  std::string message;
+
+  bool is_success() const { return code == ExitCode::done; }
+};
+
+/// Runs `work`; any exception becomes an exit code (base/error.hpp).
+Outcome outcome_of(const std::function<void()>& work);
+
+/// "name: message" and, after a mistake on the command line, how to get help: whole lines.
+std::string error_text(const std::string& name, const Outcome& outcome);
+
+}  // namespace quadrille::cli

@@ -1,0 +1,31 @@
+#pragma once
+// The options of a stage for a program that runs several: their names, their help, their values from words.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/options.hpp"
+
+namespace quadrille::cli {
+
+using Declare = std::function<void(Options&)>;
+
+struct OptionName {
+  std::string flag;  ///< "--order"
+  bool takes_value = true;
+};
+
+/// In the order of their declaration, hidden ones left out.
+std::vector<OptionName> option_names(const Declare& declare);
+
+/// The rows of --help.
+std::string option_rows(const Declare& declare);
+
+/// Sets the declared variables from words such as "--order", "6". Throws UsageError with the messages of a command.
+void set_options(const Declare& declare, const std::vector<std::string>& words);
+
+/// The value of --threads: 0 for "auto". Throws UsageError.
+int threads_of(const std::string& text);
+
+}  // namespace quadrille::cli

@@ -1,0 +1,97 @@
+#include "cli/tool_main.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+
+#include "base/cleanup.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "base/version.hpp"
+#include "cli/command_line.hpp"
+#include "cli/heap.hpp"
+#include "cli/outcome.hpp"
+#include "cli/signals.hpp"
+
+namespace quadrille::cli {
+
+namespace {
+
+// Work that takes less is done before threads are worth their start; with --threads N they start at once.
+constexpr double least_cpu_seconds_for_threads = 0.2;
+
+void print_to_stdout(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw OutputError("standard output: cannot be written");
+}
+
+void write_report_of(const Tool& tool, Session& session, const Outcome& outcome, const std::string& path) {
+  if (path.empty() || !tool.report_writer) return;
+  session.report().set("exit_code", static_cast<int>(outcome.code));
+  if (outcome.code != ExitCode::done) session.report().set("error", outcome.message);
+  tool.report_writer(path, tool.name, version, session.report());
+}
+
+// Seconds: of work on a terminal before progress is shown; between its states on a terminal; between lines elsewhere.
+constexpr double progress_delay = 1, terminal_interval = 0.2, log_interval = 10;
+
+/// How --progress asks for it; std::nullopt: not at all.
+std::optional<ProgressStyle> progress_style(const Tool& tool, const CommonOptions& common, bool writes_to_stdout) {
+  const bool is_always = common.progress == "always", is_terminal = isatty(STDERR_FILENO) == 1;
+  if (!is_always && !(common.progress == "auto" && common.verbosity >= 0 && is_terminal)) return std::nullopt;
+  ProgressStyle style;
+  style.is_terminal = is_terminal;
+  style.title = tool.name;
+  if (!is_always) style.delay = progress_delay;
+  if (!is_always) style.hidden_phases.emplace_back("read");  // in a pipeline, tools wait there for their input
+  if (is_terminal && writes_to_stdout && isatty(STDOUT_FILENO) == 1) style.hidden_phases.emplace_back("write");
+  return style;
+}
+
+/// Runs the tool; the report is written in any case.
+Outcome run_session(const Tool& tool, Session& session, const CommonOptions& common) {
+  Outcome outcome = outcome_of([&] { tool.run(session); });
+  session.finish();
+  if (outcome.code != ExitCode::done) remove_temporaries();
+  if (common.verbosity >= 0)
+    for (const auto& [code, message] : session.report().warnings())
+      fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
+  Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
+  if (outcome.code == ExitCode::done) return reporting;
+  if (reporting.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, reporting));
+  return outcome;
+}
+
+}  // namespace
+
+int tool_main(int argc, char** argv, const Tool& tool) {
+  set_up_heap();
+  install_signal_handlers();
+  CommonOptions common;
+  const Outcome outcome = [&]() -> Outcome {
+    CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
+    Request request = Request::run;
+    Outcome parsing = outcome_of([&] {
+      if (tool.options) tool.options(line);
+      line.add_common(common);
+      request = line.parse(argc, argv);
+      if (request == Request::show_help) print_to_stdout(help_text(line.page()));
+      if (request == Request::list_options) print_to_stdout(line.option_list());
+      if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
+    });
+    if (parsing.code != ExitCode::done || request != Request::run) return parsing;
+    if (common.threads == 0) start_threads_after(least_cpu_seconds_for_threads);
+    Session session(tool.name, line.options_json(), common.verbosity, common.threads);
+    if (const auto style = progress_style(tool, common, line.writes_to_stdout()))
+      session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
+    return run_session(tool, session, common);
+  }();
+  if (outcome.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, outcome));
+  return static_cast<int>(outcome.code);
+}
+
+}  // namespace quadrille::cli

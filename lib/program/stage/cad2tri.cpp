@@ -1,0 +1,224 @@
+#include "stage/cad2tri.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "base/angle.hpp"
+#include "base/counted.hpp"
+#include "base/error.hpp"
+#include "base/option_interval.hpp"
+#include "cad/curve_names.hpp"
+#include "cad/face_table.hpp"
+#include "cad/file_kind.hpp"
+#include "cad/load_face.hpp"
+#include "cad/name_options.hpp"
+#include "cad/periodic_sides.hpp"
+#include "cad/region_names.hpp"
+#include "offset/embed_offsets.hpp"
+#include "stage/triangulate_face.hpp"
+
+namespace quadrille::stage {
+
+namespace {
+
+/// The texts of the options as what they mean.
+struct Wishes {
+  std::vector<NameRule> curve_names, region_names;
+  std::vector<offset::OffsetRequest> offsets;
+  std::vector<cad::PeriodicRequest> periodic;
+};
+
+Wishes parsed(const Cad2triOptions& options) {
+  return {cad::name_option_rules(options.curve_names), cad::name_option_rules(options.region_names, "--region-name"),
+          offset::offset_requests(options.offsets), cad::periodic_options(options.periodic)};
+}
+
+// The format that the ending of the name determines.
+cad::CadFormat healed_format(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending != ".step" && ending != ".stp" && ending != ".brep")
+    throw UsageError("--write-healed " + path + ": the file must end in .step, .stp or .brep");
+  return ending == ".brep" ? cad::CadFormat::brep : cad::CadFormat::step;
+}
+
+std::string digest_format(cad::CadFormat format) {
+  return format == cad::CadFormat::step ? "step" : format == cad::CadFormat::iges ? "iges" : "brep";
+}
+
+void report_face(const CadFace& face, Report& report) {
+  int num_corners = 0;
+  for (const Joint& joint : face.joints) num_corners += joint.is_corner;
+  report.set("regions.count", face.num_regions());
+  report.set("face.curves", face.num_curves());
+  report.set("face.loops", face.num_loops());
+  report.set("face.corners", num_corners);
+  report.set("face.diameter", face.diameter);
+  report.set("face.length_unit", face.length_unit);
+  if (!face.periodic_pairs.empty()) report.set("face.periodic_pairs", face.periodic_pairs.size());
+}
+
+std::string fit_text(const CadFace& face, const std::vector<Repair>& repairs) {
+  const auto count = std::count_if(repairs.begin(), repairs.end(),
+                                   [](const Repair& repair) { return repair.kind == RepairKind::fit; });
+  return fmt::format("fitted {} with fewer knots, by at most {:.2g} diameters",
+                     count == 1 ? "1 spline" : fmt::format("{} splines", count), face.fit_distance / face.diameter);
+}
+
+// Empty if nothing was healed.
+std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs) {
+  std::map<RepairKind, int> counts;
+  double greatest = 0;
+  for (const Repair& repair : repairs)
+    if (repair.kind != RepairKind::fit) ++counts[repair.kind], greatest = std::max(greatest, repair.distance);
+  if (counts.empty()) return {};
+  std::vector<std::string> parts;
+  const auto add = [&](RepairKind kind, const char* one, const char* many) {
+    if (counts[kind] > 0) parts.push_back(fmt::format("{} {}", counts[kind], counts[kind] == 1 ? one : many));
+  };
+  add(RepairKind::joint, "joint", "joints");
+  add(RepairKind::vertex, "vertex off its edges", "vertices off their edges");
+  add(RepairKind::plane, "edge off the plane", "edges off the plane");
+  add(RepairKind::edge, "short edge removed", "short edges removed");
+  add(RepairKind::fold, "spline unfolded", "splines unfolded");
+  add(RepairKind::knot, "spline with merged knots", "splines with merged knots");
+  add(RepairKind::cusp, "cusp cut off", "cusps cut off");
+  return fmt::format("healed {}; by at most {:.2g} {} ({:.1g} diameters)", fmt::join(parts, ", "), greatest,
+                     face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
+}
+
+std::string regions_text(const CadFace& face) {
+  int num_sides = 0;
+  for (const int partner : face.partners) num_sides += partner >= 0;
+  return fmt::format("sewed {} along {}", counted(face.num_regions(), "region"), counted(num_sides / 2, "curve"));
+}
+
+void report_shape(const LoadedShape& shape, Run& run) {
+  report_face(shape.face, run.report());
+  if (const std::string text = repairs_text(shape.face, shape.repairs); !text.empty()) run.info(text, 0);
+  if (shape.face.num_regions() > 1) run.info(regions_text(shape.face));
+  if (shape.face.fit_distance > 0) run.info(fit_text(shape.face, shape.repairs));
+}
+
+}  // namespace
+
+void Cad2triOptions::validate() const {
+  parsed(*this);
+  if (is_listing && !face.empty()) throw UsageError("--list and --face exclude each other");
+  if (!healed_file.empty()) healed_format(healed_file);
+}
+
+void declare(Options& o, Cad2triOptions& cad2tri) {
+  constexpr double unlimited = std::numeric_limits<double>::max();
+  o.flag("--list", cad2tri.is_listing,
+         "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places in "
+         "space, names, and the parts (products, solids, shells) and layers that hold the faces");
+  o.text("--face", cad2tri.face, "N|NAME",
+         "the one face to read of a solid, shell or assembly: its name, or its number in --list, from 0, or the name "
+         "of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if its "
+         "boundary touches itself and separates it");
+  o.integer("--order", cad2tri.elements.order, 1, 16, "polynomial order of the curved elements");
+  o.number("--corner-angle", cad2tri.corner_angle, 0, 90, "degrees",
+           "tangent discontinuities greater than this are corners of the layout");
+  o.number("--heal-tolerance", cad2tri.heal_tolerance, -1, 5e-3, "diameters",
+           "the most that edges and vertices which do not meet, or leave the plane, are moved (lines as near as that "
+           "slide to their crossing, by up to four times as much); edges shorter than this are removed; 0: no healing; "
+           "-1: 1e-5, or the tolerances of the shape if they are larger");
+  o.number("--blunt", cad2tri.blunt, 0, unlimited, "file units",
+           "cut off the tips of cusps (edges that meet at an angle of zero), of corners below 0.2 degrees and of "
+           "corners in which the boundary touches itself: straight edges of this length take their place; 0: cusps and "
+           "contacts are refused");
+  o.number("--fit-tolerance", cad2tri.fit_tolerance, 0, 1e-3, "diameters",
+           "a spline with 32 breaks or more, such as one through many points, is replaced by one with at most half as "
+           "many that is nowhere further away than this; its ends and its tangents there stay; 0: all splines stay");
+  o.output_file("--write-healed", cad2tri.healed_file,
+                "also write the healed face, or the sewn faces, as a CAD file: x.step or x.brep");
+  o.number("--size", cad2tri.elements.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
+  o.number("--growth", cad2tri.elements.growth, 0.05, 2, "size per distance",
+           "growth of the element size with the distance from small features");
+  o.integer("--fan-layers", cad2tri.elements.fan_layers, -1, 40,
+            "layers of the triangle fans at singular corners; -1: chosen for each corner from its exponent");
+  o.input_file("--boundary-names", cad2tri.names_file, "FILE",
+               "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the "
+               "rest\"} or [{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
+               false);
+  o.texts("--name", cad2tri.curve_names, "NAME=LIST|NAME@X,Y",
+          "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
+          "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
+          "in file units, which must be within a tenth of the diameter; overrides --boundary-names; stageview "
+          "--curve-labels draws the numbers");
+  o.texts("--region-name", cad2tri.region_names, "NAME=LIST|NAME@X,Y",
+          "name of regions, as --name of curves: LIST has their numbers, in the order of the faces in SHAPE, present "
+          "names or patterns; NAME@X,Y: the region around this point; the name of a single region is that of the face; "
+          "common curves without a name of their own are called after their regions, such as fluid-solid",
+          false);
+  o.texts("--periodic", cad2tri.periodic, "A=B[:MOTION]",
+          "the sides A and B, names of one curve or of several that follow each other, repeat each other: their nodes "
+          "are images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
+          "A=B:rotate=DEGREES[,CX,CY], in file units; B is replaced by the exact image of A, from which it may differ "
+          "by 1e-9 diameters; may be given several times");
+  o.texts("--offset", cad2tri.offsets, "NAME=T",
+          "embed a curve at the distance T, in file units, from the boundary NAME (or NAME,NAME): blocks end there, so "
+          "that layers of this thickness have blocks of their own; around corners, and along neighbours of NAME that "
+          "meet it at more than 135 degrees, up to the first that does not; nearer where a facing wall or a bend "
+          "leaves less room; the curve is called NAME_offset; may be given several times",
+          false);
+  o.number("--fan-factor", cad2tri.elements.fan_factor, 0.01, 0.9, "ratio",
+           "ratio of the radii of successive layers of a fan");
+}
+
+LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options, Run& run) {
+  require_intervals(options);
+  options.validate();
+  const Wishes wishes = parsed(options);
+  const std::string& name = input.cad.file.name;
+  const std::string& bytes = input.cad.model;
+  const double corner_angle = radians(options.corner_angle);
+  run.begin_phase("load");
+  LoadedShape shape{
+      cad::load_face_guarded(bytes, name,
+                             {corner_angle, options.heal_tolerance, options.face, options.blunt, options.fit_tolerance},
+                             run.report()),
+      {input.cad.file.digest(digest_format(cad::cad_format(bytes, name)))}};
+  run.end_phase();
+  if (input.names) shape.inputs.push_back(input.names->file.digest("boundary-names"));
+  cad::rename_regions(shape.face, wishes.region_names);
+  cad::rename_curves(shape.face, input.names ? input.names->model : std::vector<NameRule>(), wishes.curve_names);
+  cad::pair_periodic_sides(shape.face, wishes.periodic);
+  shape.face = offset::embed_offsets(shape.face, wishes.offsets, corner_angle, run.report());
+  report_shape(shape, run);
+  return shape;
+}
+
+TriMesh cad2tri(const LoadedShape& shape, const Cad2triOptions& options, Run& run) {
+  require_intervals(options);
+  run.begin_phase("triangulate");
+  TriMesh mesh = triangulate_face(shape.face, options.elements, run);
+  run.end_phase();
+  mesh.provenance = with_step({}, "cad2tri", options, shape.inputs);
+  mesh.repairs = shape.repairs;
+  run.info(fmt::format("{}, {}, {} of them curved", counted(shape.face.num_curves(), "curve"),
+                       counted(mesh.num_elems(), "element"), mesh.curved_elems.size()));
+  return mesh;
+}
+
+TriMesh cad2tri(const Cad2triInput& input, const Cad2triOptions& options, Run& run) {
+  return cad2tri(load_shape(input, options, run), options, run);
+}
+
+std::string list_faces(const Input<std::string>& file, Run& run) {
+  const cad::FaceList list = cad::list_faces_guarded(file.model, file.file.name);
+  cad::report_faces(list, run.report());
+  return cad::face_table(list);
+}
+
+std::string cad_file_of(const CadFace& face, const std::string& path) {
+  return cad::file_of_face(face, healed_format(path));
+}
+
+}  // namespace quadrille::stage

@@ -1,0 +1,198 @@
+#include "stage/quadexport.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "base/child_process.hpp"
+#include "base/error.hpp"
+#include "base/option_interval.hpp"
+#include "base/warning_codes.hpp"
+#include "check/check.hpp"
+#include "export/format_table.hpp"
+#include "export/step_request.hpp"
+
+namespace quadrille::stage {
+
+namespace {
+
+constexpr const char* step = "step";
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// The name of the format, of the name of a file if none is asked for.
+std::string chosen_format(const std::string& output, const std::string& wish) {
+  if (wish != "auto") return wish;
+  if (output == "-") return "msh";
+  if (ends_with(output, ".step") || ends_with(output, ".stp")) return "step";
+  if (const exports::ExportFormat* format = exports::export_format_of(output)) return std::string(format->name);
+  std::string endings = ".step";
+  for (const exports::ExportFormat& format : exports::export_formats())
+    if (!format.ending.empty() && endings.find(format.ending) == std::string::npos)
+      endings += fmt::format(" {}", format.ending);
+  throw UsageError(
+      fmt::format("the name {} does not determine the format: end it in one of {} or give --format", output, endings));
+}
+
+/// `output` with another ending: half_disc.vtu -> half_disc.curves.vtu.
+std::string beside(const std::string& output, const std::string& ending) {
+  const std::size_t slash = output.rfind('/'), dot = output.rfind('.');
+  const bool has_ending = dot != std::string::npos && dot > 0 && (slash == std::string::npos || dot > slash + 1);
+  return output.substr(0, has_ending ? dot : output.size()) + ending;
+}
+
+std::string path_of(const exports::SideFile& side, const std::string& output) {
+  return side.is_appended ? output + side.ending : beside(output, side.ending);
+}
+
+/// A message in which files beside the main one have their paths in place of * and their endings.
+std::string with_paths(std::string text, const std::vector<exports::SideFile>& sides, const std::string& output) {
+  for (const exports::SideFile& side : sides)
+    if (const std::size_t at = text.find('*' + side.ending); at != std::string::npos)
+      text.replace(at, 1 + side.ending.size(), path_of(side, output));
+  return text;
+}
+
+/// Standard output, a pipe or a device: no side file can be written beside it.
+bool takes_one_file(const std::string& output) {
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::status(output, ignored);
+  return output == "-" || (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there));
+}
+
+/// "metre" or, if that is not known, "an unknown unit"
+std::string unit_text(const LengthScale& length) {
+  return length.unit.empty() || length.unit == "unknown" ? "an unknown unit" : length.unit;
+}
+
+void report_length(const LengthScale& length, Run& run) {
+  run.report().set("unit", length.unit);
+  run.report().set("scale", length.factor);
+  run.info(fmt::format(
+      "coordinates in {}, {}", unit_text(length),
+      length.factor == 1 ? "as in the CAD file" : fmt::format("{} times those of the CAD file", length.factor)));
+}
+
+/// Refuses a mesh that is marked as not valid, unless --allow-invalid is given.
+void require_valid_mesh(const QuadMesh& mesh, bool allow_invalid, Run& run) {
+  const std::string warning_text = check::validity_warning(mesh);
+  if (warning_text.empty()) return;
+  if (!allow_invalid) throw ComputeError(warning_text + ": give --allow-invalid to export it");
+  run.report().warn(warning::mesh_not_valid, warning_text);
+}
+
+std::vector<std::string> unit_choices() {
+  std::vector<std::string> choices{"file"};
+  for (const LengthUnit& unit : length_units) choices.emplace_back(unit.symbol);
+  return choices;
+}
+
+exports::ExportOptions parsed(const QuadexportOptions& options) {
+  return {options.length, options.frame == "3d", exports::patch_type_options(options.patch_types),
+          options.block_groups};
+}
+
+// The files beside the main one, and warnings of what is lost.
+std::vector<OutputFile> side_files(exports::Exported& exported, const std::string& output, Report& report) {
+  const bool takes_one = takes_one_file(output);
+  for (const std::string& loss : exported.losses)
+    report.warn(warning::format_loss, takes_one ? loss : with_paths(loss, exported.side_files, output));
+  std::vector<OutputFile> files;
+  for (exports::SideFile& side : exported.side_files)
+    if (takes_one)
+      report.warn(warning::side_file_not_written, fmt::format("*{} is not written: {} can contain one file only",
+                                                              side.ending, output == "-" ? "standard output" : output));
+    else
+      files.push_back({path_of(side, output), std::move(side.bytes), side.is_binary});
+  return files;
+}
+
+}  // namespace
+
+void declare(Options& o, QuadexportOptions& quadexport) {
+  std::vector<std::string> formats{"auto"};
+  for (const exports::ExportFormat& format : exports::export_formats()) formats.emplace_back(format.name);
+  formats.emplace_back(step);
+  o.choice("--format", quadexport.format, formats, "auto: from the ending of the output");
+  o.choice("--frame", quadexport.frame, {"2d", "3d"},
+           "2d: coordinates in the plane of the face; 3d: coordinates of the CAD model");
+  o.texts("--patch-type", quadexport.patch_types, "NAME=TYPE",
+          "type of the OpenFOAM patches whose name fits NAME, with the wild cards * and ?: patch, wall, symmetryPlane, "
+          "symmetry, empty or wedge; the last one that fits decides; without it names that begin with wall, symmetry "
+          "or empty decide, and the rest is patch");
+  o.choice("--unit", quadexport.length.unit, unit_choices(),
+           "length unit of the written coordinates; file: that of the CAD file, whose numbers are kept");
+  o.number("--scale", quadexport.length.scale, 1e-12, 1e12, "factor",
+           "multiply the coordinates by this, after --unit; without --unit, the unit of the result counts as unknown "
+           "(for .step: a larger model in the unit of the CAD file)");
+  o.flag("--block-groups", quadexport.block_groups,
+         "write each block that has no name of its own as a region of its own, named by its number; without it all "
+         "blocks without a name are one region (for .step: the name of a face is its region)");
+  o.flag("--allow-invalid", quadexport.allow_invalid, "export a mesh that is marked as not valid");
+}
+
+std::string format_of(const std::string& output, const QuadexportOptions& options) {
+  std::string name = chosen_format(output, options.format);
+  const exports::ExportOptions parsed_options = parsed(options);
+  if (name != step) {
+    const exports::ExportFormat* format = exports::find_export_format(name);
+    if (format == nullptr) throw UsageError(fmt::format("--format: there is no format {}", name));
+    exports::require_options(*format, parsed_options);
+  } else if (!parsed_options.patch_types.empty()) {
+    throw UsageError("--patch-type: a STEP model has no types of boundaries");
+  }
+  return name;
+}
+
+void require_order(const std::string& format, int order) {
+  const exports::ExportFormat* row = exports::find_export_format(format);
+  if (row != nullptr && order > row->max_order)
+    throw UsageError(
+        fmt::format("--order {}: the format {} supports quads up to order {}", order, format, row->max_order));
+}
+
+void require_quadexport_of(const CadFace& face, const QuadexportOptions& options) {
+  require_intervals(options);
+  length_scale(face, options.length);
+  exports::require_boundaries(face.curve_names, parsed(options).patch_types);
+}
+
+std::vector<OutputFile> quadexport(QuadMesh mesh, const std::string& file, const std::string& output,
+                                   const QuadexportOptions& options, Run& run) {
+  require_intervals(options);
+  const std::string format = format_of(output, options);
+  if (format == step) throw UsageError("a STEP model is made from blocks, not from a quad mesh");
+  check::require_valid(check::check_quad_mesh(mesh, check::CheckDepth::quick), file);
+  require_valid_mesh(mesh, options.allow_invalid, run);
+  run.begin_phase("write");
+  run.report().set("format", format);
+  run.report().set("quads", mesh.num_elems());
+  run.report().set("nodes", mesh.nodes.size());
+  exports::Exported exported =
+      exports::export_mesh(std::move(mesh), *exports::find_export_format(format), parsed(options));
+  report_length(exported.length, run);
+  std::vector<OutputFile> files = side_files(exported, output, run.report());
+  files.push_back({output, std::move(exported.bytes), exported.is_binary});
+  return files;
+}
+
+OutputFile quadexport_step(const Input<std::string>& blocks, const std::string& output,
+                           const QuadexportOptions& options, Run& run) {
+  require_intervals(options);
+  if (format_of(output, options) != step) throw UsageError("blocks are exported as a STEP model only: --format step");
+  run.begin_phase("write");
+  const std::string request =
+      exports::to_bytes(exports::StepRequest{blocks.file.name, blocks.model, options.length, options.block_groups});
+  exports::StepModel model = exports::step_model(
+      run_program(helper_program("quadexport-step"), request,
+                  blocks.file.name + ": the STEP model cannot be made: its writer crashed or did not end"));
+  run.report().set("format", step);
+  run.report().set("blocks", model.num_blocks);
+  report_length(model.length, run);
+  return {output, std::move(model.bytes), false};
+}
+
+}  // namespace quadrille::stage

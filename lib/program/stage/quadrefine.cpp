@@ -1,0 +1,240 @@
+#include "stage/quadrefine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/counted.hpp"
+#include "base/error.hpp"
+#include "base/option_interval.hpp"
+#include "check/check.hpp"
+#include "curve/named_curves.hpp"
+#include "layers/layer_law.hpp"
+#include "layers/wall_layers.hpp"
+#include "mesh/element_sizes.hpp"
+#include "model/length_scale.hpp"
+#include "outline/extent.hpp"
+#include "prescribe/chosen_blocks.hpp"
+#include "refine/refine.hpp"
+#include "refine/validity.hpp"
+#include "sizing/automatic_sizes.hpp"
+#include "sizing/element_limit.hpp"
+
+namespace quadrille::stage {
+
+namespace {
+
+/// The options of a mesh and its sizes, as far as they are known without the face.
+struct Prescribed {
+  refine::RefineOptions refine;
+  sizing::SizeOptions sizes;
+};
+
+void parse_walls(const QuadrefineOptions& options, refine::RefineOptions& refine) {
+  for (const std::string& wall : options.walls) refine.walls.push_back(layers::parse_wall_spec(wall, options.yplus));
+  const bool has_yplus = std::any_of(refine.walls.begin(), refine.walls.end(),
+                                     [](const layers::WallSpec& wall) { return wall.yplus > 0; });
+  if (options.yplus > 0 && !has_yplus)
+    throw UsageError("--yplus is the height of wall layers: give --wall NAME:layers=N as well, without first");
+  options.flow.validate(has_yplus);
+}
+
+Prescribed parsed(const QuadrefineOptions& options) {
+  Prescribed prescribed{options.refine, options.sizes};
+  auto& [refine, sizes] = prescribed;
+  sizes.per_curve = sizing::parse_per_curve(options.per_curve);
+  for (const std::string& text : options.near) sizes.near.push_back(sizing::parse_near_size(text));
+  for (const std::string& text : options.counts) prescribe::parse_count(text, refine.counts, refine.boundary_counts);
+  for (const std::string& text : options.gradings) refine.end_gradings.push_back(prescribe::parse_end_grading(text));
+  refine.validate();
+  sizes.validate();
+  parse_walls(options, refine);
+  return prescribed;
+}
+
+/// The first heights that follow from y+, in the unit of the face.
+void set_first_heights(const QuadrefineOptions& options, const CadFace& face, refine::RefineOptions& refine) {
+  if (options.flow.velocity > 0)
+    layers::set_first_heights(refine.walls, options.flow, 1 / length_scale(face, {options.flow_unit, 1, false}).factor);
+}
+
+void set_sizes(const sizing::SizeOptions& sizes, const CadFace& face, refine::RefineOptions& refine) {
+  refine.size_field = sizing::make_size_field(face, sizes);
+  refine.end_growth = sizing::growth(sizes);
+}
+
+/// The walls with the first heights that follow from y+, as far as these are known without the face: if the flow is
+/// given in units of the file.
+std::vector<layers::WallSpec> walls_of(const QuadrefineOptions& options) {
+  std::vector<layers::WallSpec> walls = parsed(options).refine.walls;
+  if (options.flow.velocity > 0 && options.flow_unit == "file") layers::set_first_heights(walls, options.flow, 1);
+  return walls;
+}
+
+void report_worst(const QuadMesh& mesh, const Run& run) {
+  run.info(fmt::format("{} of order {}, the worst:", counted(mesh.num_elems(), "quad"), mesh.order));
+  for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) run.info(refine::describe(worst, mesh));
+  run.info(mesh::describe(mesh::worst_element_sizes(mesh)));
+}
+
+void declare_sizes(Options& o, QuadrefineOptions& options) {
+  o.number("--size", options.sizes.size, 0, 1e300, "length of the file; 0: diameter / 20", "prescribed edge length");
+  o.text(
+      "--per-curve", options.per_curve, "auto|N",
+      "at least N elements along each boundary curve between corners or names, 3 N around a smooth closed one; sizes "
+      "grow from there to --size; 0: no limit; auto: 0 if a size is prescribed, else 4, as far as that makes at most "
+      "twice as many elements; with a far field (curves called farfield) however many, and elements grow by 5 % from "
+      "one to the next along curves called wake");
+  o.texts("--size-near", options.near, "NAME=H[:H2]",
+          "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
+          "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");
+  o.input_file(
+      "--size-field", options.size_field_file, "FILE",
+      "prescribed edge lengths: points and boxes (JSON), or a table of x, y and size between whose points they "
+      "are linear (CSV; quadrille.vtu_sizes in Python makes it of a VTU file) (formats/size-field.md)",
+      false);
+  o.number("--curvature", options.sizes.curvature, 0, 1e6, "elements per full turn of the boundary",
+           "edge lengths from the curvature of the boundary; 0: none");
+  o.number("--growth", options.sizes.growth, 0, 100, "1",
+           "greatest ratio of adjacent edge lengths, > 1, where sizes differ; 0: that of --size-field, else 1.2");
+  o.choice("--size-rule", options.refine.size_rule,
+           "the number of elements of a chord whose arcs prescribe different ones: nearest deviates least from the "
+           "prescribed lengths in the mean; at-most makes no edge longer than prescribed");
+  o.texts("--count", options.counts, "CHORD=N|NAME=N",
+          "N elements across a chord, or along the boundary NAME (all its curves together), instead of the number from "
+          "the sizes; the pictures of stageview BLOCKS and arc_chord in BLOCKS show the numbers of the chords");
+  o.texts(
+      "--grading", options.gradings, "NAME=FIRST:LAST",
+      "lengths of the elements at both ends of the boundary NAME, in file units, in the direction in which the face "
+      "is on the left (one may be left out: NAME=FIRST:); towards its middle they grow by at most --growth to the "
+      "prescribed sizes, with --count as fast as the number requires");
+}
+
+void declare_walls(Options& o, QuadrefineOptions& options) {
+  o.texts("--wall", options.walls, "NAME:first=H,growth=R,layers=N",
+          "layers along the boundary NAME (or NAME,NAME; NAME@REGION: on one side of an interface): H is the height "
+          "of the first one in file units (or yplus=Y in its place), R the greatest "
+          "growth (default: 1.2), N their number or 'fit'; thickness=T may replace layers; "
+          "law=uniform|geometric|tanh|gll (default: geometric); blocks=own: below a curve of cad2tri --offset, so that "
+          "all layers fit. quadmesh makes that curve, or else moves irregular nodes away from the wall (critpoints "
+          "--clearance), unless N is fit");
+  o.number("--yplus", options.yplus, 0, 1e300, "1",
+           "y+ of the first layer's height for each --wall without first and yplus: y = y+ NU / u_tau, u_tau = U "
+           "sqrt(c_f / 2), with the skin friction of a turbulent flat plate c_f = (2 log10 Re - 0.65)^-2.3, Re = U L / "
+           "NU from 5e5 to 1e9 (H. Schlichting, Boundary-Layer Theory, 1979); 0: none");
+  o.number("--velocity", options.flow.velocity, 0, 1e300, "--unit / s", "U, of the free stream, for y+; 0: not given");
+  o.number("--viscosity", options.flow.viscosity, 0, 1e300, "--unit^2 / s", "NU, kinematic, for y+; 0: not given");
+  o.number("--length", options.flow.length, 0, 1e300, "--unit",
+           "L, the distance from the leading edge at which y+ applies; 0: not given");
+  std::vector<std::string> units{"file"};
+  for (const LengthUnit& unit : length_units) units.emplace_back(unit.symbol);
+  o.choice("--unit", options.flow_unit, units,
+           "length unit of --velocity, --viscosity and --length, that in which quadexport --unit writes coordinates; "
+           "file: that of the CAD file");
+}
+
+void declare_limits(Options& o, refine::RefineOptions& refine) {
+  o.number("--min-scaled-jacobian", refine.min_scaled_jacobian, 0, 1, "1",
+           "exit with 1 if an element has a lower scaled Jacobian; 0: no limit");
+  o.number(
+      "--target-edge-ratio", refine.target_edge_ratio, 0, 1e300, "1",
+      "where blocks are so thin that the longest side of an element exceeds its shortest by more than this factor, "
+      ">= 1, elements are shorter than prescribed; 0: nowhere");
+  o.number("--target-growth", refine.target_growth, 0, 100, "1",
+           "with --wall, where adjacent edges along lines across blocks, from wall to wall, would differ by more than "
+           "this factor, > 1, ends of elements move and chords get more elements; 0: nowhere");
+  o.number("--max-edge-ratio", refine.max_edge_ratio, 0, 1e300, "1",
+           "exit with 1 if the longest side of an element exceeds its shortest by more than this factor, >= 1; 0: no "
+           "limit");
+  o.integer(
+      "--max-elements", refine.max_elements, 1, 100000000,
+      "refuse sizes or counts that require more quads, with exit code 1 and an estimate of their number, before they "
+      "take memory");
+  o.flag("--allow-invalid", refine.allow_invalid, "also write a mesh that is not proved valid, marked as such");
+}
+
+}  // namespace
+
+void QuadrefineOptions::validate() const { parsed(*this); }
+
+void declare(Options& o, QuadrefineOptions& options) {
+  declare_sizes(o, options);
+  o.integer("--order", options.refine.order, 1, 20, "shape order of the elements");
+  o.number(
+      "--geometry-tol", options.refine.geometry_tol, 0, 1, "diameters",
+      "greatest distance between the boundary of the mesh and the CAD curves; 0: 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, "
+      "else 5e-7");
+  declare_walls(o, options);
+  o.text("--blocks", options.blocks, "ID,...",
+         "numbers or names of blocks: only the chords through them are refined, all others get as few elements as "
+         "possible");
+  o.integer("--relax", options.refine.relax, 0, 1000,
+            "relaxation sweeps, which move vertices to improve the shapes of elements");
+  o.integer("--refine", options.refine.levels, 0, 10,
+            "nested refinement, for studies of convergence: at the end each element becomes 2^K x 2^K elements of its "
+            "own map, so that the geometry and all vertices stay as they are");
+  declare_limits(o, options.refine);
+}
+
+QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<SizeSources>>& sources,
+                    const QuadrefineOptions& options, Run& run) {
+  require_intervals(options);
+  auto [refine, sizes] = parsed(options);
+  const BlockLayout& layout = input.model;
+  check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), input.file.name);
+  std::vector<InputDigest> inputs{input.file.digest("block-layout")};
+  if (sources) {
+    sizes.sources = sources->model;
+    inputs.push_back(sources->file.digest("size-field"));
+  }
+  sizes = sizing::with_curve_sizes(sizing::MeasuredLayout(layout), sizes, refine.size_rule);
+  set_sizes(sizes, layout.face, refine);
+  run.report().set("sizes.per_curve", sizes.per_curve);
+  run.report().set("sizes.least_along_curves", sizes.least_along_curves);
+  set_first_heights(options, layout.face, refine);
+  if (options.flow.velocity > 0) prescribe::report_flow(options.flow, run.report());
+  if (!options.blocks.empty()) refine.blocks = prescribe::parse_blocks(options.blocks, layout.block_names);
+  layers::require_offsets(refine.walls, layout.face);
+  run.begin_phase("refine");
+  QuadMesh mesh = refine::refine(layout, refine, run.report());
+  mesh.provenance = with_step(layout.provenance, "quadrefine", options, std::move(inputs));
+  report_worst(mesh, run);
+  run.end_phase();
+  return mesh;
+}
+
+void require_quadrefine_of(const CadFace& face, const SizeSources& sources, const QuadrefineOptions& options) {
+  require_intervals(options);
+  auto [refine, sizes] = parsed(options);
+  sizes.sources = sources;
+  set_first_heights(options, face, refine);
+  set_sizes(sizes, face, refine);
+  layers::curve_walls(refine.walls, face);
+  layers::require_offsets(refine.walls, face);
+  for (const auto& count : refine.boundary_counts) curve::named_curves(face, count.boundary, "--count");
+  for (const auto& grading : refine.end_gradings) curve::named_curves(face, grading.boundary, "--grading");
+  if (refine.counts.empty() && refine.boundary_counts.empty() && options.blocks.empty())
+    sizing::require_area_within(outline::area(face), refine.size_field->greatest(),
+                                {refine.max_elements, refine.order});
+}
+
+std::vector<std::string> offsets_of(const QuadrefineOptions& options) {
+  std::vector<std::string> offsets;
+  for (const layers::WallSpec& wall : walls_of(options))
+    if (wall.own_blocks)
+      offsets.push_back(fmt::format("{}={:.17g}", fmt::join(wall.names, ","), layers::block_height(wall)));
+  return offsets;
+}
+
+std::vector<std::string> clearances_of(const QuadrefineOptions& options) {
+  std::vector<std::string> clearances;
+  for (const layers::WallSpec& wall : walls_of(options)) {
+    if (wall.own_blocks || wall.as_many_as_fit || !(wall.first > 0)) continue;
+    for (const std::string& name : wall.names)
+      if (name.find('@') == std::string::npos)
+        clearances.push_back(fmt::format("{}={:.17g}", name, layers::node_clearance(wall)));
+  }
+  return clearances;
+}
+
+}  // namespace quadrille::stage

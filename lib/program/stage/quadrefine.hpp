@@ -1,0 +1,56 @@
+#pragma once
+// The stage quadrefine: the quads of a block layout.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/options.hpp"
+#include "base/run.hpp"
+#include "model/block_layout.hpp"
+#include "model/quad_mesh.hpp"
+#include "prescribe/flat_plate.hpp"
+#include "refine/refine_options.hpp"
+#include "sizing/make_size_field.hpp"
+#include "stage/stage_input.hpp"
+
+namespace quadrille::stage {
+
+/// The options as a user gives them. Members of `refine` and `sizes` that follow from texts and files are not used.
+struct QuadrefineOptions {
+  refine::RefineOptions refine;
+  sizing::SizeOptions sizes;
+  std::string per_curve = "auto";
+  std::vector<std::string> near;      ///< NAME=H[:H2]
+  std::vector<std::string> counts;    ///< CHORD=N or NAME=N
+  std::vector<std::string> gradings;  ///< NAME=FIRST:LAST
+  std::string size_field_file;        ///< path of prescribed sizes, which the caller reads
+  std::vector<std::string> walls;     ///< NAME:first=H,growth=R,layers=N
+  double yplus = 0;                   ///< of walls without first and yplus; 0: none
+  prescribe::PlateFlow flow;
+  std::string flow_unit = "file";  ///< length unit of `flow`
+  std::string blocks;              ///< numbers or names; empty: all
+
+  /// What can be refused without a face. Throws UsageError.
+  void validate() const;
+};
+void declare(Options& options, QuadrefineOptions& quadrefine);
+
+/// The proved mesh (refine/refine.hpp). `sources`: prescribed sizes, relative to face.origin, those of a table joined
+/// by triangles (triangulate/size_triangles.hpp). Throws FormatError if the layout breaks a rule of its format,
+/// UsageError for options outside their intervals or names that nothing has, ComputeError as refine::refine.
+QuadMesh quadrefine(const Input<BlockLayout>& layout, const std::optional<Input<SizeSources>>& sources,
+                    const QuadrefineOptions& options, Run& run);
+
+/// Before there are blocks: throws UsageError if the face lacks what the options name, ComputeError if the mesh would
+/// have far too many elements.
+void require_quadrefine_of(const CadFace& face, const SizeSources& sources, const QuadrefineOptions& options);
+
+/// "NAMES=T" for each wall that shall have blocks of its own: cad2tri --offset makes their curves. Throws UsageError.
+std::vector<std::string> offsets_of(const QuadrefineOptions& options);
+
+/// "NAME=T" for critpoints --clearance: the room that layers without blocks of their own need below the irregular
+/// nodes. Not of walls on one side of an interface, from which nodes keep away on both. Throws UsageError.
+std::vector<std::string> clearances_of(const QuadrefineOptions& options);
+
+}  // namespace quadrille::stage

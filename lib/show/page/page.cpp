@@ -1,0 +1,138 @@
+#include "page/page.hpp"
+
+#include <fmt/format.h>
+
+#include "model/length_scale.hpp"
+#include "page/page_assets.hpp"
+#include "page/sheet.hpp"
+
+namespace quadrille::page {
+
+namespace {
+
+const CadFace* face_of(const Stage& stage) {
+  return std::visit(
+      [](const auto& model) -> const CadFace* {
+        using Model = std::decay_t<decltype(model)>;
+        if constexpr (std::is_same_v<Model, CriticalPoints>)
+          return model.face.curves.empty() ? nullptr : &model.face;
+        else if constexpr (std::is_same_v<Model, Field>)
+          return &model.mesh.face;
+        else
+          return &model.face;
+      },
+      stage);
+}
+
+/// The first face of the stages; nullptr if only critical points are shown.
+const CadFace* first_face(const std::vector<Stage>& stages) {
+  for (const Stage& stage : stages)
+    if (const CadFace* face = face_of(stage)) return face;
+  return nullptr;
+}
+
+draw::PictureBox box_of(const CriticalPoints& points) {
+  draw::PictureBox box = draw::empty_box();
+  for (const CriticalPoint& p : points.critical_points) box.include(p.position);
+  for (const Corner& c : points.corners) box.include(c.position);
+  for (const IrregularBoundaryPoint& b : points.boundary_nodes) box.include(b.position);
+  return box;
+}
+
+/// Where the positions of a stage count from.
+Vec2 origin_of(const Stage& stage) {
+  const CadFace* face = face_of(stage);
+  return face ? face->origin : std::get<CriticalPoints>(stage).origin;
+}
+
+/// In the coordinates of the CAD file, origins included.
+draw::PictureBox box_of(const std::vector<Stage>& stages) {
+  draw::PictureBox box = draw::empty_box();
+  for (const Stage& stage : stages) {
+    const CadFace* face = face_of(stage);
+    const draw::PictureBox own = face ? draw::bounding_box(*face) : box_of(std::get<CriticalPoints>(stage));
+    if (own.empty()) continue;
+    box.include(own.lower + origin_of(stage));
+    box.include(own.upper + origin_of(stage));
+  }
+  return box;
+}
+
+const Provenance& provenance_of(const Stage& stage) {
+  return std::visit(
+      [](const auto& model) -> const Provenance& {
+        if constexpr (std::is_same_v<std::decay_t<decltype(model)>, Field>)
+          return model.provenance.empty() ? model.mesh.provenance : model.provenance;
+        else
+          return model.provenance;
+      },
+      stage);
+}
+
+std::string facts_json(const std::vector<draw::Figure>& facts) {
+  std::vector<std::string> rows;
+  for (const draw::Figure& fact : facts) rows.push_back(json_texts({fact.label, fact.value}));
+  return json_list(rows);
+}
+
+/// The steps that made the stage: [tool, version, options].
+std::string steps_json(const Provenance& provenance) {
+  std::vector<std::string> steps;
+  for (const ProvenanceStep& step : provenance) steps.push_back(json_texts({step.tool, step.version, step.options}));
+  return json_list(steps);
+}
+
+std::string sheet_json(const Stage& stage, const PageFrame& frame) {
+  const Sheet sheet = std::visit([&](const auto& model) { return sheet_of(model, frame); }, stage);
+  std::vector<std::string> layers;
+  for (const JsonObject& layer : sheet.layers) layers.push_back(layer.str());
+  JsonObject object;
+  object.text("title", sheet.title).text("caption", sheet.caption).json("facts", facts_json(sheet.facts));
+  object.json("steps", steps_json(provenance_of(stage)));
+  if (const CadFace* face = face_of(stage)) object.json("boundary", boundary_layer(*face, frame).str());
+  return object.json("layers", json_list(layers)).str();
+}
+
+std::string title_of(const std::vector<Stage>& stages) {
+  const CadFace* face = first_face(stages);
+  return face && !face->name.empty() ? face->name : "Quadrille";
+}
+
+std::string data_json(const std::vector<Stage>& stages, bool is_comparison, const RunRecord& run) {
+  const draw::PictureBox box = box_of(stages);
+  const PageFrame frame = page_frame(box);
+  const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
+  const CadFace* face = first_face(stages);
+  std::vector<std::string> sheets;
+  for (const Stage& stage : stages) {
+    PageFrame own = frame;
+    own.centre -= origin_of(stage);
+    sheets.push_back(sheet_json(stage, own));
+  }
+  JsonObject object;
+  object.text("title", title_of(stages)).text("unit", face ? unit_symbol(*face) : "");
+  object.json("palettes", palettes_json());
+  object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
+  object.number("width", size.x).number("height", size.y);
+  if (!run.report.empty()) object.json("report", script_json(run.report)).json("commands", json_texts(run.commands));
+  return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
+}
+
+std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const RunRecord& run) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "script-src 'unsafe-inline'\">\n"
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
+      "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
+      html_text(title_of(stages)), page_style(), page_body(), data_json(stages, is_comparison, run), page_script());
+}
+
+}  // namespace
+
+std::string html_page(const std::vector<Stage>& stages, const RunRecord& run) { return page_of(stages, false, run); }
+
+std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true, {}); }
+
+}  // namespace quadrille::page

@@ -1,0 +1,36 @@
+#pragma once
+// A page (HTML) that shows stage files of one chain: it pans, zooms, and shows figures of what is under the pointer.
+//
+// The page is self-contained: geometry as compact numbers (page_data.hpp, bends.hpp), and the script and style of this
+// folder (view.css, *.js), which are compiled in. The script draws layers of four kinds: cells (elements), chains
+// (lines, blocks), marks (nodes) and samples (the field).
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/block_layout.hpp"
+#include "model/critical_points.hpp"
+#include "model/field.hpp"
+#include "model/quad_mesh.hpp"
+#include "model/separatrix_graph.hpp"
+#include "model/tri_mesh.hpp"
+
+namespace quadrille::page {
+
+using Stage = std::variant<TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh>;
+
+/// What is known of the run that made the stages; a further tab shows it, with histograms of the last mesh.
+struct RunRecord {
+  std::string report;                 ///< JSON object (formats/report.md); empty: unknown, and no tab
+  std::vector<std::string> commands;  ///< of the stages, for a shell
+};
+
+/// The page of the stages, a tab each, in this order. Equal stages give equal bytes. About 110 bytes for each quad.
+std::string html_page(const std::vector<Stage>& stages, const RunRecord& run = {});
+
+/// The page of two layouts or meshes, of one chain or not, tabs A and B: the lines of the other one are drawn over
+/// each, and a table has the counts and qualities of both.
+std::string comparison_page(const Stage& a, const Stage& b);
+
+}  // namespace quadrille::page
