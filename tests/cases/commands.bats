@@ -8,7 +8,7 @@ runners() {
   cat <<'END'
 README.md readme.bats
 pipelines/tutorial.md tutorial.bats
-pipelines/batch.md batch.bats
+pipelines/quadbatch.md quadbatch.bats
 END
 }
 
@@ -16,10 +16,10 @@ END
 helps() {
   cat <<'END'
 quadmesh cases/quadmesh.bats
-place cases/place.bats
+quadplace cases/quadplace.bats
 points2step cases/points2step.bats
-batch cases/batch.bats
-gallery cases/gallery.bats
+quadbatch cases/quadbatch.bats
+quadgallery cases/quadgallery.bats
 END
 }
 
@@ -169,8 +169,8 @@ code() {
     [[ -x $file ]] || file=$BIN/$command
     "$file" --help | grep -oE '^  (-[a-z], )?--[a-z][a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u >options
     grep "^$command	" shown | cut -f 2 | sort -u | comm -23 - options >unknown
-    [[ $command != batch ]] || sed -i '/^--sshlogin$/d' unknown # of GNU parallel
-    [[ $command != batch && $command != gallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help) &&
+    [[ $command != quadbatch ]] || sed -i '/^--sshlogin$/d' unknown # of GNU parallel
+    [[ $command != quadbatch && $command != quadgallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help) &&
       while read -r option; do grep -qE "^  (-[a-z], )?$option\b" <<<"$quadmesh" || echo "$option"; done <unknown >left && mv left unknown; }
     [[ ! -s unknown ]] || fail "$command has no $(xargs <unknown)"
   done

@@ -104,6 +104,10 @@ void write_regions() {
   write_valid("regions", samples::two_regions_graph());
   write_valid("regions", samples::two_regions_layout());
   write_valid("regions", samples::two_regions_quads());
+  write_valid("open", samples::open_regions_layout());
+  write_valid("open", samples::open_regions_quads());
+  write_broken(samples::open_regions_layout(), "BLK-R17", [](BlockLayout& b) { b.open_curves.clear(); });
+  write_broken(samples::open_regions_quads(), "QUA-R14", [](QuadMesh& m) { m.open_curves.clear(); });
   write_broken(samples::two_regions_layout(), "BLK-R16", [](BlockLayout& b) { b.block_region = {1, 0}; });
   write_broken(samples::two_regions_quads(), "QUA-R13", [](QuadMesh& m) { m.block_region = {1, 0}; });
   const auto broken = [](const std::string& rule, const auto& damage) {

@@ -33,9 +33,9 @@ constexpr auto stage_formats = std::to_array<StageFormat>({
     {"tri-mesh", 1, 4, Storage::hdf5},
     {"field", 2, 2, Storage::hdf5},
     {"critical-points", 2, 2, Storage::json},
-    {"separatrix-graph", 2, 3, Storage::json},
-    {"block-layout", 1, 4, Storage::hdf5},
-    {"quad-mesh", 1, 5, Storage::hdf5},
+    {"separatrix-graph", 2, 4, Storage::json},
+    {"block-layout", 2, 0, Storage::hdf5},
+    {"quad-mesh", 2, 0, Storage::hdf5},
 });
 static_assert(stage_formats.size() == std::variant_size_v<StageModel>);
 

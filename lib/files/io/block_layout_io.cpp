@@ -22,6 +22,7 @@ void describe(Archive& archive, BlockLayout& layout) {
   describe_face(archive, layout.face);
   describe_nurbs(archive, "splines", layout.splines);
   describe_graph(archive, layout.nodes, layout.arcs);
+  describe_open_curves(archive, layout.open_curves);
   archive.field("block2nodes", layout.block2nodes, {"", "nodes of each block, counter-clockwise"});
   describe_block_sides(archive, layout.block2arcs);
   archive.field("arc_chord", layout.arc_chord, {"", "chord of each arc"});

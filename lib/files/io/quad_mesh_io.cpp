@@ -38,6 +38,7 @@ void describe(Archive& archive, QuadMesh& mesh) {
   describe_edges(archive, "boundary_edges", mesh.boundary_edges);
   if (archive.is_reading() ? archive.has("interface_edges") : !mesh.interface_edges.empty())
     describe_edges(archive, "interface_edges", mesh.interface_edges);
+  describe_open_curves(archive, mesh.open_curves);
   archive.field("block_names", mesh.block_names, {"", "name of each block"});
   if (archive.has("unnamed_blocks"))
     archive.field("unnamed_blocks", mesh.unnamed_blocks,

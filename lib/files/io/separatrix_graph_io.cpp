@@ -37,6 +37,7 @@ void describe(Archive& archive, SeparatrixGraph& graph) {
   });
   archive.field("t_junctions", graph.t_junctions);
   describe_nurbs(archive, "splines", graph.splines);
+  describe_open_curves(archive, graph.open_curves);
   describe_face(archive, graph.face);
 }
 

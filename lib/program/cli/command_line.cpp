@@ -36,9 +36,6 @@ struct CommandLine::Impl {
     CLI::Option* const option = app.add_option(flag, std::move(set));
     return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
-  static std::string key(const std::string& flag) {
-    return flag.substr(flag.rfind("--") == std::string::npos ? 0 : flag.rfind("--") + 2);
-  }
 
   void add_threads(int& threads) {
     const auto set = [&threads](const CLI::results_t& texts) {
@@ -73,14 +70,13 @@ struct CommandLine::Impl {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
       for (const std::string& name : option->get_lnames())
-        if (!hidden.contains(name)) names.push_back("--" + name);
+        if (name != "list-options") names.push_back("--" + name);
     return names;
   }
 
   HelpPage page;
   CLI::App app;
   OptionRecord record;
-  std::set<std::string> hidden{"list-options"};
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
@@ -189,11 +185,6 @@ void CommandLine::flag(const std::string& flag, bool& value, const std::string& 
   impl_->record.flag(flag, value, help);
 }
 
-void CommandLine::hidden_text(const std::string& flag, std::string& value) {
-  impl_->app.add_option(flag, value)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  impl_->hidden.insert(Impl::key(flag));
-}
-
 void CommandLine::add_common(CommonOptions& common) {
   impl_->common = &common;
   impl_->declared = impl_->app.get_options();
@@ -246,11 +237,11 @@ std::string CommandLine::option_list() const {
   const auto line = [&](const std::string& flag, const CLI::Option* option) {
     return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
   };
-  const std::set<std::string> common{"help", "version", "output"};
+  const std::set<std::string> common{"help", "version", "output", "list-options"};
   std::string out;
   for (const CLI::Option* option : impl_->declared)
     for (const std::string& name : option->get_lnames())
-      if (!common.contains(name) && !impl_->hidden.contains(name)) out += line("--" + name, option);
+      if (!common.contains(name)) out += line("--" + name, option);
   return out;
 }
 

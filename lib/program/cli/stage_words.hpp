@@ -16,7 +16,7 @@ struct OptionName {
   bool takes_value = true;
 };
 
-/// In the order of their declaration, hidden ones left out.
+/// In the order of their declaration.
 std::vector<OptionName> option_names(const Declare& declare);
 
 /// The rows of --help.

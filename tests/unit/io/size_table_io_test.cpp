@@ -11,7 +11,9 @@
 namespace quadrille::io {
 namespace {
 
-SizeSources read(const std::string& text, Vec2 origin = {}) { return read_size_field({"sizes.csv", text, ""}, origin); }
+SizeSources read(const std::string& text, Vec2 origin = {}) {
+  return read_size_field({{"sizes.csv", ""}, text}, origin);
+}
 
 std::string refusal(const std::string& text) {
   return message_of<FormatError>([&] { read(text); });

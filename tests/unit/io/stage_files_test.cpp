@@ -152,7 +152,7 @@ TEST_F(StageFiles, NodesAddedByHandNeedPlaceAndValenceOnly) {
     "origin": [0, 0], "form": "phase", "critical_points": [{"position": [0.5, 0.5], "valence": 6}],
     "corners": [{"joint": 0, "position": [0, 0], "angle_degrees": 90, "valence": 1, "curves": [3, 0]}],
     "index_sum": {"expected": 4}})";
-  const CriticalPoints points = read_stage<CriticalPoints>({"file", text, ""});
+  const CriticalPoints points = read_stage<CriticalPoints>({{"file", ""}, text});
   EXPECT_EQ(points.critical_points[0].index, -2);
   EXPECT_EQ(points.index_sum, -1) << "4 - 6 and 2 - 1";
   EXPECT_TRUE(points.changes.empty());

@@ -1,13 +1,13 @@
-# pipelines/place: irregular nodes moved to where the blocks are best, and never to where they are worse.
+# pipelines/quadplace: irregular nodes moved to where the blocks are best, and never to where they are worse.
 load ../tools/common
 
-place=$ROOT/pipelines/place
+quadplace=$ROOT/pipelines/quadplace
 
 # here COMMAND...: with the test's folder for temporaries too, so that what is left is seen.
 here() { TMPDIR=$PWD "$@"; }
 
 @test "the half disc's blocks get better in two rounds, symmetric still, and the nodes lead to the mesh again" {
-  run -0 --separate-stderr here "$place" "$DATA/half_disc.step" -o out.msh --nodes out.crit.json --report out.json \
+  run -0 --separate-stderr here "$quadplace" "$DATA/half_disc.step" -o out.msh --nodes out.crit.json --report out.json \
     --workdir kept --rounds 2 --size 0.2
   assert_equal "$stderr" ""
   assert_output --regexp '^least scaled Jacobian of the blocks 0\.[0-9]+ -> 0\.[0-9]+, 2 of 2 nodes moved, (1 trial|([2-9]|[0-9]{2,}) trials)$'
@@ -28,10 +28,10 @@ here() { TMPDIR=$PWD "$@"; }
 }
 
 @test "without rounds, and where nothing can be moved, the result is quadmesh's" {
-  "$place" -q "$DATA/half_disc.step" -o placed.msh --rounds 0
+  "$quadplace" -q "$DATA/half_disc.step" -o placed.msh --rounds 0
   "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" -o mesh.msh
   cmp placed.msh mesh.msh
-  run -0 "$place" "$DATA/square.step" -o placed.msh
+  run -0 "$quadplace" "$DATA/square.step" -o placed.msh
   assert_output "least scaled Jacobian of the blocks 1 -> 1, 0 of 0 nodes moved, 0 trials: there is no irregular node inside"
   "$ROOT/pipelines/quadmesh" -q "$DATA/square.step" -o mesh.msh
   cmp placed.msh mesh.msh
@@ -41,7 +41,7 @@ here() { TMPDIR=$PWD "$@"; }
   cad2tri "$DATA/half_disc.step" | fieldsolve -q | padapt -q | critpoints -o field.crit.json
   jq '.form = "phase" | .critical_points |= map({position: [.position[0] * 1.5, .position[1] * 0.8], valence})' \
     field.crit.json >start.crit.json
-  "$place" "$DATA/half_disc.step" --start start.crit.json --rounds 1 --report out.json >out.msh 2>words
+  "$quadplace" "$DATA/half_disc.step" --start start.crit.json --rounds 1 --report out.json >out.msh 2>words
   jq -e '.best > .start' out.json
   run -0 head -1 out.msh
   assert_output '$MeshFormat'
@@ -50,7 +50,7 @@ here() { TMPDIR=$PWD "$@"; }
 }
 
 @test "the goal is the user's choice: the ratio of the sides of blocks falls, the report names it" {
-  run -0 "$place" "$DATA/half_disc.step" -o out.msh --rounds 1 --goal edge-ratio --report out.json
+  run -0 "$quadplace" "$DATA/half_disc.step" -o out.msh --rounds 1 --goal edge-ratio --report out.json
   assert_output --regexp '^greatest ratio of the sides of a block [0-9.]+ -> [0-9.]+, '
   jq -e '.goal == "edge-ratio" and .best < .start and .moves[-1].quality == .best' out.json
 }
@@ -59,71 +59,71 @@ here() { TMPDIR=$PWD "$@"; }
   for arguments in "" "--frob" "a.step b.step" "a.step -o" "a.step --rounds -1" "a.step --rounds x" "a.step --step 0" \
     "a.step --goal beauty"; do
     # shellcheck disable=SC2086
-    run -2 --separate-stderr "$place" $arguments
-    assert_equal "${stderr_lines[1]}" "try 'place --help'"
+    run -2 --separate-stderr "$quadplace" $arguments
+    assert_equal "${stderr_lines[1]}" "try 'quadplace --help'"
   done
 }
 
 @test "the options of critpoints are passed on to it, and listed by --help" {
-  run -2 --separate-stderr here "$place" "$DATA/square.step" -o out.msh --max-valence=3
-  [[ ${stderr_lines[0]} == "place: --max-valence: "* ]] || fail "$stderr"
-  run -0 "$place" -q "$DATA/half_disc.step" -o out.msh --rounds 0 --place energy --nodes energy.crit.json
+  run -2 --separate-stderr here "$quadplace" "$DATA/square.step" -o out.msh --max-valence=3
+  [[ ${stderr_lines[0]} == "quadplace: --max-valence: "* ]] || fail "$stderr"
+  run -0 "$quadplace" -q "$DATA/half_disc.step" -o out.msh --rounds 0 --place energy --nodes energy.crit.json
   jq -e '.form == "phase"' energy.crit.json
-  run -2 "$place" "$DATA/square.step" --max-valence
-  assert_line "place: --max-valence needs a value"
-  "$place" --help | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' >shown
+  run -2 "$quadplace" "$DATA/square.step" --max-valence
+  assert_line "quadplace: --max-valence needs a value"
+  "$quadplace" --help | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' >shown
   "$ROOT/pipelines/quadmesh" --help | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' | diff - shown
   assert [ -s shown ]
 }
 
 @test "the options that choose and heal the face go to cad2tri" {
-  run -0 "$place" "$DATA/bad/solid.step" --face 4 -o side.msh --rounds 0 --heal-tolerance 0 --workdir kept
+  run -0 "$quadplace" "$DATA/bad/solid.step" --face 4 -o side.msh --rounds 0 --heal-tolerance 0 --workdir kept
   cad2tri "$DATA/bad/solid.step" --face 4 --heal-tolerance 0 -o side.tri.h5
   cmp kept/tri.h5 side.tri.h5
-  run -3 "$place" "$DATA/bad/solid.step" -o side.msh
-  run -2 "$place" "$DATA/square.step" --blunt much -o side.msh
+  run -3 "$quadplace" "$DATA/bad/solid.step" -o side.msh
+  run -2 "$quadplace" "$DATA/square.step" --blunt much -o side.msh
 }
 
 @test "what a stage has against its input, and what cannot be written, comes through with its exit code" {
-  run -3 --separate-stderr here "$place" missing.step -o out.msh
-  assert_equal "$stderr" "place: missing.step: no such file"
+  run -3 --separate-stderr here "$quadplace" missing.step -o out.msh
+  assert_equal "$stderr" "quadplace: missing.step: no such file"
   head -c 3000 "$DATA/half_disc.step" >truncated.step
-  run -3 --separate-stderr here "$place" truncated.step -o out.msh
+  run -3 --separate-stderr here "$quadplace" truncated.step -o out.msh
   [[ $stderr == "cad2tri: "* ]] || fail "$stderr"
   rm truncated.step
   echo '{}' >start.crit.json
-  run -3 --separate-stderr here "$place" "$DATA/half_disc.step" --start start.crit.json -o out.msh
-  run -3 --separate-stderr here "$place" "$DATA/half_disc.step" --start nowhere.crit.json -o out.msh
-  [[ $stderr == "place: nowhere.crit.json"* ]] || fail "$stderr"
-  run -4 --separate-stderr here "$place" "$DATA/square.step" --rounds 0 -o nowhere/out.msh
-  run -4 --separate-stderr here "$place" "$DATA/square.step" --rounds 0 -o out.msh --nodes nowhere/crit.json
+  run -3 --separate-stderr here "$quadplace" "$DATA/half_disc.step" --start start.crit.json -o out.msh
+  run -3 --separate-stderr here "$quadplace" "$DATA/half_disc.step" --start nowhere.crit.json -o out.msh
+  [[ $stderr == "quadplace: nowhere.crit.json"* ]] || fail "$stderr"
+  run -4 --separate-stderr here "$quadplace" "$DATA/square.step" --rounds 0 -o nowhere/out.msh
+  run -4 --separate-stderr here "$quadplace" "$DATA/square.step" --rounds 0 -o out.msh --nodes nowhere/crit.json
   assert_nothing_left start.crit.json
 }
 
 @test "a failure is in the report, with its stage" {
-  # failed CODE STAGE MESSAGE OPTION...: the report of place has these, and what is printed is the message.
+  # failed CODE STAGE MESSAGE OPTION...: the report of quadplace has these, and what is printed is the message.
   failed() {
     local code=$1 stage=$2 message=$3
     shift 3
-    run -"$code" --separate-stderr here "$place" "$@" -o out.msh --report out.json
+    run -"$code" --separate-stderr here "$quadplace" "$@" -o out.msh --report out.json
     [[ ${stderr_lines[0]} == *"$message"* ]] || fail "$stderr"
-    assert_equal "$(jq -c '[.tool, .exit_code, .stage]' out.json)" "[\"place\",$code,\"$stage\"]"
+    assert_equal "$(jq -c '[.tool, .exit_code, .stage]' out.json)" "[\"quadplace\",$code,\"$stage\"]"
     [[ ${stderr_lines[0]} == "$stage: $(jq -r .error out.json)" ]] || fail "$(cat out.json)"
   }
   head -c 3000 "$DATA/half_disc.step" >truncated.step
   failed 3 cad2tri "truncated.step" truncated.step
-  failed 3 place "missing.step: no such file" missing.step
-  failed 2 place "--feature-size big" "$DATA/half_disc.step" --feature-size big
-  failed 2 place "no corner between curves 0 and 2" "$DATA/square.step" --corner-valence 0:2=1
-  run -2 "$place" truncated.step -o out.msh --report truncated.step
+  failed 3 quadplace "missing.step: no such file" missing.step
+  failed 2 quadplace "--feature-size big" "$DATA/half_disc.step" --feature-size big
+  failed 2 quadplace "no corner between curves 0 and 2" "$DATA/square.step" --corner-valence 0:2=1
+  run -2 "$quadplace" truncated.step -o out.msh --report truncated.step
   cmp -n 3000 truncated.step "$DATA/half_disc.step"
-  "$place" -q "$DATA/square.step" -o out.msh --report out.json
+  "$quadplace" -q "$DATA/square.step" -o out.msh --report out.json
   jq -e '.exit_code == 0 and .stage == null and .error == null' out.json
 }
 
 @test "a pipe stays a pipe, and is written into" {
   mkfifo report.json
-  "$place" -q "$DATA/square.step" -o out.msh --rounds 0 --report report.json &
+  "$quadplace" -q "$DATA/square.step" -o out.msh --rounds 0 --report report.json &
   timeout 60 cat report.json >got.json
   wait $!
   assert [ -p report.json ]
@@ -132,17 +132,17 @@ here() { TMPDIR=$PWD "$@"; }
 
 @test "a signal ends the stage that runs, and nothing is left" {
   replace_tool separatrix 'echo >started' 'exec sleep 30'
-  QUADRILLE_BIN=$PWD/fake ends_with_signal "$place" "$DATA/half_disc.step" -o out.msh
+  QUADRILLE_BIN=$PWD/fake ends_with_signal "$quadplace" "$DATA/half_disc.step" -o out.msh
 }
 
 @test "the help's examples work" {
   cp "$DATA/half_disc.step" .
-  "$place" --help | sed -n '/^EXAMPLES/,$p' | grep '^  place' >examples
+  "$quadplace" --help | sed -n '/^EXAMPLES/,$p' | grep '^  quadplace' >examples
   assert [ "$(wc -l <examples)" -ge 2 ]
   while read -r _ arguments; do
     # shellcheck disable=SC2086
-    run -0 "$place" $arguments
+    run -0 "$quadplace" $arguments
   done <examples
-  run -0 "$place" --version
-  assert_output --regexp '^place .*[0-9]+\.[0-9]+\.[0-9]+$'
+  run -0 "$quadplace" --version
+  assert_output --regexp '^quadplace .*[0-9]+\.[0-9]+\.[0-9]+$'
 }

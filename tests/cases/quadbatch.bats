@@ -1,7 +1,7 @@
-# pipelines/batch: many shapes, interrupted and continued; one table.
+# pipelines/quadbatch: many shapes, interrupted and continued; one table.
 load ../tools/common
 
-batch=$ROOT/pipelines/batch
+quadbatch=$ROOT/pipelines/quadbatch
 
 setup() {
   common_setup
@@ -19,7 +19,7 @@ print(*[row[sys.argv[1]] for row in csv.DictReader(open("out/table.csv"))], sep=
 PYTHON=/usr/bin/python3
 
 @test "each shape has its mesh, its report and its row; failures have a message; exit code 1" {
-  run -1 --separate-stderr here "$batch" "$DATA/square.step" "$DATA/bad/open_wire.step" "$DATA/half_disc.step" --to out \
+  run -1 --separate-stderr here "$quadbatch" "$DATA/square.step" "$DATA/bad/open_wire.step" "$DATA/half_disc.step" --to out \
     --jobs 2 --size 0.2
   assert_output "3 shapes: 2 with a mesh, 1 without, 0 done before: out/table.html"
   assert_equal "$stderr" ""
@@ -42,7 +42,7 @@ PYTHON=/usr/bin/python3
   changed() {
     join <(echo "$before") <(times) | awk '$2 != $3 { print $1 }' | sed 's|out/||; s|\.result.*||' | paste -sd ' '
   }
-  again() { before=$(times) && run here "$batch" shapes --to out "$@"; }
+  again() { before=$(times) && run here "$quadbatch" shapes --to out "$@"; }
   again
   again
   assert_output --partial ', 3 done before'
@@ -60,31 +60,28 @@ PYTHON=/usr/bin/python3
 }
 
 @test "interrupted half-way, it leaves whole results; started again, it does the rest, once" {
-  mkdir fake
-  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
-  rm fake/quadrefine
-  printf '#!/bin/sh\ncase "$*" in
-    *ellipse.blocks*) echo >started; sleep 60 & trap "kill $!; exit 143" TERM; wait ;;
-    esac\n exec "%s" "$@"\n' "$BIN/quadrefine" >fake/quadrefine
-  chmod +x fake/quadrefine
+  replace_stage quadrefine '[ -e slow ] || exec quadrefine "$@"' \
+    'case "$*" in *ellipse.blocks*) echo >started; sleep 60 & trap "kill $!; exit 143" TERM; wait ;; esac' \
+    'exec quadrefine "$@"'
   shapes=("$DATA"/{ellipse,square,half_disc,annulus,disc,octagon}.step)
   local signal code first
   for signal in INT TERM; do
     rm -rf out started
-    QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD HOME=$PWD env --default-signal "$batch" "${shapes[@]}" --to out --jobs 2 \
-      2>words 3>&- &
+    touch slow
+    TMPDIR=$PWD HOME=$PWD env --default-signal "$quadbatch" "${replaced[@]}" "${shapes[@]}" --to out --jobs 2 2>words 3>&- &
     until [[ -e started && -e out/square.result.json ]]; do sleep 0.05; done
     kill "-$signal" $!
     code=0 && wait $! || code=$?
     assert_equal $code $((128 + $(kill -l $signal)))
     run cat words
-    assert_output "batch: interrupted: the same command again continues"
+    assert_output "quadbatch: interrupted: the same command again continues"
     assert_not_exists out/ellipse.result.json
     first=$(cd out && stat -c '%n %.9Y' ./*.result.json | sort)
     assert_equal "$(find . -name '.*' ! -name .)" ""
-    assert_equal "$(ls | paste -sd ' ')" "fake out started words"
+    assert_equal "$(ls | paste -sd ' ')" "fake out slow started words"
     assert_equal "$(($(wc -l <out/table.csv) - 1))" "$(wc -l <<<"$first")"
-    run -0 here "$batch" "${shapes[@]}" --to out --jobs 2
+    rm slow
+    run -0 here "$quadbatch" "${replaced[@]}" "${shapes[@]}" --to out --jobs 2
     assert_output "6 shapes: 6 with a mesh, 0 without, $(wc -l <<<"$first") done before: out/table.html"
     assert_equal "$(cd out && stat -c '%n %.9Y' ./*.result.json | sort | comm -12 - <(echo "$first"))" "$first"
     assert_equal "$(wc -l <out/table.csv)" 7
@@ -97,15 +94,15 @@ PYTHON=/usr/bin/python3
     "a.step --to out -o x" "a.step --to out --jobs x" \
     "a.step --to out --threads x" "- --to out" "a/x.step b/x.iges --to out"; do
     # shellcheck disable=SC2086
-    run -2 --separate-stderr "$batch" $arguments
-    assert_equal "${stderr_lines[1]}" "try 'batch --help'"
+    run -2 --separate-stderr "$quadbatch" $arguments
+    assert_equal "${stderr_lines[1]}" "try 'quadbatch --help'"
   done
-  run -3 "$batch" out --to out
-  run -4 "$batch" x.step --to /dev/null/out
+  run -3 "$quadbatch" out --to out
+  run -4 "$quadbatch" x.step --to /dev/null/out
 }
 
 @test "--name names the boundaries of every shape" {
-  "$batch" -q "$DATA/square.step" "$DATA/half_disc.step" --to meshes --name 'wall=*' --name floor=0
+  "$quadbatch" -q "$DATA/square.step" "$DATA/half_disc.step" --to meshes --name 'wall=*' --name floor=0
   for shape in square half_disc; do
     assert_equal "$(sed -nE 's/^1 [0-9]+ "(.*)"$/\1/p' meshes/$shape.msh | sort | xargs)" "floor wall"
   done
@@ -114,7 +111,7 @@ PYTHON=/usr/bin/python3
 @test "names with blanks, quotes and braces" {
   cp "$DATA/square.step" "it's {} a \$shape; 1.step"
   echo '"a b"' >'block names'
-  run -0 here "$batch" ./*.step --to 'the {.} "meshes"' --block-names 'block names'
+  run -0 here "$quadbatch" ./*.step --to 'the {.} "meshes"' --block-names 'block names'
   assert_file_exists "the {.} \"meshes\"/it's {} a \$shape; 1.msh"
   assert_file_exists 'the {.} "meshes"/table.csv'
 }
@@ -127,27 +124,23 @@ tree() {
 }
 
 @test "killed without warning, it leaves no half result under a result's name, and is continued" {
-  mkdir fake
-  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -s "$tool" fake; done
-  rm fake/quadexport
-  printf '#!/bin/sh\ncase "$*" in *square.quad.h5*) echo >started; exec sleep 60 ;; esac; exec "%s" "$@"\n' \
-    "$BIN/quadexport" >fake/quadexport
-  chmod +x fake/quadexport
-  QUADRILLE_BIN=$PWD/fake TMPDIR=$PWD HOME=$PWD "$batch" "$DATA"/{half_disc,square}.step --to out --jobs 1 3>&- &
+  replace_stage quadexport 'case "$*" in *square.quad.h5*) [ -e started ] || { echo >started; exec sleep 60; } ;; esac' \
+    'exec quadexport "$@"'
+  TMPDIR=$PWD HOME=$PWD "$quadbatch" "${replaced[@]}" "$DATA"/{half_disc,square}.step --to out --jobs 1 3>&- &
   until [[ -e started ]]; do sleep 0.05; done
   # shellcheck disable=SC2046
   kill -KILL $(tree $!)
   wait $! || true
   assert_equal "$(cd out && ls -A | paste -sd ' ')" \
     ".square.part half_disc.msh half_disc.report.json half_disc.result.json"
-  run -0 here "$batch" "$DATA"/{half_disc,square}.step --to out --jobs 1
+  run -0 here "$quadbatch" "${replaced[@]}" "$DATA"/{half_disc,square}.step --to out --jobs 1
   assert_output "2 shapes: 2 with a mesh, 0 without, 1 done before: out/table.html"
   assert_equal "$(find out -type f | wc -l)" 8
   assert_not_exists out/.square.part
 }
 
 @test "other hosts by parallel's own options" {
-  run -0 here "$batch" "$DATA/square.step" --to out --sshlogin 1/: -v --no-table
+  run -0 here "$quadbatch" "$DATA/square.step" --to out --sshlogin 1/: -v --no-table
   assert_line --regexp 'square.step: 1 block, 0 irregular nodes, [0-9]+ quads \([.0-9]+ s\)'
   assert_line "1 shape: 1 with a mesh, 0 without, 0 done before"
   assert_not_exists out/table.csv
@@ -157,17 +150,17 @@ tree() {
   mkdir shapes
   cp "$DATA/half_disc.step" "$DATA/plate_hole.step" .
   cp "$DATA/square.step" shapes
-  "$batch" --help | sed -n '/^EXAMPLES/,$p' | grep '^  batch' >examples
+  "$quadbatch" --help | sed -n '/^EXAMPLES/,$p' | grep '^  quadbatch' >examples
   assert [ "$(wc -l <examples)" -ge 3 ]
   while read -r _ arguments; do
     # shellcheck disable=SC2086
-    run -0 "$batch" $arguments
+    run -0 "$quadbatch" $arguments
   done <examples
   assert_equal "$(wc -l <meshes/table.csv)" 4
 }
 
 @test "the page's commands, its Slurm job and its Snakemake rules work" {
-  page=$ROOT/pipelines/batch.md
+  page=$ROOT/pipelines/quadbatch.md
   ln -s "$ROOT/pipelines" .
   mkdir shapes
   cp "$DATA/square.step" "$DATA/half_disc.step" "$DATA/bad/open_wire.step" shapes
@@ -188,7 +181,7 @@ tree() {
   sed -n '/^```sh$/,/^```$/p' "$page" | sed '1d;$d' >job
   ls shapes/*.step >shapes.txt
   SLURM_ARRAY_TASK_ID=0 SLURM_CPUS_PER_TASK=2 run bash job
-  pipelines/batch --to meshes
+  pipelines/quadbatch --to meshes
   assert_equal "$(wc -l <meshes/table.csv)" 4
   rm -r meshes
   command -v snakemake || skip "no snakemake"

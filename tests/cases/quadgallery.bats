@@ -1,10 +1,10 @@
-# pipelines/gallery: the examples of the paper, with its numbers beside ours.
+# pipelines/quadgallery: the examples of the paper, with its numbers beside ours.
 load ../tools/common
 
-gallery=$ROOT/pipelines/gallery
+quadgallery=$ROOT/pipelines/quadgallery
 
 @test "each example has its pictures; nodes are those of the paper where it states them; nothing else is left" {
-  run -0 --separate-stderr env TMPDIR="$PWD" "$gallery" --to out
+  run -0 --separate-stderr env TMPDIR="$PWD" "$quadgallery" --to out
   assert_output --regexp '^7 examples in [0-9.]+ CPU seconds: out/gallery.html$'
   assert_equal "$stderr" ""
   assert_equal "$(ls)" out
@@ -21,12 +21,12 @@ gallery=$ROOT/pipelines/gallery
 none: not stated
 2 of valence 5: not stated"
   xmllint --html --noout out/gallery.html
-  "$gallery" -q --to again
+  "$quadgallery" -q --to again
   diff -r out again
 }
 
 @test "the commands of the page give the numbers of the page" {
-  "$gallery" -q --to out
+  "$quadgallery" -q --to out
   cp "$DATA"/{half_disc,geometry_?}.step .
   sed -nE 's|^<pre>(.*)</pre>$|\1 --report -|p' out/gallery.html >commands
   assert_equal "$(wc -l <commands)" 7
@@ -37,12 +37,12 @@ none: not stated
 @test "mistakes on the command line are exit 2 with a hint; the help's example works" {
   for arguments in "" "--to" "x --to y" "--frob"; do
     # shellcheck disable=SC2086
-    run -2 --separate-stderr "$gallery" $arguments
-    assert_equal "${stderr_lines[1]}" "try 'gallery --help'"
+    run -2 --separate-stderr "$quadgallery" $arguments
+    assert_equal "${stderr_lines[1]}" "try 'quadgallery --help'"
   done
-  run -4 "$gallery" --to /dev/null/out
-  read -r _ arguments < <("$gallery" --help | sed '1,/^EXAMPLES$/d')
+  run -4 "$quadgallery" --to /dev/null/out
+  read -r _ arguments < <("$quadgallery" --help | sed '1,/^EXAMPLES$/d')
   # shellcheck disable=SC2086
-  run -0 "$gallery" $arguments -v
+  run -0 "$quadgallery" $arguments -v
   assert_line --regexp '^Half disc: 4 blocks, irregular nodes: 2 of valence 3, [0-9.]+ s$'
 }
