@@ -157,7 +157,7 @@ StageEnd StageRunner::run_in_child(const StageTask& task, Share share) {
     if (end.message.empty()) end.message = fmt::format("ended with the exit code {}", child.code);
     end.report.json = report_of(tool, child.code, end.message, child);
   }
-  if (!options_.programs.contains(task.stage)) end.messages = messages_of(tool, {end.code, end.message});
+  if (end.messages.empty()) end.messages = messages_of(tool, {end.code, end.message});
   return end;
 }
 
