@@ -106,6 +106,12 @@ void write_regions() {
   io::write_stage(target("separatrix_graph", "passed", "regions.sep.json"), samples::two_regions_graph());
   io::write_stage(target("block_layout", "passed", "regions.blocks.h5"), samples::two_regions_layout());
   io::write_stage(target("quad_mesh", "passed", "regions.quad.h5"), samples::two_regions_quads());
+  io::write_stage(target("block_layout", "passed", "open.blocks.h5"), samples::open_regions_layout());
+  io::write_stage(target("quad_mesh", "passed", "open.quad.h5"), samples::open_regions_quads());
+  write_broken("block_layout", ".blocks.h5", io::write_stage<BlockLayout>, samples::open_regions_layout(), "BLK-R17",
+               [](BlockLayout& b) { b.open_curves.clear(); });
+  write_broken("quad_mesh", ".quad.h5", io::write_stage<QuadMesh>, samples::open_regions_quads(), "QUA-R14",
+               [](QuadMesh& m) { m.open_curves.clear(); });
   write_broken("block_layout", ".blocks.h5", io::write_stage<BlockLayout>, samples::two_regions_layout(), "BLK-R16",
                [](BlockLayout& b) {
                  b.block_region = {1, 0};

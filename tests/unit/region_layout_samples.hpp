@@ -61,4 +61,33 @@ inline QuadMesh two_regions_quads() {
   return m;
 }
 
+/// The interface is open: its sides have nodes of their own in the same places.
+inline BlockLayout open_regions_layout() {
+  BlockLayout b = two_regions_layout();
+  b.open_curves = {1, 7};
+  b.nodes[1] = {{1, 0}, NodeKind::corner, 1, 1, 0};
+  b.nodes[2] = {{1, 1}, NodeKind::corner, 1, 2, 0};
+  b.nodes.push_back({{1, 0}, NodeKind::corner, 1, 4, 0});
+  b.nodes.push_back({{1, 1}, NodeKind::corner, 1, 7, 0});
+  b.arcs[1].is_boundary = true;
+  b.arcs[4].from = 6;
+  b.arcs[6].to = 7;
+  b.arcs.push_back({7, 6, true, 0, {{7, 0, 1}}});
+  b.block2nodes[1] = {6, 4, 5, 7};
+  b.block2arcs[1] = block_sides({4, 5, 6, 7});
+  b.arc_chord = {0, 1, 0, 1, 2, 3, 2, 3};
+  return b;
+}
+
+inline QuadMesh open_regions_quads() {
+  QuadMesh m = two_regions_quads();
+  m.open_curves = {1, 7};
+  m.nodes.push_back({1, 0});
+  m.nodes.push_back({1, 1});
+  m.elem_nodes = {0, 1, 3, 2, 6, 4, 7, 5};
+  m.boundary_edges = {{0, 0, 0}, {0, 1, 1}, {0, 2, 2}, {0, 3, 3}, {1, 0, 4}, {1, 1, 5}, {1, 2, 6}, {1, 3, 7}};
+  m.interface_edges.clear();
+  return m;
+}
+
 }  // namespace quadrille::samples

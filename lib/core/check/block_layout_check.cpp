@@ -117,6 +117,21 @@ void regions_fit(const BlockLayout& layout, Findings& findings) {
     }
 }
 
+/// Blocks on both sides of an interface that is not open share its arcs, and so its nodes.
+void interfaces_are_closed(const BlockLayout& layout, Findings& findings) {
+  const std::vector<bool> is_open = open_interfaces(layout.face, layout.open_curves, findings);
+  if (is_open.empty()) return;
+  for (std::size_t a = 0; a < layout.arcs.size(); ++a) {
+    const int curve = layout.arcs[a].pieces.front().curve;
+    if (curve >= layout.face.num_curves() || !layout.face.is_interface(curve)) continue;
+    if (layout.arcs[a].is_boundary != is_open[curve])
+      findings.add("arc {} on the interface curve {} {}, at {}", a, curve,
+                   is_open[curve] ? "is inside, though the interface is open"
+                                  : "bounds the blocks of one side only, though the interface is not open",
+                   position_text(layout.face, layout.nodes[layout.arcs[a].from].position));
+  }
+}
+
 constexpr Rule<BlockLayout> rules[] = {
     {"BLK-R01", RuleKind::structure, [](const auto& b, Findings& f) { splines_are_sound(view(b), f); }},
     {"BLK-R02", RuleKind::structure, [](const auto& b, Findings& f) { graph_indices_exist(view(b), f); }},
@@ -134,6 +149,7 @@ constexpr Rule<BlockLayout> rules[] = {
     {"BLK-R14", RuleKind::full, valences_are_blocks},
     {"BLK-R15", RuleKind::full, index_sum_holds},
     {"BLK-R16", RuleKind::quick, regions_fit},
+    {"BLK-R17", RuleKind::full, interfaces_are_closed},
 };
 
 }  // namespace

@@ -277,6 +277,20 @@ void regions_fit(const QuadMesh& mesh, Findings& findings) {
   }
 }
 
+/// Elements on both sides of an interface that is not open share its edges, and so its vertices.
+void interfaces_are_closed(const QuadMesh& mesh, Findings& findings) {
+  const std::vector<bool> is_open = open_interfaces(mesh.face, mesh.open_curves, findings);
+  if (is_open.empty()) return;
+  const auto add_edges = [&](const std::vector<QuadBoundaryEdge>& edges, bool is_wrong_where_open, const char* what) {
+    for (const QuadBoundaryEdge& e : edges)
+      if (mesh.face.is_interface(e.curve) && is_open[e.curve] == is_wrong_where_open)
+        findings.add("side {} of element {} on the interface curve {} {}, at {}", e.side, e.elem, e.curve, what,
+                     position_text(mesh.face, mesh.nodes[side_node(mesh, e.elem, e.side, 0)]));
+  };
+  add_edges(mesh.boundary_edges, false, "has nodes of its own, though the interface is not open");
+  add_edges(mesh.interface_edges, true, "is shared, though the interface is open");
+}
+
 constexpr Rule<QuadMesh> rules[] = {
     {"QUA-R01", RuleKind::structure, arrays_agree},
     {"QUA-R02", RuleKind::structure, indices_exist},
@@ -291,6 +305,7 @@ constexpr Rule<QuadMesh> rules[] = {
     {"QUA-R11", RuleKind::quick, sizes_are_in_range},
     {"QUA-R12", RuleKind::full, interfaces_are_shared},
     {"QUA-R13", RuleKind::full, regions_fit},
+    {"QUA-R14", RuleKind::full, interfaces_are_closed},
 };
 
 }  // namespace

@@ -73,6 +73,18 @@ inline bool are_ascending_indices(const std::vector<int>& list, std::size_t coun
     if (!is_index(list[k], count) || (k > 0 && list[k] <= list[k - 1])) return false;
   return true;
 }
+/// By curve: whether its interface is open. Adds a finding, and returns no entries, unless `open_curves` are curves
+/// with partners, each with its partner, in ascending order.
+inline std::vector<bool> open_interfaces(const CadFace& face, const std::vector<int>& open_curves, Findings& findings) {
+  std::vector<bool> is_open(face.curves.size(), false);
+  bool is_sound = are_ascending_indices(open_curves, is_open.size());
+  for (std::size_t i = 0; is_sound && i < open_curves.size(); ++i) is_open[open_curves[i]] = true;
+  for (std::size_t i = 0; is_sound && i < open_curves.size(); ++i)
+    is_sound = face.is_interface(open_curves[i]) && is_open[face.partners[open_curves[i]]];
+  if (is_sound) return is_open;
+  findings.add("open_curves must be curves of interfaces, those of both sides, in ascending order");
+  return {};
+}
 /// Whether a slit ends in the joint, so that its curve runs back along the one before it. The face must be sound.
 inline bool is_slit_tip(const CadFace& face, int joint) {
   return is_index(joint, face.partners.size()) && face.partners[joint] == face.previous_in_loop(joint);

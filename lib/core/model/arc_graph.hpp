@@ -57,6 +57,8 @@ struct ArcGraph {
   std::vector<Nurbs> splines;
   std::vector<GraphNode> nodes;
   std::vector<GraphArc> arcs;
+  /// Ascending: the curves of interfaces that nothing crosses, of both sides: each side has nodes of its own.
+  std::vector<int> open_curves;
 
   const Nurbs& curve(int id) const {
     return id < face.num_curves() ? face.curves[id] : splines[id - face.num_curves()];

@@ -37,6 +37,7 @@ struct QuadMesh {
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   /// Edges on interfaces, from both sides: each with the curve of its own region. Sorted as boundary_edges.
   std::vector<QuadBoundaryEdge> interface_edges;
+  std::vector<int> open_curves;  ///< ArcGraph::open_curves: their edges are boundary edges
   std::vector<std::string> block_names;
   std::vector<int> unnamed_blocks;  ///< ascending: blocks without a given name; theirs is made from their number
   std::vector<int> block_region;    ///< region of each block; empty: there is one region

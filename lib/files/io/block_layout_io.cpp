@@ -7,7 +7,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion block_layout_version{"block-layout", 1, 4};
+constexpr FormatVersion block_layout_version{"block-layout", 2, 0};
 
 void describe_block_sides(Archive& archive, std::vector<std::array<HalfEdge, 4>>& block2arcs) {
   std::vector<std::array<int, 4>> codes;
@@ -23,6 +23,7 @@ void describe_block_layout(Archive& archive, BlockLayout& layout) {
   describe_face(archive, layout.face);
   describe_nurbs(archive, "splines", layout.splines);
   describe_graph(archive, layout.nodes, layout.arcs);
+  describe_open_curves(archive, layout.open_curves);
   archive.field("block2nodes", layout.block2nodes, {"", "nodes of each block, counter-clockwise"});
   describe_block_sides(archive, layout.block2arcs);
   archive.field("arc_chord", layout.arc_chord, {"", "chord of each arc"});

@@ -67,6 +67,11 @@ void describe_face(Archive& archive, CadFace& face) {
   });
 }
 
+void describe_open_curves(Archive& archive, std::vector<int>& curves) {
+  describe_where_present(archive, "open_curves", curves,
+                         Doc{"", "curves of open interfaces, of both sides, ascending"});
+}
+
 void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector<GraphArc>& arcs) {
   archive.field("nodes", nodes, [](Archive& a, GraphNode& node) {
     a.field("position", node.position, {"length", "relative to face.origin"});

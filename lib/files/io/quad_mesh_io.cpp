@@ -9,7 +9,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion quad_mesh_version{"quad-mesh", 1, 5};
+constexpr FormatVersion quad_mesh_version{"quad-mesh", 2, 0};
 
 double least(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
@@ -39,6 +39,7 @@ void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
   describe_edges(archive, "boundary_edges", mesh.boundary_edges);
   if (archive.is_reading() ? archive.has("interface_edges") : !mesh.interface_edges.empty())
     describe_edges(archive, "interface_edges", mesh.interface_edges);
+  describe_open_curves(archive, mesh.open_curves);
   archive.field("block_names", mesh.block_names, {"", "name of each block"});
   if (archive.has("unnamed_blocks"))
     archive.field("unnamed_blocks", mesh.unnamed_blocks,

@@ -12,7 +12,7 @@ constexpr RenamedKey renamed[] = {
     {"certificate.shortened_spirals", "laps_cut"},
     {"certificate.largest_deviation_degrees", "largest_turn_degrees"},
 };
-constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 2, 3, renamed};
+constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 2, 4, renamed};
 
 void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
   LayoutMethod method = certificate.method.value_or(LayoutMethod::traced);
@@ -44,6 +44,7 @@ void describe_separatrix_graph(Archive& archive, SeparatrixGraph& graph) {
   });
   archive.field("t_junctions", graph.t_junctions);
   describe_nurbs(archive, "splines", graph.splines);
+  describe_open_curves(archive, graph.open_curves);
   describe_face(archive, graph.face);
 }
 

@@ -23,8 +23,8 @@ std::vector<int> components(const SeparatrixGraph& graph) {
 
 }  // namespace
 
-BoundaryPoint cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
-                                     const trace::Streamline& line) {
+CutStart cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
+                                const trace::Streamline& line) {
   for (const double turn : {half_pi, -half_pi}) {
     const trace::Streamline half = tracer.follow_from(line.end_position, line.end_angle + turn);
     if (half.end == trace::Streamline::End::boundary) return {half.reached.curve, half.reached.t};
@@ -44,7 +44,7 @@ std::vector<int> unconnected_loops(const SeparatrixGraph& graph) {
   return loops;
 }
 
-BoundaryPoint cut_from_loop(const CadFace& face, int loop, int k) {
+CutStart cut_from_loop(const CadFace& face, int loop, int k) {
   const int first = face.loop_offsets[loop], num = face.loop_offsets[loop + 1] - first;
   double fraction = 0, digit = 0.5;
   for (; k > 0; k /= 2, digit /= 2) fraction += k % 2 * digit;

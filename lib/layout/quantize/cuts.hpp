@@ -9,15 +9,15 @@
 
 namespace quadrille::quantize {
 
-struct BoundaryPoint {
+struct CutStart {
   int curve = 0;  ///< CAD curve
   double t = 0;   ///< its parameter
 };
 
 /// Start of a cut across the end of a limit cycle: the end of the first line that runs from there across the cycle, to
 /// its left or right, to the boundary. Throws ComputeError with the position if neither line reaches it.
-BoundaryPoint cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
-                                     const trace::Streamline& line);
+CutStart cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
+                                const trace::Streamline& line);
 
 /// The loops, ascending, that no path along arcs of the graph connects to the outer boundary (loop 0).
 std::vector<int> unconnected_loops(const SeparatrixGraph& graph);
@@ -25,6 +25,6 @@ std::vector<int> unconnected_loops(const SeparatrixGraph& graph);
 /// Start of the k-th cut (k = 0, 1, ...) of a loop. Holes may be connected to each other only, so each cut starts at
 /// another point, at the middle of the first curve, then at halves, quarters, eighths of the loop's curves in turn (van
 /// der Corput's sequence).
-BoundaryPoint cut_from_loop(const CadFace& face, int loop, int k);
+CutStart cut_from_loop(const CadFace& face, int loop, int k);
 
 }  // namespace quadrille::quantize

@@ -153,7 +153,7 @@ bool TMeshTracer::connect_loops(const SeparatrixGraph& graph) {
   return !loops.empty();
 }
 
-void TMeshTracer::add_cut(const BoundaryPoint& start, double head_start) {
+void TMeshTracer::add_cut(const CutStart& start, double head_start) {
   if (++cuts_.num > max_cuts)
     throw ComputeError(fmt::format("holes and limit cycles need more than {} cuts", max_cuts));
   cuts_.head_starts.push_back(head_start);

@@ -42,7 +42,7 @@ class TMeshTracer {
  private:
   bool follow_unstopped_lines(const std::vector<CoveredPart>& covered);
   bool connect_loops(const SeparatrixGraph& graph);
-  void add_cut(const BoundaryPoint& start, double head_start);
+  void add_cut(const CutStart& start, double head_start);
 
   struct Cuts {
     std::vector<double> head_starts;  ///< of all streamlines, lengths; 0 except for cuts across limit cycles

@@ -20,9 +20,9 @@ StreamStep hermite(Vec2 x, Vec2 direction, Vec2 end, Vec2 end_direction, double 
 }
 
 // The nearest point of the boundary beside an element, within a thousandth of the diameter; else curve -1.
-BoundaryFoot boundary_foot_near(const field::FieldEvaluator& evaluator, int elem, Vec2 x) {
+ExitPoint boundary_foot_near(const field::FieldEvaluator& evaluator, int elem, Vec2 x) {
   const TriMesh& mesh = evaluator.field().mesh;
-  BoundaryFoot nearest;
+  ExitPoint nearest;
   double least = 1e-3 * mesh.face.diameter;
   for (const int edge : evaluator.topology().elem2boundary_edge[elem]) {
     if (edge < 0) continue;
@@ -126,7 +126,7 @@ class FixedStepIntegrator {
   }
 
   void finish_on_boundary() {
-    const BoundaryFoot foot = boundary_foot_near(evaluator_, at_.elem, x_);
+    const ExitPoint foot = boundary_foot_near(evaluator_, at_.elem, x_);
     if (foot.curve < 0) fail();
     line_.reached = {-1, foot.curve, foot.t};
     finish(Streamline::End::boundary, foot.position);

@@ -42,7 +42,7 @@ double direction_of(const field::FieldEvaluator& evaluator, const StreamStep& st
 }
 
 // The point of the CAD curve nearest to where a step crosses an element's edge on the boundary.
-BoundaryFoot boundary_foot(const field::FieldEvaluator& evaluator, const StreamStep& step, const ElementExit& exit) {
+ExitPoint boundary_foot(const field::FieldEvaluator& evaluator, const StreamStep& step, const ElementExit& exit) {
   const TriMesh& mesh = evaluator.field().mesh;
   const BoundaryEdge& edge = mesh.boundary_edges[evaluator.topology().elem2boundary_edge[step.elem][exit.edge]];
   const Vec2 x = evaluator.maps()[step.elem].position(step.xi(exit.fraction));
@@ -146,7 +146,7 @@ class StreamlineIntegrator {
   }
 
   void end_on_boundary(const StreamStep& step, const ElementExit& exit) {
-    const BoundaryFoot foot = boundary_foot(evaluator_, step, exit);
+    const ExitPoint foot = boundary_foot(evaluator_, step, exit);
     state_.angle = stream_state(evaluator_, step.elem, step.xi(exit.fraction), state_.angle, state_.is_straight).angle;
     if (ends_at_node(foot.position)) return;
     line_.reached = {-1, foot.curve, foot.t};

@@ -15,7 +15,7 @@ namespace quadrille::trace {
 inline constexpr int max_stream_steps = 40000;
 
 /// Where a line leaves the face. Curve -1: nowhere.
-struct BoundaryFoot {
+struct ExitPoint {
   int curve = -1;
   double t = 0;
   Vec2 position;

@@ -43,6 +43,9 @@ class OpenCurves {
   /// A crack is opened last, so that its sides have nodes in the same places.
   void open_cracks(SeparatrixGraph& graph) const {
     graph.face = face_;
+    for (int c = 0; c < face_.num_curves(); ++c)
+      if (is_crack_[c] || (face_.is_interface(c) && !with_open_interfaces_.is_interface(c)))
+        graph.open_curves.push_back(c);
     graph::open_interfaces(graph, is_crack_);
   }
 

@@ -36,6 +36,7 @@ QuadMesh mesh_without_elements(const BlockLayout& layout, int order) {
   QuadMesh mesh;
   mesh.provenance = layout.provenance;
   mesh.face = layout.face;
+  mesh.open_curves = layout.open_curves;
   mesh.order = order;
   mesh.block_names = layout.block_names;
   mesh.unnamed_blocks = layout.unnamed_blocks;

@@ -10,8 +10,8 @@ import os
 import numpy as np
 
 # The major version that is written today; a reader takes it and the one before it.
-MAJOR_VERSIONS = {"tri-mesh": 1, "field": 2, "critical-points": 2, "separatrix-graph": 2, "block-layout": 1,
-                  "quad-mesh": 1}
+MAJOR_VERSIONS = {"tri-mesh": 1, "field": 2, "critical-points": 2, "separatrix-graph": 2, "block-layout": 2,
+                  "quad-mesh": 2}
 HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
 # Names of the previous major version: place in the file, name today, former name.
 RENAMED = {

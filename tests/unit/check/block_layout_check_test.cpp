@@ -97,6 +97,17 @@ TEST(BlockLayoutCheck, BlkR16BlocksLieInOneRegion) {
   EXPECT_EQ(broken([](auto& b) { b.block_region = {0, 0}; }), Rules{}) << "needless, but true";
   EXPECT_EQ(broken([](auto& b) { b.block_region = {0, 1}; }), Rules{"BLK-R16"});
 }
+TEST(BlockLayoutCheck, BlkR17InterfacesThatAreNotOpenAreShared) {
+  const auto broken_open = [](const auto& damage) {
+    return broken_rules(samples::open_regions_layout(), check_block_layout, damage);
+  };
+  EXPECT_EQ(broken_open([](auto&) {}), Rules{});
+  EXPECT_EQ(broken_open([](auto& b) { b.open_curves.clear(); }), Rules{"BLK-R17"}) << "two nodes in one place";
+  EXPECT_EQ(broken_open([](auto& b) { b.open_curves = {7}; }), Rules{"BLK-R17"}) << "the other side is missing";
+  EXPECT_EQ(broken_open([](auto& b) { b.open_curves = {1, 7, 7}; }), Rules{"BLK-R17"});
+  const auto open_what_is_shared = [](auto& b) { b.open_curves = {1, 7}; };
+  EXPECT_EQ(broken_rules(samples::two_regions_layout(), check_block_layout, open_what_is_shared), Rules{"BLK-R17"});
+}
 TEST(BlockLayoutCheck, BlkR15IndexSum) {
   EXPECT_EQ(broken([](auto& b) { b.nodes[0].valence = 2; }), (Rules{"BLK-R14", "BLK-R15"}));
 }

@@ -92,6 +92,18 @@ TEST(QuadMeshCheck, QuaR13BlocksLieInOneRegion) {
   EXPECT_EQ(broken([](auto& m) { m.block_region = {0, 1}; }), Rules{"QUA-R13"});
 }
 
+TEST(QuadMeshCheck, QuaR14InterfacesThatAreNotOpenAreShared) {
+  const auto broken_open = [](const auto& damage) {
+    return broken_rules(samples::open_regions_quads(), check_quad_mesh, damage);
+  };
+  EXPECT_EQ(broken_open([](auto&) {}), Rules{});
+  EXPECT_EQ(broken_open([](auto& m) { m.open_curves.clear(); }), Rules{"QUA-R14"}) << "two nodes in one place";
+  EXPECT_EQ(broken_open([](auto& m) { m.open_curves = {1}; }), Rules{"QUA-R14"}) << "the other side is missing";
+  EXPECT_EQ(broken_open([](auto& m) { m.open_curves = {0, 1, 7}; }), Rules{"QUA-R14"}) << "a boundary";
+  EXPECT_EQ(broken_open([](auto& m) { m.open_curves = {1, 8}; }), Rules{"QUA-R14"});
+  EXPECT_EQ(broken_regions([](auto& m) { m.open_curves = {1, 7}; }), Rules{"QUA-R14"}) << "its edges are shared";
+}
+
 TEST(QuadMeshCheck, AMeshThatSaysItIsNotValidKeepsTheRules) {
   const auto folded = [](QuadMesh& m) {
     m.nodes[4] = {-0.1, 0.4};

@@ -35,7 +35,7 @@ TEST(UnconnectedLoops, AreThoseThatNoArcsReach) {
 
 TEST(CutFromLoop, StartsAtTheMiddleOfTheFirstCurveThenElsewhere) {
   const CadFace face = face_with_holes();
-  const BoundaryPoint first = cut_from_loop(face, 1, 0);
+  const CutStart first = cut_from_loop(face, 1, 0);
   EXPECT_EQ(first.curve, 4);
   EXPECT_NEAR(first.t, (face.curves[4].begin() + face.curves[4].end()) / 2, 1e-15);
   // Half a loop farther, then a quarter and three quarters.
@@ -49,7 +49,7 @@ TEST(CutFromLoop, NeverStartsTwiceAtOnePoint) {
   const CadFace face = face_with_holes();
   for (int a = 0; a < 32; ++a)
     for (int b = 0; b < a; ++b) {
-      const BoundaryPoint p = cut_from_loop(face, 2, a), q = cut_from_loop(face, 2, b);
+      const CutStart p = cut_from_loop(face, 2, a), q = cut_from_loop(face, 2, b);
       EXPECT_FALSE(p.curve == q.curve && p.t == q.t) << a << " " << b;
     }
 }
