@@ -9,7 +9,7 @@ Prints a line for each fault; exit code 1 if there are any."""
 import json, pathlib, re, sys
 
 ROOT = pathlib.Path(sys.argv[1]).resolve()
-CODE_ENDINGS = (".hpp", ".cpp", ".bats", ".bash", ".py", ".sh", ".jq", ".txt")
+CODE_ENDINGS = (".hpp", ".cpp", ".bats", ".bash", ".py", ".sh", ".txt")
 SOURCE_FOLDERS = ("lib", "tools", "tests", "pipelines")
 AREAS = sorted(path for path in (ROOT / "lib").glob("*") if path.is_dir())
 FOLDERS = {path.name: path for area in AREAS for path in sorted(area.iterdir()) if path.is_dir()}
@@ -334,7 +334,7 @@ def check_terms():
 def check_options():
     """Options that pages name in running text are those of a tool or pipeline, or of tests/run."""
     programs = [*(ROOT / "tools").glob("*.cpp"), *(ROOT / "lib/program/cli").glob("*.cpp"),
-                *(ROOT / "lib/program/stage").glob("*.cpp"), ROOT / "tests/run", *scripts()]
+                *(ROOT / "lib/program/chain").glob("*.cpp"), *(ROOT / "lib/program/stage").glob("*.cpp"), ROOT / "tests/run", *scripts()]
     known = set(re.findall(r"--[a-z][a-z-]+", "\n".join(path.read_text() for path in programs)))
     count = 0
     for page in pages():

@@ -9,7 +9,7 @@
 using namespace quadrille;
 
 int main(int argc, char** argv) {
-  std::string input = "-", output = "-", shape;
+  std::string input = "-", output = "-";
   stage::CritpointsOptions options;
 
   cli::Tool tool;
@@ -39,11 +39,9 @@ int main(int argc, char** argv) {
     o.input("FIELD", input, "field file of padapt or fieldsolve; - is standard input");
     o.output(output, "file of the nodes and corners; - is standard output");
     declare(o, options);
-    o.hidden_text("--check-shape", shape);
   };
   tool.run = [&](cli::Session& s) {
     options.validate();
-    if (!shape.empty()) return stage::require_critpoints_of(io::read_face(io::read_input(shape)), options);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const Field field = io::read_field(file);

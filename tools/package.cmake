@@ -15,6 +15,13 @@ written for Gmsh, Nektar++, MFEM, Trixi.jl, Nek5000, OpenFOAM and others.
 .
 Each stage is a command that reads and writes documented files; quadmesh runs them all.
 The package contains a Python package and a C++ library for these files as well.")
+# cpack and the description say so if the package may not run elsewhere.
+if(QUADRILLE_NATIVE)
+  set(native "Built with QUADRILLE_NATIVE, for the processor of one machine: the programs may not run on others.")
+  string(APPEND CPACK_PACKAGE_DESCRIPTION "\n.\n${native}")
+  set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/native_package.cmake)
+  file(CONFIGURE OUTPUT ${CPACK_PROJECT_CONFIG_FILE} CONTENT "message(WARNING \"${native}\")\n")
+endif()
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -22,8 +29,9 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What no program is linked with: quadmesh runs jq and Python, separatrix loads CBC.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "coinor-libcbc3, jq, python3")
+# What no program is linked with: separatrix and quadmesh load CBC, quadplace, points2step, quadbatch and quadgallery are
+# in Python, and quadbatch runs parallel.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "coinor-libcbc3, parallel, python3")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin, man-db, python3-h5py")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libfmt-dev, libgmp-dev, libhdf5-dev, python3-matplotlib")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "jq, libfmt-dev, libgmp-dev, libhdf5-dev, python3-matplotlib")
 include(CPack)

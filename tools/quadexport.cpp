@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "cli/tool_main.hpp"
 #include "export/format_table.hpp"
 #include "io/output_file.hpp"
@@ -36,8 +34,6 @@ std::vector<stage::OutputFile> exported(const std::string& input, const std::str
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
-  std::string shape;       // of --check-shape
-  std::string mesh_order;  // of the mesh that a pipeline is going to make
   stage::QuadexportOptions options;
 
   cli::Tool tool;
@@ -58,13 +54,9 @@ int main(int argc, char** argv) {
     o.input("INPUT", input, "quad mesh (x.quad.h5); for .step a block layout (x.blocks.h5)");
     o.output(output, "file to write");
     declare(o, options);
-    o.hidden_text("--check-shape", shape);
-    o.hidden_text("--mesh-order", mesh_order);
   };
   tool.run = [&](cli::Session& s) {
     const std::string format = stage::format_of(output, options);
-    stage::require_order(format, std::atoi(mesh_order.c_str()));
-    if (!shape.empty()) return stage::require_quadexport_of(io::read_face(io::read_input(shape)), options);
     for (const stage::OutputFile& file : exported(input, output, options, format == "step", s))
       io::write_output(file.path, file.bytes, file.is_binary);
   };

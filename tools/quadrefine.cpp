@@ -19,17 +19,10 @@ SizeSources sources_of(const std::optional<io::InputFile>& file, const CadFace& 
   return sources;
 }
 
-void write_lines(const std::string& path, const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  io::write_output(path, text, false);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
-  std::string shape, offsets, clearances;  // for pipelines: read or written in place of a mesh
   stage::QuadrefineOptions options;
 
   cli::Tool tool;
@@ -57,9 +50,6 @@ int main(int argc, char** argv) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
     o.output(output, "quad mesh to write (x.quad.h5)");
     declare(o, options);
-    o.hidden_text("--check-shape", shape);
-    o.hidden_text("--write-offsets", offsets);
-    o.hidden_text("--write-clearances", clearances);
   };
   tool.run = [&](cli::Session& s) {
     options.validate();
@@ -67,12 +57,6 @@ int main(int argc, char** argv) {
     if (!options.size_field_file.empty()) {
       sizes = io::read_input(options.size_field_file);
       io::read_size_field(*sizes, {});
-    }
-    if (!offsets.empty()) return write_lines(offsets, stage::offsets_of(options));
-    if (!clearances.empty()) return write_lines(clearances, stage::clearances_of(options));
-    if (!shape.empty()) {
-      const CadFace face = io::read_face(io::read_input(shape));
-      return stage::require_quadrefine_of(face, sources_of(sizes, face), options);
     }
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);

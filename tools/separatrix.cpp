@@ -2,7 +2,6 @@
 
 #include "stage/separatrix.hpp"
 
-#include "base/error.hpp"
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
@@ -12,29 +11,15 @@ using namespace quadrille;
 
 namespace {
 
-struct Files {
-  std::string field, points = "-";
-  std::string checked_points;  ///< of --check-nodes
-};
-
-/// For pipelines: quadmesh solves for another field if these are not nodes of this one.
-void check_nodes(const io::InputFile& field_file, const std::string& path) {
-  const Field field = io::read_field(field_file);
-  const io::InputFile file = io::read_input(path);
-  const CriticalPoints points = io::read_critical_points(file);
-  const std::string reason = stage::reason_to_solve_for({points, file}, {field, field_file});
-  if (!reason.empty()) throw FormatError(reason);
-}
-
-SeparatrixGraph graph_of(const io::InputFile& file, const Files& files, const stage::SeparatrixOptions& options,
-                         cli::Session& session) {
+SeparatrixGraph graph_of(const io::InputFile& file, const std::string& points_path,
+                         const stage::SeparatrixOptions& options, cli::Session& session) {
   if (io::stage_format(file) == "tri-mesh") {
     const TriMesh triangles = io::read_tri_mesh(file);
     return stage::separatrix({triangles, file}, options, session);
   }
   const Field field = io::read_field(file);
   if (options.layout == layout::LayoutChoice::midpoint) return stage::separatrix({field, file}, {}, options, session);
-  const io::InputFile points_file = io::read_input(files.points);
+  const io::InputFile points_file = io::read_input(points_path);
   const CriticalPoints points = io::read_critical_points(points_file);
   return stage::separatrix({field, file}, stage::Input<CriticalPoints>(points, points_file), options, session);
 }
@@ -42,8 +27,7 @@ SeparatrixGraph graph_of(const io::InputFile& file, const Files& files, const st
 }  // namespace
 
 int main(int argc, char** argv) {
-  Files files;
-  std::string output = "-";
+  std::string field, points = "-", output = "-";
   stage::SeparatrixOptions options;
   options.coarse_mesher = triangulate::coarse_triangles;
 
@@ -63,19 +47,15 @@ int main(int argc, char** argv) {
       "critpoints half_disc.field.h5 | separatrix half_disc.field.h5 - | blocksplit -o half_disc.blocks.h5",
       "separatrix --layout midpoint half_disc.tri.h5 -o half_disc.sep.json"};
   tool.options = [&](Options& o) {
-    o.input("FIELD", files.field, "guiding field (x.field.h5, x.phase.h5 or x.solve.h5), or only triangles (x.tri.h5)",
-            true);
-    o.input("CRIT", files.points,
-            "its critical points (x.crit.json); not read with --layout midpoint or for triangles");
+    o.input("FIELD", field, "guiding field (x.field.h5, x.phase.h5 or x.solve.h5), or only triangles (x.tri.h5)", true);
+    o.input("CRIT", points, "its critical points (x.crit.json); not read with --layout midpoint or for triangles");
     o.output(output, "separatrix graph to write (x.sep.json)");
     declare(o, options);
-    o.hidden_text("--check-nodes", files.checked_points);
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");
-    const io::InputFile file = io::read_input(files.field);
-    if (!files.checked_points.empty()) return check_nodes(file, files.checked_points);
-    const SeparatrixGraph graph = graph_of(file, files, options, s);
+    const io::InputFile file = io::read_input(field);
+    const SeparatrixGraph graph = graph_of(file, points, options, s);
     s.begin_phase("write");
     io::write_stage(output, graph);
   };

@@ -1,8 +1,4 @@
-"""The word that a mistyped one stands for; the rule is that of lib/core/base/name_text.
-
-    nearest_word.py WORD OTHER...  prints the nearest of the others, or nothing
-"""
-import sys
+"""The word that a mistyped one stands for; the rule is that of lib/core/base/name_text."""
 
 LEAST_BEGINNING = 5
 
@@ -31,6 +27,3 @@ def nearest_word(word, words):
                           key=lambda pair: pair[0], default=(len(word), ""))
     return nearest if errors <= (len(word) + 2) // 4 else ""
 
-
-if __name__ == "__main__":
-    print(nearest_word(sys.argv[1], sys.argv[2:]))

@@ -8,7 +8,7 @@ runners() {
   cat <<'END'
 README.md readme.bats
 pipelines/tutorial.md tutorial.bats
-pipelines/batch.md batch.bats
+pipelines/quadbatch.md quadbatch.bats
 END
 }
 
@@ -16,10 +16,10 @@ END
 helps() {
   cat <<'END'
 quadmesh cases/quadmesh.bats
-place cases/place.bats
+quadplace cases/quadplace.bats
 points2step cases/points2step.bats
-batch cases/batch.bats
-gallery cases/gallery.bats
+quadbatch cases/quadbatch.bats
+quadgallery cases/quadgallery.bats
 END
 }
 
@@ -84,11 +84,11 @@ here() {
 
 @test "the examples of every help are run" {
   run -0 sed -nE 's/^quadrille_tool\(([a-z0-9]+) .*|^quadrille_tool\(([a-z0-9]+)\)/\1\2/p' "$ROOT/tools/CMakeLists.txt"
-  for tool in $output; do # cli.bats runs those of TOOLS
+  for tool in $(helps | cut -d ' ' -f 1 | grep -vxf - <(echo "$output")); do # cli.bats runs those of TOOLS
     grep -qE "^TOOLS=.*\b$tool\b" "$ROOT/tests/tools/cli.bats" || fail "cli.bats does not run the examples of $tool"
   done
-  grep -lE '^EXAMPLES$|"EXAMPLES"' "$ROOT"/pipelines/* "$ROOT"/pipelines/lib/*_help.sh 2>/dev/null |
-    xargs -n 1 basename -s .sh | sed 's/_help$//' | grep -vx -e man-page -e completions | sort >found
+  grep -lE '^EXAMPLES$|"EXAMPLES"' "$ROOT"/pipelines/* "$ROOT"/lib/program/chain/*_help.cpp 2>/dev/null |
+    xargs -n 1 basename -s .cpp | sed 's/_help$//' | grep -vx -e man-page -e completions | sort >found
   helps | cut -d ' ' -f 1 | sort | diff - found
   while read -r command tests; do
     grep -q EXAMPLES "$ROOT/tests/$tests" || fail "no test runs the examples of $command"
@@ -169,8 +169,8 @@ code() {
     [[ -x $file ]] || file=$BIN/$command
     "$file" --help | grep -oE '^  (-[a-z], )?--[a-z][a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u >options
     grep "^$command	" shown | cut -f 2 | sort -u | comm -23 - options >unknown
-    [[ $command != batch ]] || sed -i '/^--sshlogin$/d' unknown # of GNU parallel
-    [[ $command != batch && $command != gallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help) &&
+    [[ $command != quadbatch ]] || sed -i '/^--sshlogin$/d' unknown # of GNU parallel
+    [[ $command != quadbatch && $command != quadgallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help) &&
       while read -r option; do grep -qE "^  (-[a-z], )?$option\b" <<<"$quadmesh" || echo "$option"; done <unknown >left && mv left unknown; }
     [[ ! -s unknown ]] || fail "$command has no $(xargs <unknown)"
   done

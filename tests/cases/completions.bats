@@ -2,7 +2,7 @@
 load ../tools/common
 
 commands="cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck quadmesh
-  place points2step"
+  quadplace points2step"
 
 # completion SHELL NAME: what pipelines/completions prints for the command.
 completion() {

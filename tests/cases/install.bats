@@ -33,8 +33,8 @@ setup() {
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" --workdir w --from separatrix -o out.msh
   run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadmesh" --verbos
   assert_line "quadmesh: unknown option --verbos: did you mean --verbose?"
-  run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/place" --verbos
-  assert_line "place: unknown option --verbos: did you mean --verbose?"
+  run -2 env -u QUADRILLE_BIN PATH=/usr/bin:/bin "$usr/bin/quadplace" --verbos
+  assert_line "quadplace: unknown option --verbos: did you mean --verbose?"
 }
 
 @test "the folder may be moved, and a link to a command is the command" {
@@ -45,12 +45,12 @@ setup() {
   printf '0 0\n1 0\n0 1\n' >points
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/points2step points -o triangle.step
   "$ROOT/pipelines/points2step" points | cmp - triangle.step
-  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/place -q "$DATA/square.step" -o placed.msh
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/quadplace -q "$DATA/square.step" -o placed.msh
   cmp placed.msh out.msh
-  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/gallery -q --to gallery
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/quadgallery -q --to gallery
   assert_file_exists gallery/gallery.html
   command -v parallel || skip "no GNU parallel"
-  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/batch "$DATA/square.step" --to batch
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin moved/bin/quadbatch "$DATA/square.step" --to batch
   cmp batch/square.msh out.msh
 }
 
@@ -80,17 +80,22 @@ setup() {
   done
 }
 
-@test "ENVIRONMENT names the variables that the scripts read" {
+@test "ENVIRONMENT names the variables that quadmesh and the scripts read" {
   for command in "$usr"/bin/*; do
     page=$usr/share/man/man1/${command##*/}.1
     run -0 grep -A1 '^\.SH ENVIRONMENT' "$page"
-    if [[ $(head -c 2 "$command") == '#!' ]]; then refute_output --partial None; else assert_output --partial None; fi
+    case $(head -c 2 "$command"):${command##*/} in
+      '#!':* | *:quadmesh) refute_output --partial None ;;
+      *) assert_output --partial None ;;
+    esac
   done
-  run grep -rn 'getenv' "$ROOT/lib" "$ROOT/tools" --include='*pp'
-  assert_output ''
-  while read -r name; do
-    run -0 grep -l "^$name$" "$usr/share/man/man1/quadmesh.1" "$usr/share/man/man7/quadrille.7"
-  done < <(grep -rohE '\$\{(QUADRILLE_[A-Z]+|TMPDIR)' "$ROOT/pipelines" --include=quadmesh --include='*.sh' | tr -d '${' | sort -u)
+  run -0 grep -rohE 'getenv\([^)]*\)' "$ROOT/lib" "$ROOT/tools" --include='*pp'
+  assert_output 'getenv("TMPDIR")'
+  run -0 grep -rohE 'environ\.get\("[A-Z_]+"\)' "$ROOT/pipelines"
+  assert_output 'environ.get("QUADRILLE_BIN")'
+  for name in quadmesh:TMPDIR quadplace:QUADRILLE_BIN quadplace:TMPDIR quadbatch:TMPDIR; do
+    run -0 grep -l "^${name#*:}$" "$usr/share/man/man1/${name%:*}.1" "$usr/share/man/man7/quadrille.7"
+  done
   QUADRILLE_BIN=$PWD/none TMPDIR=$PWD/no/folder run -4 "$usr/bin/quadmesh" "$DATA/square.step" -o a.msh
 }
 

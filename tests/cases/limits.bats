@@ -7,28 +7,12 @@ quadmesh=$ROOT/pipelines/quadmesh
 # here COMMAND...: with the test's folder for temporaries too, so that what is left is seen.
 here() { TMPDIR=$PWD "$@"; }
 
-# replace TOOL LINE...: a folder `fake` in which the tool is this shell script, unless it is asked for its options or
-# whether they are right (without a file to read), when it is itself.
-replace() {
-  mkdir -p fake
-  for tool in "$BIN"/*; do [[ $tool == */unit_* ]] || ln -sf "$tool" fake; done
-  rm "fake/$1"
-  cat >"fake/$1" <<END
-#!/bin/bash
-case " \$* " in *" --report "*) ;; *) exec "$BIN/$1" "\$@" ;; esac
-$(printf '%s\n' "${@:2}")
-exec "$BIN/$1" "\$@"
-END
-  chmod +x "fake/$1"
-  export QUADRILLE_BIN=$PWD/fake
-}
-
 wasteful="exec python3 -c 'import time; data = bytearray(b\"x\" * (1 << 30)); time.sleep(60)'"
 one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M of memory: --max-memory is 700M: the quads are made without a field$'
 
 @test "a stage with more memory than --max-memory is stopped, and the quads are made without a field" {
-  replace padapt "$wasteful"
-  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-memory 700M --report report.json
+  replace_stage padapt "$wasteful"
+  run -0 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh --max-memory 700M --report report.json
   assert_output --regexp ', by midpoint division of triangles$'
   assert_regex "${stderr_lines[0]}" "$one_line_of_limit"
   assert_regex "${stderr_lines[1]}" '^separatrix: warning W-SEP-002: '
@@ -37,15 +21,15 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   run -0 jq -r '.given_up, "quadmesh: warning W-RUN-001: " + .warnings[0].message' report.json
   assert_line --index 0 --regexp '^padapt: stopped at '
   assert_line --index 1 --regexp "$one_line_of_limit"
-  run -0 --separate-stderr here "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --max-memory 700M
+  run -0 --separate-stderr here "$quadmesh" "${replaced[@]}" -q "$DATA/half_disc.step" -o out.msh --max-memory 700M
   assert_equal "$output$stderr" ""
   rm -r fake
   assert_nothing_left out.msh report.json
 }
 
 @test "a stage that takes longer than --max-seconds allows is stopped, and the quads are made without a field" {
-  replace padapt 'exec sleep 100'
-  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-seconds 20 --report report.json
+  replace_stage padapt 'exec sleep 100'
+  run -0 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh --max-seconds 20 --report report.json
   assert_regex "${stderr_lines[0]}" '^quadmesh: warning W-RUN-001: padapt was stopped after 1[0-9]\.[0-9]+ s of all stages: --max-seconds is 20, and the rest is kept for quads without a field: the quads are made without a field$'
   run -0 jq -c '[.certificate.method, .valid]' report.json
   assert_output '["midpoint",true]'
@@ -54,13 +38,14 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
 }
 
 @test "without another way the exit code is 1, the stage is named and nothing is left" {
-  replace padapt "$wasteful"
-  run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-memory=700M --layout traced
+  replace_stage padapt "$wasteful"
+  run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh --max-memory=700M --layout traced
   assert_equal "${#stderr_lines[@]}" 1
   assert_regex "$stderr" '^quadmesh: padapt was stopped at [0-9]+M of memory: --max-memory is 700M$'
   rm -r fake
-  replace cad2tri 'exec sleep 100'
-  run -1 --separate-stderr here "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --max-seconds 5
+  replaced=()
+  replace_stage cad2tri 'exec sleep 100'
+  run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" -q "$DATA/half_disc.step" -o out.msh --max-seconds 5
   assert_equal "${#stderr_lines[@]}" 1
   assert_regex "$stderr" '^quadmesh: cad2tri was stopped after [0-9.]+ s of all stages: --max-seconds is 5$'
   rm -r fake
@@ -68,10 +53,9 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
 }
 
 @test "quads without a field for which there is no room either: the exit code is 1, the stage is named" {
-  replace padapt "$wasteful"
-  printf '#!/bin/sh\n%s\n' "case \" \$* \" in *' --report '*) $wasteful ;; esac; exec '$BIN/blocksplit' \"\$@\"" >fake/slow
-  chmod +x fake/slow && mv fake/slow fake/blocksplit
-  run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-memory 700M
+  replace_stage padapt "$wasteful"
+  replace_stage blocksplit "$wasteful"
+  run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh --max-memory 700M
   assert_regex "${stderr_lines[0]}" 'padapt was stopped .*without a field$'
   assert_regex "${stderr_lines[-1]}" '^quadmesh: blocksplit was stopped at [0-9]+M of memory: --max-memory is 700M$'
   rm -r fake
@@ -79,10 +63,10 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
 }
 
 @test "a stage that the system kills, as it does for want of memory, is named" {
-  replace padapt 'kill -KILL $$'
-  run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
+  replace_stage padapt 'kill -KILL $$'
+  run -0 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh
   assert_regex "$stderr" 'quadmesh: warning W-RUN-001: padapt was killed by signal 9, as systems do when memory runs out: the quads'
-  run -1 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o other.msh --layout quantized
+  run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o other.msh --layout quantized
   assert_regex "${stderr_lines[-1]}" '^quadmesh: padapt was killed by signal 9, as systems do when memory runs out$'
   rm -r fake
   assert_nothing_left out.msh
@@ -111,8 +95,8 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
     print ""
     for (k = 0; k < 24; ++k) { t = 2 * pi * k / 24; print 5 * cos(t), 5 * sin(t) } }' |
     "$ROOT/pipelines/points2step" -o snail.step
-  replace critpoints "case \" \$* \" in *.remedy.*) $wasteful ;; esac"
-  run -0 --separate-stderr here "$quadmesh" snail.step -o out.msh --report report.json --max-memory 700M
+  replace_stage critpoints "case \" \$* \" in *.remedy.*) $wasteful ;; esac" 'exec critpoints "$@"'
+  run -0 --separate-stderr here "$quadmesh" "${replaced[@]}" snail.step -o out.msh --report report.json --max-memory 700M
   assert_equal "$(grep -c trying <<<"$stderr")" 1
   assert_regex "$stderr" 'quadmesh: warning W-RUN-001: critpoints was stopped at'
   run -0 jq -c '[.certificate.method, .remedy, .valid, (.warnings | map(.code) | sort)]' report.json
@@ -148,6 +132,6 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
 }
 
 @test "a signal ends the stage and the pipeline within limits too" {
-  replace separatrix 'echo >started' 'exec sleep 30'
-  ends_with_signal "$quadmesh" "$DATA/half_disc.step" -o out.msh --max-seconds 600
+  replace_stage separatrix 'echo >started' 'exec sleep 30'
+  ends_with_signal "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh --max-seconds 600
 }

@@ -21,7 +21,7 @@ setup() {
     assert_equal "$(dpkg-deb --field "$deb" "${field%=*}")" "${field#*=}"
   done
   run -0 dpkg-deb --field "$deb" Depends
-  for library in coinor-libcbc3 jq python3 libc6 libgmp10 libocct-data-exchange-7.6 libocct-modeling-algorithms-7.6; do
+  for library in coinor-libcbc3 parallel python3 libc6 libgmp10 libocct-data-exchange-7.6 libocct-modeling-algorithms-7.6; do
     assert_output --regexp "(^|, )$library( |,|\$)"
   done
   run -0 dpkg-deb --field "$deb" Description
@@ -49,8 +49,7 @@ setup() {
 @test "the licence names every binary that contains CGAL" {
   cd "$usr"
   for file in bin/* libexec/* lib/*.a; do
-    source=$BIN/${file#bin/}
-    [[ $file == bin/* ]] || source=$BIN/../${file/#lib\//lib/}
+    source=$(find "$BIN" "$BIN/../libexec" "$BIN/../lib" -name "${file##*/}") # not stripped
     nm -C "$source" 2>/dev/null | grep -q CGAL:: && echo "$file"
   done | sort >contain || :
   sed -nE 's/^Files: (.usr.*)/\1/p' share/doc/quadrille/copyright | tr " " "\n" | sed "s|^/usr/||" | sort | diff - contain
@@ -70,6 +69,16 @@ setup() {
     assert_equal "$("$command" --help)" "$("$BIN/${command##*/}" --help)"
     assert [ "$(nm "$command" 2>/dev/null | wc -l)" -eq 0 ]
   done
+}
+
+@test "a package that may run on no other machine says so, when it is made and in its description" {
+  run -0 cmake -S "$ROOT" -B native -DQUADRILLE_NATIVE=ON -DQUADRILLE_TESTS=OFF
+  run -0 grep -F 'CPACK_PACKAGE_DESCRIPTION "' -A 12 native/CPackConfig.cmake
+  assert_output --partial "the programs may not run on others"
+  run -0 cmake -P "$(sed -n 's/^set(CPACK_PROJECT_CONFIG_FILE "\(.*\)")/\1/p' native/CPackConfig.cmake)"
+  assert_output --partial "Built with QUADRILLE_NATIVE, for the processor of one machine"
+  assert_equal "$(grep -c "Built with QUADRILLE_NATIVE" "$BIN/../CPackConfig.cmake")" \
+    "$(grep -c '^QUADRILLE_NATIVE:BOOL=ON' "$BIN/../CMakeCache.txt")"
 }
 
 @test "CITATION.cff has the version and the licence of the project" {

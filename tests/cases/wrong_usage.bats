@@ -95,7 +95,7 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --growth 0.5 | --growth must be greater than 1
 2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | the page and the report are the same file
 2 | quadmesh half_disc.step -o out.msh --wall curve_0:yplus=1,layers=2 --velocity 3 | y+ needs the flow as well: give --viscosity, --length
-2 | place half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks
+2 | quadplace half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks
 3 | quadmesh half_disc.step -o out.msh --size-field edited.json | edited.json: not a size field
 3 | quadmesh half_disc.step -o out.msh --block-names wrong_names.json | wrong_names.json: "*": the new name must be a text
 3 | quadmesh half_disc.step -o out.msh --boundary-names wrong_names.json | wrong_names.json: "*": the new name must be a text
@@ -143,21 +143,21 @@ table() {
 2 | quadmesh half_disc.step --from blocksplit --nodes edited.json --workdir w -o out.msh | --nodes needs separatrix, which --from blocksplit does not run
 2 | quadmesh half_disc.step --nodes edited.json --place energy -o out.msh | --nodes takes the place of critpoints
 2 | quadmesh half_disc.step --nodes edited.json --layout midpoint -o out.msh | --nodes and --layout midpoint exclude each other
-2 | place | no shape given
-2 | place --roundes 3 half_disc.step | unknown option --roundes: did you mean --rounds?
-2 | place half_disc.step --rounds 1.5 | --rounds: '1.5' is not an integer
-2 | place half_disc.step -oout.step | out.step: STEP is a format of blocks, not of meshes
-2 | place half_disc.step -o out.unknown | out.unknown does not determine the format
-2 | place half_disc.step -o out.msh --order 0 | --order: 0 is outside its interval
-2 | place half_disc.step -o out.msh --size many | --size: 'many' is not a number
-2 | place half_disc.step -o out.msh --corner-valence 3 | is not a corner valence
-2 | place half_disc.step --start edited.json --nodes ./edited.json -o out.msh | the output ./edited.json is an input
-3 | place missing.step -o out.msh | missing.step: no such file
-3 | place half_disc.step --start w/half_disc.sep.json -o out.msh | expected a critical-points file
-4 | place half_disc.step -o nowhere/out.msh | there is no folder nowhere
-2 | batch --jobbs 2 half_disc.step | unknown option --jobbs: did you mean --jobs?
-2 | batch --sise 3 half_disc.step --to m | unknown option --sise: did you mean --size?
-2 | gallery --too m | unknown option --too: did you mean --to?
+2 | quadplace | no shape given
+2 | quadplace --roundes 3 half_disc.step | unknown option --roundes: did you mean --rounds?
+2 | quadplace half_disc.step --rounds 1.5 | --rounds: '1.5' is not an integer
+2 | quadplace half_disc.step -oout.step | out.step: STEP is a format of blocks, not of meshes
+2 | quadplace half_disc.step -o out.unknown | out.unknown does not determine the format
+2 | quadplace half_disc.step -o out.msh --order 0 | --order: 0 is outside its interval
+2 | quadplace half_disc.step -o out.msh --size many | --size: 'many' is not a number
+2 | quadplace half_disc.step -o out.msh --corner-valence 3 | is not a corner valence
+2 | quadplace half_disc.step --start edited.json --nodes ./edited.json -o out.msh | the output ./edited.json is an input
+3 | quadplace missing.step -o out.msh | missing.step: no such file
+3 | quadplace half_disc.step --start w/half_disc.sep.json -o out.msh | expected a critical-points file
+4 | quadplace half_disc.step -o nowhere/out.msh | there is no folder nowhere
+2 | quadbatch --jobbs 2 half_disc.step | unknown option --jobbs: did you mean --jobs?
+2 | quadbatch --sise 3 half_disc.step --to m | unknown option --sise: did you mean --size?
+2 | quadgallery --too m | unknown option --too: did you mean --to?
 2 | points2step --unitt mm points.dat | unknown option --unitt: did you mean --unit?
 2 | points2step points.dat -o points.dat | the output points.dat is an input
 4 | points2step points.dat -o nowhere/out.step | there is no folder nowhere
@@ -165,7 +165,7 @@ table() {
 END
 }
 
-# Files for the commands, and tools that leave the file `started` if they begin to work for a pipeline.
+# Files for the commands, and tools that leave the file `started` if they begin to work: for quadmesh by --stage.
 setup_file() {
   cd "$BATS_FILE_TMPDIR" || return 1
   mkdir files tools && cd files || return 1
@@ -187,12 +187,17 @@ setup_file() {
       "exec '$BIN/$tool' \"\$@\"" >"../tools/$tool"
     chmod +x "../tools/$tool"
   done
+  ln -s "$BIN/quadmesh" ../tools
 }
 
 setup() {
   common_setup
   cp -a "$BATS_FILE_TMPDIR/files/." .
   mkdir ../tmp
+  stages=()
+  for stage in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport; do
+    stages+=("--stage $stage=$BATS_FILE_TMPDIR/tools/$stage")
+  done
 }
 
 # check_usage CODE COMMAND WORDS: prints what is wrong about the answer.
@@ -200,11 +205,12 @@ check_usage() {
   local before code=0 message name=${2%% *} command=$2 work
   before=$(find . | sort)
   case $name in
-    quadmesh | place | points2step | batch | gallery) command="$ROOT/pipelines/$2" ;;
+    quadmesh) command="$ROOT/pipelines/quadmesh ${stages[*]} ${2#quadmesh}" ;;
+    quadplace | points2step | quadbatch | quadgallery) command="$ROOT/pipelines/$2" ;;
   esac
   # shellcheck disable=SC2086 # words
   message=$(export TMPDIR=$PWD/../tmp STARTED=$PWD/../started QUADRILLE_BIN=$BIN
-    case $name in quadmesh | place) QUADRILLE_BIN=$BATS_FILE_TMPDIR/tools ;; esac
+    case $name in quadplace) QUADRILLE_BIN=$BATS_FILE_TMPDIR/tools ;; esac
     $command 2>&1 >/dev/null </dev/null) || code=$?
   [ "$code" = "$1" ] || echo "$2: exit code $code, not $1: $message"
   # shellcheck disable=SC2053 # a pattern
@@ -230,7 +236,7 @@ check_rows() {
 @test "the table has at least 80 rows, and each command of the chain has one" {
   [ "$(table | wc -l)" -ge 80 ]
   for command in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck \
-    quadmesh place points2step batch gallery; do
+    quadmesh quadplace points2step quadbatch quadgallery; do
     table | grep -q "| $command\b"
   done
 }
@@ -244,7 +250,7 @@ check_rows() {
 }
 
 @test "wrong usage of the other pipelines" {
-  check_rows place points2step batch gallery
+  check_rows quadplace points2step quadbatch quadgallery
 }
 
 # late SHAPE OPTION...: is refused by quadmesh with 2, or $code, after cad2tri, before the field is solved.
@@ -272,8 +278,8 @@ late() {
   code=1 late square.step --size 1e-5
   assert_output "quadmesh: sizes require some 1e+10 quads, more than --max-elements 1000000: raise --size by a factor of \
 100, or raise --max-elements"
-  run -1 "$ROOT/pipelines/place" square.step --size 1e-5 -o out.msh
-  assert_output --partial "place: sizes require some 1e+10 quads, more than --max-elements 1000000"
+  run -1 "$ROOT/pipelines/quadplace" square.step --size 1e-5 -o out.msh
+  assert_output --partial "quadplace: sizes require some 1e+10 quads, more than --max-elements 1000000"
 }
 
 @test "from a later stage on, too" {
@@ -300,7 +306,7 @@ late() {
   assert_output ''
   run -0 "$ROOT/pipelines/quadmesh" -qv square.step -oother.msh
   cmp out.msh other.msh
-  run -0 "$ROOT/pipelines/place" -qoplaced.msh square.step
+  run -0 "$ROOT/pipelines/quadplace" -qoplaced.msh square.step
   assert_output ''
   cmp out.msh placed.msh
 }

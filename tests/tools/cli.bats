@@ -64,7 +64,7 @@ writers() {
 
 @test "every page that a help text cites exists" {
   for tool in $TOOLS; do "$tool" --help; done >help
-  for command in quadmesh place points2step; do "$ROOT/pipelines/$command" --help; done >>help
+  for command in quadmesh quadplace points2step; do "$ROOT/pipelines/$command" --help; done >>help
   run -0 grep -oE '\b(formats|lib|tests|pipelines)/[A-Za-z0-9/_.-]*[A-Za-z0-9/]' help
   [ "${#lines[@]}" -ge 4 ]
   for page in "${lines[@]}"; do assert_exists "$ROOT/$page"; done
@@ -334,12 +334,6 @@ for written in sys.stdin.buffer.read().replace(b"\r\n", b"\n").decode().split("\
     run -0 on_terminal "$tool" $(inputs_of "$tool") -q -o "$(out_of "$tool")"
     assert_output ""
   done
-}
-
-@test "a pipeline's title replaces the name in the line of progress" {
-  on_terminal padapt "$stem.solve.h5" --progress-title "chain: stage 2 of 3, padapt" --progress-since 1 -o out > written
-  grep -q $'\r'"chain: stage 2 of 3, padapt: adapt, .*[0-9]\{9\} s" written
-  assert_equal "$(screen < written)" ""
 }
 
 @test "a signal erases the line of progress" {

@@ -65,6 +65,15 @@ replace_tool() {
   chmod +x "fake/$1"
 }
 
+# replace_stage STAGE LINE...: adds to $replaced the option with which quadmesh runs a script of these lines, in the folder
+# fake, in place of the stage.
+replace_stage() {
+  mkdir -p fake
+  printf '%s\n' '#!/bin/bash' "${@:2}" >"fake/$1"
+  chmod +x "fake/$1"
+  replaced+=("--stage=$1=fake/$1")
+}
+
 # ends_with_signal COMMAND...: ends with 143 after SIGTERM, sent when the file `started` exists, and leaves nothing but
 # what is removed here.
 ends_with_signal() {

@@ -22,10 +22,6 @@ passes() {
   passes splines edges near_polygon fine_loops wake wake_ends step_file build
 }
 
-@test "limits of time and memory" {
-  passes stage_budget
-}
-
 @test "search for node positions" {
   passes boundary symmetries layouts goals compass_search
 }

@@ -42,8 +42,6 @@ class Options {
   virtual void texts(const std::string& /*flag*/, std::vector<std::string>& /*values*/,
                      const std::string& /*placeholder*/, const std::string& /*help*/, bool /*records_none*/ = true) {}
   virtual void flag(const std::string& /*flag*/, bool& /*value*/, const std::string& /*help*/) {}
-  /// For pipelines: neither shown by --help, nor listed, nor recorded.
-  virtual void hidden_text(const std::string& /*flag*/, std::string& /*value*/) {}
   /// A choice between `words`: `get` returns the present one, `set` is called with one of them.
   virtual void one_of(const std::string& /*flag*/, const std::vector<std::string>& /*words*/,
                       const std::function<std::string()>& /*get*/,

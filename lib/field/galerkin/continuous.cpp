@@ -10,8 +10,8 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "mesh/element_shapes.hpp"
 #include "stiffness/condensed_element.hpp"
+#include "stiffness/element_shapes.hpp"
 
 namespace quadrille::galerkin {
 
@@ -19,7 +19,7 @@ ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, 
     : context_(&context),
       num_threads_(num_threads),
       kept_numbers_(kept_numbers),
-      elem2shape_(mesh::first_of_shape(context.maps)),
+      elem2shape_(stiffness::first_of_shape(context.maps)),
       elem_order_(context.maps.size(), 0),
       elements_(context.maps.size()) {}
 

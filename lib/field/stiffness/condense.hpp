@@ -26,7 +26,7 @@ struct CondensedElement {
 CondensedElement eliminate_interior(const Eigen::MatrixXd& k_ii, const Eigen::MatrixXd& k_ib,
                                     const Eigen::MatrixXd& k_bb, const char* failure);
 
-/// The matrices of all elements; those of the same shape and order share one object (mesh/element_shapes.hpp).
+/// The matrices of all elements; those of the same shape and order share one object (stiffness/element_shapes.hpp).
 using CondensedElements = std::vector<std::shared_ptr<const CondensedElement>>;
 
 /// `stiffness` is ordered as the modified basis: boundary modes first. Throws ComputeError if K_ii is not positive

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
-#include "curve/symmetry.hpp"
+#include "curve/orbits.hpp"
 #include "trace/fixed_nodes.hpp"
 
 namespace quadrille::trace {
@@ -15,12 +15,8 @@ constexpr double along_axis = 1e-3;      // radians: two lines of one node are n
 constexpr double most_deviation = 0.01;  // radians
 
 bool maps_nodes(const curve::Isometry& mirror, const std::vector<graph::FixedNode>& nodes, double near) {
-  return std::all_of(nodes.begin(), nodes.end(), [&](const graph::FixedNode& node) {
-    const Vec2 image = mirror(node.position);
-    return std::any_of(nodes.begin(), nodes.end(), [&](const graph::FixedNode& other) {
-      return other.valence == node.valence && distance(other.position, image) <= near;
-    });
-  });
+  const auto is_same = [](const graph::FixedNode& a, const graph::FixedNode& b) { return a.valence == b.valence; };
+  return curve::images(nodes, mirror, near, is_same).size() == nodes.size();
 }
 
 // The first point of a straight launch: the foot on the axis of the one that the field prescribes.

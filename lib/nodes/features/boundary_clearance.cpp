@@ -4,19 +4,19 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
-#include "features/feature_constants.hpp"
 
 namespace quadrille::features {
 namespace {
 
-constexpr double touching = 1e-9;  // relative to the diameter
-
-bool is_reflex_joint(const CadFace& face, int joint) { return face.joints[joint].interior_angle > pi + 1e-6; }
+bool is_reflex_joint(const CadFace& face, int joint) {
+  return face.joints[joint].interior_angle > pi + tolerance::same_angle;
+}
 
 bool turns_away(const CadFace& face, int curve, double t, bool from_left) {
-  return curve::curvature(face.curves[curve], t, from_left) < -1e-6 / face.diameter;
+  return curve::curvature(face.curves[curve], t, from_left) < -tolerance::tied / face.diameter;
 }
 
 /// Whether the boundary is reflex at the start of curve `joint`. At a smooth joint either side suffices: the end of a
@@ -56,7 +56,7 @@ std::vector<CurveFoot> BoundaryClearance::feet(Vec2 x, double reach) const {
     if (boxes_[c].distance_from(x) >= reach) continue;
     const curve::Projection p = curve::project(face_->curves[c], x);
     const bool is_known = std::any_of(feet.begin(), feet.end(), [&](const CurveFoot& foot) {
-      return distance(foot.position, p.position) <= feature_constants.equal_lengths * face_->diameter;
+      return distance(foot.position, p.position) <= tolerance::same_point * face_->diameter;
     });
     if (p.distance < reach && !is_known) feet.push_back({p.position, p.distance, is_reflex(*face_, c, p.t)});
   }
@@ -64,7 +64,7 @@ std::vector<CurveFoot> BoundaryClearance::feet(Vec2 x, double reach) const {
 }
 
 bool BoundaryClearance::is_segment_inside(Vec2 a, Vec2 b) const {
-  const double length = distance(a, b), least = touching * face_->diameter;
+  const double length = distance(a, b), least = tolerance::round_off * face_->diameter;
   for (double s = 0; s < length;) {
     const double clearance = at(a + (s / length) * (b - a));
     if (clearance < least) return false;

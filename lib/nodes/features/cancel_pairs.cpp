@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 #include "features/acts_as_corner.hpp"
 #include "features/nearest_first.hpp"
 

@@ -4,10 +4,6 @@
 namespace quadrille::features {
 
 struct FeatureConstants {
-  // Equality. Ties are decided together, so that rounding has no influence and a symmetric face has symmetric nodes.
-  double equal_lengths = 1e-6;  ///< relative to the diameter: lengths that differ by no more are equal
-  double equal_sizes = 1e-6;    ///< relative: radii and diameters of features within this of L are not below it
-
   // Definition of features (features/curved_runs, features/small_features).
   double straight_curvature = 1e-3;  ///< curvature times diameter below which the boundary counts as straight
   int samples_per_span = 24;         ///< samples of the curvature on each knot span
@@ -40,7 +36,6 @@ struct FeatureConstants {
   double push_margin = 1e-3;      ///< relative: excess of the target distance of a push over the spacing
   double push_step = 0.5;         ///< fraction of a push that is carried out in one round
   double push_to_boundary = 0.5;  ///< greatest move in one round, relative to the distance to the boundary
-  double spacing_tol = 1e-9;      ///< relative: distances that are shorter by no more than this are not reported
 };
 
 inline constexpr FeatureConstants feature_constants{};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/tolerance.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
@@ -11,13 +12,11 @@
 namespace quadrille::features {
 namespace {
 
-constexpr double knot_tol = 1e-9;  // relative to a curve's parameter range
-
 double length_of(const Nurbs& curve, double t0, double t1) { return curve::ArcLength(curve).between(t0, t1); }
 
 SectionPoint boundary_point(const CadFace& face, int curve, double t) {
   const Nurbs& c = face.curves[curve];
-  const double tol = knot_tol * (c.end() - c.begin());
+  const double tol = tolerance::round_off * (c.end() - c.begin());
   if (t >= c.end() - tol) {
     curve = face.next_in_loop(curve);
     t = face.curves[curve].begin();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 #include "features/acts_as_corner.hpp"
 #include "features/feature_constants.hpp"
 #include "features/loop_section.hpp"

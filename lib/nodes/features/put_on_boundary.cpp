@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "features/feature_constants.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::features {
 namespace {
@@ -63,11 +64,10 @@ bool put_into_corner(FeatureState& state, int joint, int node, const std::string
   if (corner == state.corners.end() || corner->valence >= feature_constants.greatest_corner_valence ||
       corner->angle_degrees < feature_constants.least_block_angle * (corner->valence + 1))
     return false;
-  const NodeMark before{corner->position, corner->valence, NodeLocation::corner};
+  const NodeMark before = placement::mark_of(*corner);
   corner->valence += 1;
   corner->source = NodeSource::feature;
-  const NodeMark after{corner->position, corner->valence, NodeLocation::corner};
-  state.changes.push_back({ChangeKind::feature, why, {mark(state.nodes[node]), before}, {after}});
+  state.changes.push_back({ChangeKind::feature, why, {mark(state.nodes[node]), before}, {placement::mark_of(*corner)}});
   state.nodes[node].position = corner->position;
   return true;
 }

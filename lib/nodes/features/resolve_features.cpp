@@ -6,15 +6,16 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "features/cancel_pairs.hpp"
 #include "features/feature_constants.hpp"
 #include "features/merge_on_boundary.hpp"
 #include "features/move_inward.hpp"
 #include "features/put_on_boundary.hpp"
 #include "features/separate_nodes.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::features {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 FeatureState initial_state(const CadFace& face, double size, const CriticalPoints& points) {
   FeatureState state;
   state.size = size;
-  state.tie = feature_constants.equal_lengths * face.diameter;
+  state.tie = tolerance::tied * face.diameter;
   state.corners = points.corners;
   for (size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
@@ -63,15 +64,9 @@ void move_nodes_of_features(const CadFace& face, const BoundaryClearance& cleara
 }
 
 CriticalPoint inner_point(const CriticalPoints& points, const FeatureNode& node) {
-  CriticalPoint point = points.critical_points[node.origin];
+  const CriticalPoint& point = points.critical_points[node.origin];
   if (!node.is_changed()) return point;
-  point.position = node.position;
-  point.valence = node.valence;
-  point.index = 4 - node.valence;
-  point.jacobian = {};
-  point.error = 0;
-  point.source = source_of(*node.changed_by);
-  return point;
+  return placement::changed_node(point, node.position, node.valence, source_of(*node.changed_by));
 }
 
 IrregularBoundaryPoint boundary_point(const CriticalPoints& points, const FeatureNode& node) {
@@ -89,25 +84,16 @@ bool are_nodes_changed(const FeatureState& state, const CriticalPoints& points) 
          std::any_of(state.nodes.begin(), state.nodes.end(), [](const FeatureNode& n) { return n.is_changed(); });
 }
 
-void write_back(const FeatureState& state, CriticalPoints& points) {
-  std::vector<CriticalPoint> inside;
-  std::vector<IrregularBoundaryPoint> boundary;
+placement::NodeSet nodes_of(const FeatureState& state, const CriticalPoints& points) {
+  placement::NodeSet nodes{{}, state.corners, {}};
   for (const FeatureNode& node : state.nodes) {
     if (node.is_inside())
-      inside.push_back(inner_point(points, node));
+      nodes.critical_points.push_back(inner_point(points, node));
     else
-      boundary.push_back(boundary_point(points, node));
+      nodes.boundary_nodes.push_back(boundary_point(points, node));
   }
-  sort_along_boundary(boundary);
-  if (are_nodes_changed(state, points)) {
-    if (points.form == NodeForm::harmonic) points.zeros = points.critical_points;
-    points.form = NodeForm::phase;
-  }
-  points.critical_points = std::move(inside);
-  points.boundary_nodes = std::move(boundary);
-  points.corners = state.corners;
-  points.changes.insert(points.changes.end(), state.changes.begin(), state.changes.end());
-  points.index_sum = index_sum_of(points);
+  sort_along_boundary(nodes.boundary_nodes);
+  return nodes;
 }
 
 }  // namespace
@@ -133,7 +119,10 @@ void resolve_features(const CadFace& face, double size, const std::vector<bool>&
     apply();
     part.advance();
   }
-  if (!state.changes.empty()) write_back(state, points);
+  if (are_nodes_changed(state, points))
+    placement::replace_nodes(nodes_of(state, points), state.changes, points);
+  else
+    placement::record(state.changes, points);
 }
 
 }  // namespace quadrille::features

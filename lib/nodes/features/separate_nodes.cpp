@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/tolerance.hpp"
 #include "features/feature_constants.hpp"
 
 namespace quadrille::features {
@@ -121,8 +122,7 @@ void record_close_pairs(FeatureState& state, double spacing) {
     for (size_t j = i + 1; j < nodes.size(); ++j) {
       const double d = distance(nodes[i].position, nodes[j].position);
       const bool is_one_hole = nodes[i].hole && nodes[i].hole == nodes[j].hole;
-      if (d >= spacing * (1 - feature_constants.spacing_tol) || (is_one_hole && is_fixed_pair(nodes[i], nodes[j])))
-        continue;
+      if (d >= spacing * (1 - tolerance::round_off) || (is_one_hole && is_fixed_pair(nodes[i], nodes[j]))) continue;
       record(state, ChangeKind::feature, {nodes[i], nodes[j]}, {nodes[i], nodes[j]},
              fmt::format("two nodes stay {:.4g} apart, less than half the feature size, {:.4g}: there is no room", d,
                          spacing));
@@ -132,7 +132,7 @@ void record_close_pairs(FeatureState& state, double spacing) {
 
 void record_close_to_boundary(FeatureState& state, const BoundaryClearance& clearance, double spacing) {
   const std::vector<FeatureNode> nodes = state.nodes;
-  const double enough = spacing * (1 - feature_constants.spacing_tol);
+  const double enough = spacing * (1 - tolerance::round_off);
   for (const FeatureNode& node : nodes) {
     if (!node.is_inside() || !node.is_changed()) continue;
     double nearest = enough;

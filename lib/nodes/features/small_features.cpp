@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "features/curved_runs.hpp"
 #include "features/feature_constants.hpp"
@@ -73,7 +74,7 @@ int index_capacity_of(double turning) {
 }
 
 std::vector<SmallFeature> small_features(const CadFace& face, double size) {
-  const double below = size * (1 - feature_constants.equal_sizes);
+  const double below = size * (1 - tolerance::tied);
   std::vector<SmallFeature> features, holes;
   for (int loop = 0; loop < face.num_loops(); ++loop) {
     const double extent = loop == 0 ? face.diameter : diameter_of(face, loop, below);

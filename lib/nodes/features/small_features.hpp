@@ -10,7 +10,7 @@
 //
 // A hole is small if the largest distance between two of its points is below L. It forces, with its bends, the index
 // -4 less the index of its corners. A loop that is one bend all round is a hole or the outline, never a fillet.
-// Radii and sizes within 1e-6 of L are not below it (features/feature_constants).
+// Radii and sizes within 1e-6 of L are not below it (base/tolerance).
 
 #include <vector>
 

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/segment_in_mesh.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -34,10 +35,6 @@ std::optional<std::size_t> nearest_corner(const std::vector<Corner>& corners, Ve
   return is_tie ? std::nullopt : nearest;
 }
 
-NodeMark mark(const Corner& corner) { return {corner.position, corner.valence, NodeLocation::corner}; }
-
-NodeMark mark(const FoundZero& zero) { return {zero.x, 4 - zero.index, NodeLocation::inside}; }
-
 /// The zeros that one corner may absorb.
 using Candidates = std::vector<Near>;
 
@@ -55,32 +52,32 @@ std::vector<Candidates> candidates_of(const field::FieldEvaluator& evaluator, co
   return by_corner;
 }
 
-NodeChange change_for(const std::vector<FoundZero>& zeros, Candidates::const_iterator first,
-                      Candidates::const_iterator last, const Corner& before, int valence, double length) {
-  NodeChange change;
-  change.kind = ChangeKind::absorb;
-  change.reason = fmt::format(
+placement::NodeEdit edit_of(const std::vector<FoundZero>& zeros, Candidates::const_iterator first,
+                            Candidates::const_iterator last, const Corner& corner, double length) {
+  placement::NodeEdit edit;
+  edit.kind = ChangeKind::absorb;
+  edit.reason = fmt::format(
       "a node of valence {} is {:.3g} from the corner of {:.6g} degrees, less than the absorption distance {:.3g}",
-      4 - zeros[first->zero].index, first->distance, before.angle_degrees, length);
-  change.before = {mark(before)};
-  for (; first != last; ++first) change.before.push_back(mark(zeros[first->zero]));
-  change.after = {{before.position, valence, NodeLocation::corner}};
-  return change;
+      4 - zeros[first->zero].index, first->distance, corner.angle_degrees, length);
+  edit.corners = {{corner.joint, corner.valence}};
+  for (; first != last; ++first) {
+    const FoundZero& zero = zeros[first->zero];
+    edit.zeros.push_back({zero.x, 4 - zero.index, NodeLocation::inside});
+    edit.corners[0].valence -= zero.index;
+  }
+  return edit;
 }
 
-/// Decides classes of equally near candidates, each class as a whole.
-void absorb_into(Corner& corner, const std::vector<FoundZero>& zeros, const Candidates& candidates, double length,
-                 double tol, std::vector<bool>& is_absorbed, std::vector<NodeChange>& changes) {
+/// Decides classes of equally near candidates of one corner, each class as a whole.
+void absorb_into(std::size_t c, const std::vector<FoundZero>& zeros, const Candidates& candidates, double length,
+                 double tol, std::vector<bool>& is_absorbed, CriticalPoints& points) {
   for (auto first = candidates.begin(); first != candidates.end();) {
     const auto last =
         end_of_ties(first, candidates.end(), tol, [](const Near& candidate) { return candidate.distance; });
-    int valence = corner.valence;
-    for (auto it = first; it != last; ++it) valence -= zeros[it->zero].index;
-    if (is_admissible_after_absorption(corner.angle_degrees, valence)) {
-      changes.push_back(change_for(zeros, first, last, corner, valence, length));
+    const placement::NodeEdit edit = edit_of(zeros, first, last, points.corners[c], length);
+    if (is_admissible_after_absorption(points.corners[c].angle_degrees, edit.corners[0].valence)) {
+      placement::apply({edit}, points);
       for (auto it = first; it != last; ++it) is_absorbed[it->zero] = true;
-      corner.valence = valence;
-      corner.source = NodeSource::absorb;
     }
     first = last;
   }
@@ -89,14 +86,14 @@ void absorb_into(Corner& corner, const std::vector<FoundZero>& zeros, const Cand
 }  // namespace
 
 std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                                      double length, std::vector<Corner>& corners, std::vector<NodeChange>& changes) {
+                                      double length, CriticalPoints& points) {
   std::vector<bool> is_absorbed(zeros.size(), false);
   if (length == 0) return is_absorbed;
-  const double tol = 1e-6 * length;
-  const std::vector<Candidates> candidates = candidates_of(evaluator, zeros, length, tol, corners);
-  for (std::size_t c = 0; c < corners.size(); ++c)
-    if (corners[c].source != NodeSource::line)
-      absorb_into(corners[c], zeros, candidates[c], length, tol, is_absorbed, changes);
+  const double tol = tolerance::tied * length;
+  const std::vector<Candidates> candidates = candidates_of(evaluator, zeros, length, tol, points.corners);
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    if (points.corners[c].source != NodeSource::line)
+      absorb_into(c, zeros, candidates[c], length, tol, is_absorbed, points);
   return is_absorbed;
 }
 

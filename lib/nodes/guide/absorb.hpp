@@ -15,10 +15,10 @@
 
 namespace quadrille::guide {
 
-/// Changes `corners` and adds a change of the kind `absorb` for each corner that absorbs zeros. Returns for each zero
-/// whether it was absorbed.
+/// Changes the corners of `points`, each with a change of the kind `absorb`. Returns for each zero whether it was
+/// absorbed.
 std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator,
                                       const std::vector<zeros::FoundZero>& zeros, double length,
-                                      std::vector<Corner>& corners, std::vector<NodeChange>& changes);
+                                      CriticalPoints& points);
 
 }  // namespace quadrille::guide

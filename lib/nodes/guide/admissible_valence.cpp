@@ -3,12 +3,13 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille::guide {
 
 bool is_admissible_valence(double angle_degrees, int valence) {
-  constexpr double tol = 1e-6;
+  constexpr double tol = tolerance::tied;
   if (valence == 0) return true;
   const double block = angle_degrees / valence;
   return valence > 0 && valence <= greatest_corner_valence && block <= greatest_block_angle + tol &&

@@ -9,6 +9,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "guide/cluster_centre.hpp"
 #include "guide/opposite_zeros.hpp"
 #include "guide/segment_in_mesh.hpp"
@@ -18,8 +19,6 @@
 
 namespace quadrille::guide {
 namespace {
-
-constexpr double equal = 1 + 1e-6;
 
 /// A zero, or a set of open cells that touch.
 struct Part {
@@ -148,7 +147,8 @@ class ClusterFinder {
   bool belong_together(const Part& a, const Part& b) const {
     const double gap = distance(a.centre, b.centre) - a.radius - b.radius;
     if (gap <= std::max(a.radius, b.radius)) return true;
-    if (gap <= criterion_.distance * equal && is_segment_in_mesh(*evaluator_, a.centre, b.centre)) return true;
+    if (gap <= criterion_.distance * (1 + tolerance::tied) && is_segment_in_mesh(*evaluator_, a.centre, b.centre))
+      return true;
     return gap <= 0.05 * diameter_ && stays_small(a, b);
   }
 
@@ -169,7 +169,8 @@ class ClusterFinder {
     const double enough = std::max(10 * criterion_.noise, 4 * error(parts_[group[0]].elem));
     double best = 0;
     std::optional<int> result;
-    for (double radius = std::max(1.25 * circle.radius, 1e-9 * diameter_); radius <= outer; radius *= 1.25) {
+    for (double radius = std::max(1.25 * circle.radius, tolerance::round_off * diameter_); radius <= outer;
+         radius *= 1.25) {
       double least = 0;
       const std::optional<int> index = zeros::circle_index(*evaluator_, circle.centre, radius, least);
       if (!index) break;
@@ -202,7 +203,8 @@ class ClusterFinder {
     }
     if (evaluator_->locator().find(result.centre).elem < 0) result.centre = nearest(result.members, result.centre);
     if (std::abs(result.index) >= 2) {
-      const double inner = std::max(2 * circle.radius, 1e-6 * diameter_), outer = outer_radius(group, circle.centre);
+      const double inner = std::max(2 * circle.radius, tolerance::same_point * diameter_),
+                   outer = outer_radius(group, circle.centre);
       result.centre = moment_centre(*evaluator_, circle.centre, result.index, inner, outer).value_or(result.centre);
     }
     for (const Part& part : parts)

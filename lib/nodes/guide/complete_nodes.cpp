@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "guide/sort_by_position.hpp"
 
 namespace quadrille::guide {
@@ -33,8 +34,8 @@ void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& poin
     p.elem = at.elem;
     p.xi = at.xi;
   }
-  sort_by_position(points.critical_points, 1e-6 * face.diameter, [](const CriticalPoint& p) { return p.position; });
-  points.index_sum = index_sum_of(points);
+  sort_by_position(points.critical_points, tolerance::same_point * face.diameter,
+                   [](const CriticalPoint& p) { return p.position; });
 }
 
 }  // namespace quadrille::guide

@@ -1,5 +1,5 @@
 #pragma once
-// The last step, after all nodes are chosen: elements, order of the nodes, index sum.
+// The last step, after all nodes are chosen: elements, order of the nodes.
 
 #include <vector>
 
@@ -13,8 +13,8 @@ namespace quadrille::guide {
 /// added for a corner keeps its position: the least energy would move it into the corner again.
 std::vector<bool> nodes_without_position(const CadFace& face, const CriticalPoints& points);
 
-/// Sets the element that contains each node, sorts the nodes by position and sets the index sum. Throws ComputeError if
-/// a node is not inside the mesh.
+/// Sets the element that contains each node and sorts the nodes by position. Throws ComputeError if a node is not
+/// inside the mesh.
 void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& points);
 
 }  // namespace quadrille::guide

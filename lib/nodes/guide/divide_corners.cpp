@@ -10,7 +10,7 @@
 #include "base/warning_codes.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/middle_line.hpp"
-#include "guide/node_ring.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -40,23 +40,18 @@ Vec2 centre_of_division(const CadFace& face, const Corner& corner, const std::ve
 }  // namespace
 
 void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
-  const std::vector<CriticalPoint> others = points.critical_points;
-  for (Corner& corner : points.corners) {
+  std::vector<placement::NodeEdit> edits;
+  for (const Corner& corner : points.corners) {
     if (corner.valence != 0) continue;
-    if (points.form == NodeForm::harmonic && points.zeros.empty()) points.zeros = others;
-    const CriticalPoint node = made_node(centre_of_division(face, corner, others), 1, NodeSource::divide);
-    points.changes.push_back(
+    edits.push_back(
         {ChangeKind::divide,
          fmt::format("midpoint division: a corner of {:.6g} degrees at {} is too sharp for a block of four sides; a "
                      "node of valence 3 divides the block of three sides there into three of four",
                      corner.angle_degrees, position_text(corner.position + face.origin)),
-         {{corner.position, 0, NodeLocation::corner}},
-         {{corner.position, 1, NodeLocation::corner}, {node.position, node.valence, NodeLocation::inside}}});
-    points.critical_points.push_back(node);
-    corner.valence = 1;
-    corner.source = NodeSource::divide;
-    points.form = NodeForm::phase;
+         {{corner.joint, 1}},
+         {{centre_of_division(face, corner, points.critical_points), 3}}});
   }
+  placement::apply(edits, points);
 }
 
 void report_sharp_corners(const CadFace& face, const CriticalPoints& points, Report& report) {

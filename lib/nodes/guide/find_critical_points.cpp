@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "field/error_estimate.hpp"
 #include "guide/absorb.hpp"
@@ -39,7 +40,7 @@ std::vector<CriticalPoint> sorted_points(const field::FieldEvaluator& evaluator,
                                          const std::vector<zeros::FoundZero>& zeros) {
   std::vector<CriticalPoint> points;
   for (const zeros::FoundZero& zero : zeros) points.push_back(critical_point(evaluator, zero));
-  sort_by_position(points, 1e-6 * evaluator.field().mesh.face.diameter,
+  sort_by_position(points, tolerance::same_point * evaluator.field().mesh.face.diameter,
                    [](const CriticalPoint& p) { return p.position; });
   return points;
 }
@@ -154,12 +155,12 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   points.origin = face.origin;
   points.corners = std::move(valences.corners);
   const std::vector<bool> is_absorbed =
-      absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points.corners, points.changes);
+      absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points);
   const std::vector<zeros::FoundZero> free = filtered(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
   Clustering clustering = find_clusters(evaluator, free, zeros::cells_without_zero(search.open_cells(), zeros),
                                         {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
-  sort_by_position(points.clusters, 1e-6 * face.diameter, [](const Cluster& c) { return c.centre; });
+  sort_by_position(points.clusters, tolerance::same_point * face.diameter, [](const Cluster& c) { return c.centre; });
   warn_of_undecided(evaluator.field(), points.clusters, report);
   points.critical_points = sorted_points(evaluator, clustering.simple);
   if (clustering.simple.size() != zeros.size()) points.zeros = sorted_points(evaluator, zeros);

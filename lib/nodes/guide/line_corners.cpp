@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
+#include "curve/orbits.hpp"
 #include "guide/tie_measures.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille::guide {
 namespace {
-
-constexpr double equal = 1e-6;
 
 /// The costs to minimise; the first that differs decides: angle defect, minus adjacent lengths, minus distances.
 using Cost = std::array<double, 3>;
@@ -21,7 +21,7 @@ Cost operator+(const Cost& a, const Cost& b) { return {a[0] + b[0], a[1] + b[1],
 
 bool is_less(const Cost& a, const Cost& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > equal) return a[i] < b[i];
+    if (std::abs(a[i] - b[i]) > tolerance::tied) return a[i] < b[i];
   return false;
 }
 
@@ -46,29 +46,24 @@ Cost cost_of_smaller(const CadFace& face, Vec2 centroid, const Corner& c) {
           -distance(c.position, centroid) / face.diameter};
 }
 
-/// Corners that isometries of the face map onto each other.
-struct Orbit {
-  std::vector<std::size_t> corners;
+/// Ties that isometries of the face map onto each other.
+struct TieOrbit {
+  std::vector<int> corners;
   Cost cost{};
 };
 
-std::vector<Orbit> orbits_of_ties(const CadFace& face, const std::vector<curve::Isometry>& group,
-                                  const std::vector<Corner>& corners) {
-  std::vector<Orbit> orbits;
-  std::vector<bool> is_done(corners.size(), false);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (is_done[i] || !is_tie(corners[i])) continue;
-    Orbit orbit;
-    for (std::size_t j = i; j < corners.size(); ++j) {
-      const bool is_image = std::any_of(group.begin(), group.end(), [&](const curve::Isometry& g) {
-        return distance(g(corners[i].position), corners[j].position) < equal * face.diameter;
-      });
-      if (!is_image) continue;
-      is_done[j] = true;
-      orbit.corners.push_back(j);
-      orbit.cost = orbit.cost + cost_of_smaller(face, group[0].centre, corners[i]);
-    }
-    orbits.push_back(orbit);
+std::vector<TieOrbit> orbits_of_ties(const CadFace& face, const std::vector<curve::Isometry>& group,
+                                     const std::vector<Corner>& corners) {
+  const auto is_image = [&](const curve::Isometry& g, int i, int j) {
+    return is_tie(corners[i]) && is_tie(corners[j]) &&
+           distance(g(corners[i].position), corners[j].position) < tolerance::same_point * face.diameter;
+  };
+  std::vector<TieOrbit> orbits;
+  for (const std::vector<int>& set : curve::orbits(corners.size(), group, is_image).sets) {
+    if (!is_tie(corners[set.front()])) continue;
+    orbits.push_back({set});
+    const Cost cost = cost_of_smaller(face, group[0].centre, corners[set.front()]);
+    for (std::size_t k = 0; k < set.size(); ++k) orbits.back().cost = orbits.back().cost + cost;
   }
   return orbits;
 }
@@ -79,7 +74,7 @@ struct Choice {
 };
 
 /// The cheapest choice of orbits with `count` corners in total, by dynamic programming over orbits and smaller counts.
-std::optional<Choice> cheapest(const std::vector<Orbit>& orbits, int count) {
+std::optional<Choice> cheapest(const std::vector<TieOrbit>& orbits, int count) {
   if (count < 0) return {};
   std::vector<std::optional<Choice>> best(count + 1);
   best[0] = Choice{};
@@ -106,12 +101,12 @@ LineCorners line_corners(const CadFace& face, const std::vector<curve::Isometry>
     result.corners.push_back(corner_at(face, j));
     result.missing_index -= 2 - result.corners.back().valence;
   }
-  const std::vector<Orbit> orbits = orbits_of_ties(face, group, result.corners);
+  const std::vector<TieOrbit> orbits = orbits_of_ties(face, group, result.corners);
   const std::optional<Choice> choice = cheapest(orbits, result.missing_index);
   if (!choice) return result;
   result.missing_index = 0;
   for (const std::size_t o : choice->orbits)
-    for (const std::size_t c : orbits[o].corners) --result.corners[c].valence;
+    for (const int c : orbits[o].corners) --result.corners[c].valence;
   return result;
 }
 

@@ -6,15 +6,16 @@
 #include "guide/line_corners.hpp"
 #include "guide/node_ring.hpp"
 #include "placement/interior_point.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
 namespace {
 
-NodeChange corner_change(const Corner& corner) {
-  const std::string reason =
-      fmt::format("the zeros of the field cannot be isolated: valence {} by rule at the corner of {:.6g} degrees",
-                  corner.valence, corner.angle_degrees);
-  return {ChangeKind::line, reason, {}, {{corner.position, corner.valence, NodeLocation::corner}}};
+placement::NodeEdit corner_edit(const Corner& corner) {
+  return {ChangeKind::line,
+          fmt::format("the zeros of the field cannot be isolated: valence {} by rule at the corner of {:.6g} degrees",
+                      corner.valence, corner.angle_degrees),
+          {{corner.joint, corner.valence}}};
 }
 
 /// The centre of all nodes: a point that is invariant under the symmetries of the face.
@@ -23,15 +24,17 @@ Vec2 middle_of(const CadFace& face, const std::vector<curve::Isometry>& group) {
   return has_rotations ? group[0].centre : placement::most_interior_point(face, group);
 }
 
-NodeChange nodes_change(const std::vector<CriticalPoint>& nodes, int index) {
-  NodeChange change{ChangeKind::line,
-                    fmt::format("no choice of corner valences that is as symmetric as the face has the right index "
-                                "sum: nodes inside have the missing index {}",
-                                index),
-                    {},
-                    {}};
-  for (const CriticalPoint& node : nodes) change.after.push_back({node.position, node.valence, NodeLocation::inside});
-  return change;
+placement::NodeEdit nodes_edit(const CadFace& face, const std::vector<curve::Isometry>& group, int max_valence,
+                               int index) {
+  Cluster cluster;
+  cluster.centre = middle_of(face, group);
+  cluster.index = index;
+  return {ChangeKind::line,
+          fmt::format("no choice of corner valences that is as symmetric as the face has the right index sum: nodes "
+                      "inside have the missing index {}",
+                      index),
+          {},
+          cluster_nodes(face, group, max_valence, cluster, {})};
 }
 
 }  // namespace
@@ -43,16 +46,11 @@ CriticalPoints line_field_points(const CadFace& face, int max_valence) {
   points.form = NodeForm::phase;
   points.origin = face.origin;
   points.corners = chosen.corners;
+  std::vector<placement::NodeEdit> edits;
   for (const Corner& corner : chosen.corners)
-    if (corner.source == NodeSource::line) points.changes.push_back(corner_change(corner));
-  if (chosen.missing_index != 0) {
-    Cluster cluster;
-    cluster.centre = middle_of(face, group);
-    cluster.index = chosen.missing_index;
-    points.critical_points = cluster_nodes(face, group, max_valence, cluster, {}, NodeSource::line);
-    points.changes.push_back(nodes_change(points.critical_points, chosen.missing_index));
-  }
-  points.index_sum = index_sum_of(points);
+    if (corner.source == NodeSource::line) edits.push_back(corner_edit(corner));
+  if (chosen.missing_index != 0) edits.push_back(nodes_edit(face, group, max_valence, chosen.missing_index));
+  placement::apply(edits, points);
   points.index_sum_expected = 4 * face.euler_characteristic();
   return points;
 }

@@ -5,6 +5,7 @@
 
 #include "base/angle.hpp"
 #include "base/bracketed_root.hpp"
+#include "base/tolerance.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "placement/clearance.hpp"
@@ -16,15 +17,9 @@ namespace {
 // leaves the middle of sides of curvature k by k s^2 / 8.
 constexpr int num_steps = 64;
 
-// Rays start at this distance from the corner, in diameters: at the corner itself they meet its sides.
-constexpr double off_corner = 1e-6;
-
 // Part of the wedge's width that a point in its middle must be away from the boundary: in a wedge without holes it is
 // about half.
 constexpr double least_clearance = 0.25;
-
-// Greatest distance of the poles of a straight side from its chord, in diameters.
-constexpr double straight = 1e-9;
 
 bool is_straight(const Nurbs& curve, double tol) {
   const Vec2 from = curve.poles.front(), chord = curve.poles.back() - from;
@@ -91,7 +86,7 @@ MiddleLine middle_line(const CadFace& face, int joint) {
   const Side side_in(in, false), side_out(out, true);
   MiddleLine line{
       {corner.position}, {0}, std::min(side_in.length(), side_out.length()) * (previous == joint ? 0.5 : 1)};
-  const double tol = straight * face.diameter;
+  const double tol = tolerance::round_off * face.diameter;
   if (is_straight(in, tol) && is_straight(out, tol)) {
     line.points.push_back(corner.position + line.side * unit(corner.tangent_out + corner.interior_angle / 2));
     line.widths.push_back(2 * line.side * std::sin(corner.interior_angle / 2));
@@ -105,7 +100,7 @@ double length_inside(const CadFace& face, const MiddleLine& line) {
   const std::size_t last = line.points.size() - 1;
   const Vec2 direction = direction_of(line.points[last - 1], line.points[last]);
   if (last == 1) {
-    const double off = off_corner * face.diameter;
+    const double off = tolerance::same_point * face.diameter;  // rays from the corner itself meet its sides
     return off + placement::clearance_along(face, line.points[0] + off * direction, direction);
   }
   double length = 0;

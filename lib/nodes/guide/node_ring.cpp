@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
+#include "curve/orbits.hpp"
 #include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
-
-constexpr double equal = 1e-6;  // relative to the diameter, or radians
 
 std::vector<Vec2> regular_polygon(Vec2 centre, double radius, double angle, int n) {
   std::vector<Vec2> vertices;
@@ -24,7 +24,7 @@ std::vector<Vec2> regular_polygon(Vec2 centre, double radius, double angle, int 
 std::vector<double> axis_directions(const CadFace& face, const std::vector<curve::Isometry>& group, Vec2 centre) {
   std::vector<double> directions;
   for (const curve::Isometry& g : group) {
-    if (!g.is_mirrored || distance(g(centre), centre) > equal * face.diameter) continue;
+    if (!g.is_mirrored || distance(g(centre), centre) > tolerance::same_point * face.diameter) continue;
     directions.push_back(g.angle / 2);
     directions.push_back(g.angle / 2 + pi);
   }
@@ -81,16 +81,17 @@ double orientation(const CadFace& face, const std::vector<curve::Isometry>& grou
   if (directions.empty() && members) return *members;
   if (directions.empty()) directions = foot_directions(face, cluster.centre);
   std::vector<double> angles = with_sides(directions, n);
-  if (members) keep_least(angles, equal, [&](double a) { return std::abs(std::remainder(a - *members, period)); });
-  keep_least(angles, equal * face.diameter, [&](double a) {
+  if (members)
+    keep_least(angles, tolerance::same_angle, [&](double a) { return std::abs(std::remainder(a - *members, period)); });
+  keep_least(angles, tolerance::tied * face.diameter, [&](double a) {
     double clearance = 0;
     for (int k = 0; k < n; ++k) clearance += placement::clearance_along(face, cluster.centre, unit(a + k * period)) / n;
     return cluster.index > 0 ? -clearance : clearance;
   });
   const double joint = angle_of(face.joints[0].position - cluster.centre);
   const auto beside_joint = [&](double a) { return std::remainder(a - joint, period); };
-  keep_least(angles, equal, [&](double a) { return std::abs(beside_joint(a)); });
-  keep_least(angles, equal, [&](double a) { return -beside_joint(a); });
+  keep_least(angles, tolerance::same_angle, [&](double a) { return std::abs(beside_joint(a)); });
+  keep_least(angles, tolerance::same_angle, [&](double a) { return -beside_joint(a); });
   return angles.front();
 }
 
@@ -108,7 +109,7 @@ double radius_outside(const CadFace& face, const Cluster& cluster, double angle)
     double clearance = INFINITY;
     for (const Vec2 x : regular_polygon(cluster.centre, face.diameter * i / steps, angle, std::abs(cluster.index)))
       clearance = std::min(clearance, placement::signed_clearance(face, x));
-    if (clearance > most + equal * face.diameter) most = clearance, best = face.diameter * i / steps;
+    if (clearance > most + tolerance::tied * face.diameter) most = clearance, best = face.diameter * i / steps;
   }
   return best;
 }
@@ -116,7 +117,7 @@ double radius_outside(const CadFace& face, const Cluster& cluster, double angle)
 }  // namespace
 
 Vec2 onto_fixed_points(const CadFace& face, const std::vector<curve::Isometry>& group, Vec2 x) {
-  const double reach = equal * face.diameter;
+  const double reach = tolerance::same_point * face.diameter;
   if (group.size() > 1 && !group[1].is_mirrored && distance(x, group[1].centre) < reach) return group[1].centre;
   for (const curve::Isometry& g : group)
     if (g.is_mirrored && distance(g(x), x) < 2 * reach) return (x + g(x)) / 2;
@@ -133,25 +134,36 @@ std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isomet
   return regular_polygon(cluster.centre, radius, angle, std::abs(cluster.index));
 }
 
-std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group,
-                                         int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
-                                         NodeSource source) {
+std::vector<NodeMark> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group, int max_valence,
+                                    const Cluster& cluster, const std::vector<Vec2>& others) {
   const int valence = 4 - cluster.index;
   if (valence >= 3 && valence <= max_valence && placement::signed_clearance(face, cluster.centre) > 0)
-    return {made_node(cluster.centre, cluster.index, source)};
-  std::vector<CriticalPoint> nodes;
-  for (const Vec2 x : node_ring(face, group, cluster, others))
-    nodes.push_back(made_node(x, cluster.index > 0 ? 1 : -1, source));
+    return {{cluster.centre, valence}};
+  std::vector<NodeMark> nodes;
+  for (const Vec2 x : node_ring(face, group, cluster, others)) nodes.push_back({x, cluster.index > 0 ? 3 : 5});
   return nodes;
 }
 
-CriticalPoint made_node(Vec2 position, int index, NodeSource source) {
-  CriticalPoint node;
-  node.position = position;
-  node.index = index;
-  node.valence = 4 - index;
-  node.source = source;
-  return node;
+std::vector<std::vector<NodeMark>> nodes_of_clusters(const CadFace& face, const std::vector<curve::Isometry>& group,
+                                                     int max_valence, std::vector<Cluster>& clusters,
+                                                     const std::function<std::vector<Vec2>(std::size_t)>& others) {
+  for (Cluster& cluster : clusters) cluster.centre = onto_fixed_points(face, group, cluster.centre);
+  const curve::Orbits orbits = curve::orbits(clusters.size(), group, [&](const curve::Isometry& g, int i, int j) {
+    return clusters[i].index == clusters[j].index &&
+           distance(g(clusters[i].centre), clusters[j].centre) < tolerance::same_point * face.diameter;
+  });
+  for (std::size_t i = 0; i < clusters.size(); ++i)
+    clusters[i].centre = orbits.map[i](clusters[orbits.first[i]].centre);
+  std::vector<std::vector<NodeMark>> nodes(clusters.size());
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const std::size_t first = orbits.first[i];
+    if (first == i && clusters[i].index != 0)
+      nodes[i] = cluster_nodes(face, group, max_valence, clusters[i], others(i));
+    if (first == i) continue;
+    nodes[i] = nodes[first];
+    for (NodeMark& node : nodes[i]) node.position = orbits.map[i](node.position);
+  }
+  return nodes;
 }
 
 }  // namespace quadrille::guide

@@ -1,6 +1,8 @@
 #pragma once
 // Irregular nodes as a regular polygon about a point, with the symmetry of the face about that point.
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "curve/symmetry.hpp"
@@ -32,12 +34,14 @@ std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isomet
                             const std::vector<Vec2>& others);
 
 /// The nodes for a cluster of index != 0: one at its centre if 4 - index is 3 to max_valence and the centre lies inside
-/// the face, else a node_ring. They get the given source; no element is set.
-std::vector<CriticalPoint> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group,
-                                         int max_valence, const Cluster& cluster, const std::vector<Vec2>& others,
-                                         NodeSource source);
+/// the face, else a node_ring.
+std::vector<NodeMark> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group, int max_valence,
+                                    const Cluster& cluster, const std::vector<Vec2>& others);
 
-/// A node that is not a zero of the field.
-CriticalPoint made_node(Vec2 position, int index, NodeSource source);
+/// The same of each cluster, none for index 0; `others` of cluster i are others(i). Centres are moved onto fixed
+/// points; clusters of one symmetry orbit get centres and nodes that are exact images of each other.
+std::vector<std::vector<NodeMark>> nodes_of_clusters(const CadFace& face, const std::vector<curve::Isometry>& group,
+                                                     int max_valence, std::vector<Cluster>& clusters,
+                                                     const std::function<std::vector<Vec2>(std::size_t)>& others);
 
 }  // namespace quadrille::guide

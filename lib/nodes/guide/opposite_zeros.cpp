@@ -7,6 +7,7 @@
 
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/tolerance.hpp"
 #include "guide/circle_samples.hpp"
 #include "guide/segment_in_mesh.hpp"
 #include "placement/clearance.hpp"
@@ -14,7 +15,6 @@
 namespace quadrille::guide {
 namespace {
 
-constexpr double equal = 1 + 1e-6;
 constexpr double nearest_opposite = 0.4, near_opposite = 0.6;  // of the distance to the boundary from a zero
 constexpr double first_circle = 1.05, next_circle = 1.1;       // radii, over the zeros' extent and over the one before
 
@@ -32,7 +32,7 @@ Group linked_zeros(const field::FieldEvaluator& evaluator, const Zeros& zeros, i
   for (int j = 0; j < static_cast<int>(zeros.size()); ++j)
     if (zeros[j].index * zeros[i].index < 0) opposite.push_back(j);
   if (opposite.empty()) return {};
-  const double reach = equal * clearance(evaluator, zeros[i].x);
+  const double reach = (1 + tolerance::tied) * clearance(evaluator, zeros[i].x);
   const auto is_nearest = [&](int j) { return gap(j) <= nearest_opposite * reach; };
   if (std::none_of(opposite.begin(), opposite.end(), is_nearest)) return {};
   std::erase_if(opposite, [&](int j) {

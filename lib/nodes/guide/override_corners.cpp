@@ -10,16 +10,14 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 #include "guide/admissible_valence.hpp"
-#include "guide/node_ring.hpp"
 #include "guide/valence.hpp"
 #include "placement/clearance.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
 namespace {
-
-constexpr double equal = 1e-6;  // relative to the diameter
 
 std::string name_of(const CadFace& face, const Corner& c) {
   return fmt::format("the corner of {:.6g} degrees at {}, between curves {} and {},", c.angle_degrees,
@@ -62,7 +60,7 @@ struct Demand {
   int valence;                       ///< prescribed
   int index;                         ///< to be added by the nodes inside
   std::vector<std::size_t> removed;  ///< nodes of the opposite index
-  std::vector<CriticalPoint> added;
+  std::vector<NodeMark> added;
 };
 
 std::vector<Demand> demands_of(const CadFace& face, const std::vector<CornerOverride>& overrides,
@@ -95,21 +93,20 @@ double free_radius(const CriticalPoints& points, Vec2 corner, const std::vector<
 }
 
 /// The nodes still missing after those of d.removed are removed: at equal angles in the corner's sector.
-std::vector<CriticalPoint> added_nodes(const CadFace& face, const CriticalPoints& points, const Demand& d) {
+std::vector<NodeMark> added_nodes(const CadFace& face, const CriticalPoints& points, const Demand& d) {
   const int n = std::abs(d.index) - static_cast<int>(d.removed.size());
   const Joint& joint = face.joints[points.corners[d.corner].joint];
   std::vector<Vec2> directions;
   double clearance = INFINITY;
   for (int k = 1; k <= n; ++k) {
     directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
-    const double start = equal * face.diameter;  // away from the corner itself
+    const double start = tolerance::same_point * face.diameter;  // away from the corner itself
     clearance = std::min(
         clearance, placement::clearance_along(face, joint.position + start * directions.back(), directions.back()));
   }
   const double radius = free_radius(points, joint.position, directions, 0.25 * clearance);
-  std::vector<CriticalPoint> added;
-  for (const Vec2 direction : directions)
-    added.push_back(made_node(joint.position + radius * direction, d.index > 0 ? 1 : -1, NodeSource::corner));
+  std::vector<NodeMark> added;
+  for (const Vec2 direction : directions) added.push_back({joint.position + radius * direction, d.index > 0 ? 3 : 5});
   return added;
 }
 
@@ -127,8 +124,9 @@ class Overrider {
         choose_removed(d);
         d.added = added_nodes(face_, points_, d);
       }
-    for (const Demand& d : demands_) record(d);
-    apply();
+    std::vector<placement::NodeEdit> edits;
+    for (const Demand& d : demands_) edits.push_back(edit_of(d));
+    placement::apply(total == 0 ? std::vector{exchange_of(edits)} : edits, points_);
   }
 
  private:
@@ -138,7 +136,7 @@ class Overrider {
   }
 
   bool may_remove(const Demand& d, std::size_t node) const {
-    const double length = distance_to(d, node), tol = equal * face_.diameter;
+    const double length = distance_to(d, node), tol = tolerance::tied * face_.diameter;
     if (points_.critical_points[node].index != (d.index > 0 ? -1 : 1) || length > 0.25 * face_.diameter) return false;
     return std::none_of(demands_.begin(), demands_.end(), [&](const Demand& other) {
       return other.corner != d.corner && (other.index > 0) == (d.index > 0) && distance_to(other, node) < length + tol;
@@ -155,68 +153,36 @@ class Overrider {
     const auto distance_of = [&](std::size_t node) { return distance_to(d, node); };
     const std::ptrdiff_t needed = std::abs(d.index);
     for (auto first = nodes.begin(); first != nodes.end();) {
-      const auto last = end_of_ties(first, nodes.end(), equal * face_.diameter, distance_of);
+      const auto last = end_of_ties(first, nodes.end(), tolerance::tied * face_.diameter, distance_of);
       if (last - nodes.begin() > needed) return;
       d.removed.assign(nodes.begin(), last);
       first = last;
     }
   }
 
-  void record(const Demand& d) {
+  placement::NodeEdit edit_of(const Demand& d) const {
     const Corner& c = points_.corners[d.corner];
-    NodeChange change{ChangeKind::corner,
-                      "",
-                      {{c.position, c.valence, NodeLocation::corner}},
-                      {{c.position, d.valence, NodeLocation::corner}}};
-    for (const std::size_t i : d.removed)
-      change.before.push_back(
-          {points_.critical_points[i].position, points_.critical_points[i].valence, NodeLocation::inside});
-    for (const CriticalPoint& p : d.added) change.after.push_back({p.position, p.valence, NodeLocation::inside});
-    const bool is_exchange = d.removed.empty() && d.added.empty();
-    change.reason = fmt::format("valence {} {} for {} which had {}", d.valence, why_, name_of(face_, c), c.valence);
-    if (!is_exchange) {
-      change.reason += fmt::format(": {} nodes are removed, {} added", d.removed.size(), d.added.size());
-      points_.changes.push_back(change);
-      return;
-    }
-    exchange_.before.insert(exchange_.before.end(), change.before.begin(), change.before.end());
-    exchange_.after.insert(exchange_.after.end(), change.after.begin(), change.after.end());
-    exchange_.reason += (exchange_.reason.empty() ? "" : "; ") + change.reason;
+    std::string reason =
+        fmt::format("valence {} {} for {} which had {}", d.valence, why_, name_of(face_, c), c.valence);
+    if (!d.removed.empty() || !d.added.empty())
+      reason += fmt::format(": {} nodes are removed, {} added", d.removed.size(), d.added.size());
+    return {ChangeKind::corner, reason, {{c.joint, d.valence}}, d.added, d.removed};
   }
 
-  /// Records the zeros as they were found, before the first change of the nodes.
-  void keep_zeros() {
-    const bool nodes_change = std::any_of(demands_.begin(), demands_.end(),
-                                          [](const Demand& d) { return !d.removed.empty() || !d.added.empty(); });
-    if (!nodes_change || !points_.zeros.empty()) return;
-    for (const CriticalPoint& p : points_.critical_points)
-      if (p.source == NodeSource::zero) points_.zeros.push_back(p);
-  }
-
-  void apply() {
-    if (!exchange_.before.empty()) points_.changes.push_back(exchange_);
-    keep_zeros();
-    std::vector<bool> is_removed(points_.critical_points.size(), false);
-    std::vector<CriticalPoint> kept;
-    for (const Demand& d : demands_)
-      for (const std::size_t i : d.removed) is_removed[i] = true;
-    for (std::size_t i = 0; i < is_removed.size(); ++i)
-      if (!is_removed[i]) kept.push_back(points_.critical_points[i]);
-    for (const Demand& d : demands_) {
-      kept.insert(kept.end(), d.added.begin(), d.added.end());
-      points_.corners[d.corner].valence = d.valence;
-      points_.corners[d.corner].source = NodeSource::corner;
+  /// One change for corners that exchange valences.
+  static placement::NodeEdit exchange_of(const std::vector<placement::NodeEdit>& edits) {
+    placement::NodeEdit exchange = edits.front();
+    for (std::size_t i = 1; i < edits.size(); ++i) {
+      exchange.reason += "; " + edits[i].reason;
+      exchange.corners.push_back(edits[i].corners.front());
     }
-    points_.critical_points = kept;
-    points_.form = NodeForm::phase;
-    points_.index_sum = index_sum_of(points_);
+    return exchange;
   }
 
   const CadFace& face_;
   std::vector<Demand> demands_;
   CriticalPoints& points_;
   const std::string& why_;
-  NodeChange exchange_{ChangeKind::corner, "", {}, {}};  ///< one for all corners that exchange valences
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/tie_classes.hpp"
+#include "base/tolerance.hpp"
 
 namespace quadrille::guide {
 

@@ -7,13 +7,12 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "zeros/winding.hpp"
 
 namespace quadrille::guide {
 namespace {
-
-constexpr double tie = 1e-6;  // radians
 
 /// The least extent of the two curves at a joint.
 double least_extent(const CadFace& face, int joint) {
@@ -60,7 +59,7 @@ std::optional<int> valence_at_tie(const field::FieldEvaluator& evaluator, int jo
   const CadFace& face = evaluator.field().mesh.face;
   const Joint& corner = face.joints[joint];
   const double greatest = 0.2 * least_extent(face, joint);
-  const double least = std::max(1e-9, std::pow(10.0, -8 * corner.interior_angle / pi));
+  const double least = std::max(tolerance::round_off, std::pow(10.0, -8 * corner.interior_angle / pi));
   ArcValence best;
   for (double radius = least * face.diameter; radius <= greatest && best.trust < 1; radius *= 2) {
     const zeros::Disc arc{corner.position, radius};
@@ -99,7 +98,7 @@ CornerValences corner_valences(const field::FieldEvaluator& evaluator, double no
   const CadFace& face = evaluator.field().mesh.face;
   CornerValences result = corner_valences_by_angle(face);
   for (Corner& corner : result.corners) {
-    if (tie_distance(face.joints[corner.joint].interior_angle) >= tie) continue;
+    if (tie_distance(face.joints[corner.joint].interior_angle) >= tolerance::same_angle) continue;
     zeros::Disc disc;
     const auto by_arc = valence_at_tie(evaluator, corner.joint, noise, disc);
     if (!by_arc) refuse(face.joints[corner.joint], face.origin);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
@@ -18,7 +19,7 @@ constexpr double relative_same = 1e-12;  // relative to the diameter: distances 
 /// Decided by the side of the boundary at the nearest point; at a joint by its sector.
 bool is_inside(const CadFace& face, const BoundaryFoot& foot, Vec2 x) {
   const Nurbs& curve = face.curves[foot.curve];
-  const double end_tol = 1e-9 * (curve.end() - curve.begin());
+  const double end_tol = tolerance::round_off * (curve.end() - curve.begin());
   const bool at_begin = foot.t <= curve.begin() + end_tol, at_end = foot.t >= curve.end() - end_tol;
   if (!at_begin && !at_end) return cross(curve::tangent(curve, foot.t), x - foot.position) > 0;
   const Joint& joint = face.joints[at_begin ? foot.curve : face.next_in_loop(foot.curve)];
@@ -52,7 +53,7 @@ std::vector<BoundaryFoot> nearest_feet(const CadFace& face, Vec2 x) {
   std::vector<std::pair<double, int>> order;
   for (int c = 0; c < face.num_curves(); ++c) order.emplace_back(curve::pole_box(face.curves[c]).distance_from(x), c);
   std::make_heap(order.begin(), order.end(), std::greater<>());  // a few of them are looked at
-  const double tol = 1e-6 * face.diameter;
+  const double tol = tolerance::tied * face.diameter;
   std::vector<BoundaryFoot> feet;
   double least = INFINITY;
   while (!order.empty() && order.front().first <= least + tol) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "base/tolerance.hpp"
 #include "curve/mean_width.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::placement {
 namespace {
 
-constexpr double missed_tol = 1e-6;    // of the clearance: a node that misses it by less keeps it
 constexpr double greatest_step = 0.5;  // of the distance to the nearest obstacle
 constexpr double kept_fraction = 0.5;  // of distances to other nodes and to boundaries without layers
 
@@ -37,7 +37,7 @@ WallSurroundings::WallSurroundings(const CadFace& face, const std::vector<WallCl
 MissedClearance WallSurroundings::missed(Vec2 x) const {
   MissedClearance result;
   for (int c = 0; c < face_.num_curves(); ++c) {
-    const double enough = clearance_[c] * (1 - missed_tol);
+    const double enough = clearance_[c] * (1 - tolerance::tied);
     if (boxes_[c].distance_from(x) >= enough) continue;
     const double r = curve::project(face_.curves[c], x).distance;
     if (r >= enough) continue;

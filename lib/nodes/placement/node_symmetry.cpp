@@ -4,38 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curve/symmetry.hpp"
+#include "base/tolerance.hpp"
+#include "curve/orbits.hpp"
 
 namespace quadrille::placement {
 
 namespace {
 
-constexpr double equal_positions = 1e-6;  // relative to the diameter
-
 Mat2 linear_part(const curve::Isometry& isometry) {
   const Vec2 u = unit(isometry.angle);
   return isometry.is_mirrored ? Mat2{u.x, u.y, u.y, -u.x} : Mat2{u.x, -u.y, u.y, u.x};
-}
-
-// For each point the index of a point of the same kind at its image; empty unless this map is one to one. Corners on
-// both sides of a slit may be in one place.
-template <class Point, class IsSame>
-std::vector<int> images(const std::vector<Point>& points, const curve::Isometry& isometry, double tol, IsSame is_same) {
-  std::vector<int> image;
-  std::vector<bool> is_taken(points.size(), false);
-  for (const Point& from : points) {
-    const Vec2 x = isometry(from.position);
-    int nearest = -1;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const bool is_candidate = !is_taken[i] && distance(points[i].position, x) <= tol && is_same(from, points[i]);
-      if (is_candidate && (nearest < 0 || distance(points[i].position, x) < distance(points[nearest].position, x)))
-        nearest = static_cast<int>(i);
-    }
-    if (nearest < 0) return {};
-    is_taken[nearest] = true;
-    image.push_back(nearest);
-  }
-  return image;
 }
 
 struct FreeNode {
@@ -47,8 +25,8 @@ struct FreeNode {
 const auto same_valence = [](const auto& a, const auto& b) { return a.valence == b.valence; };
 
 bool keeps_boundary(const CriticalPoints& points, const curve::Isometry& isometry, double tol) {
-  return images(points.corners, isometry, tol, same_valence).size() == points.corners.size() &&
-         images(points.boundary_nodes, isometry, tol, same_valence).size() == points.boundary_nodes.size();
+  return curve::images(points.corners, isometry, tol, same_valence).size() == points.corners.size() &&
+         curve::images(points.boundary_nodes, isometry, tol, same_valence).size() == points.boundary_nodes.size();
 }
 
 // Whether the group contains, with g and h, the isometry g h, judged by the images of the nodes.
@@ -59,7 +37,7 @@ bool is_closed(const std::vector<NodeSymmetry>& group) {
       const bool is_there = std::any_of(group.begin(), group.end(), [&](const NodeSymmetry& k) {
         const Mat2 l = k.linear;
         if (std::hypot(std::hypot(l.xx - gh.xx, l.xy - gh.xy), std::hypot(l.yx - gh.yx, l.yy - gh.yy)) >
-            equal_positions)
+            tolerance::same_angle)
           return false;
         for (std::size_t i = 0; i < k.image.size(); ++i)
           if (k.image[i] != g.image[h.image[i]]) return false;
@@ -82,14 +60,14 @@ std::vector<NodeSymmetry> node_symmetries(const CadFace& face, const CriticalPoi
   std::vector<FreeNode> nodes;
   for (std::size_t k = 0; k < is_free.size(); ++k)
     nodes.push_back({points.critical_points[k].position, points.critical_points[k].valence, is_free[k]});
-  const double tol = equal_positions * face.diameter;
+  const double tol = tolerance::same_point * face.diameter;
   const auto is_same = [](const FreeNode& a, const FreeNode& b) {
     return a.valence == b.valence && a.is_free == b.is_free;
   };
   std::vector<NodeSymmetry> group;
   for (const curve::Isometry& isometry :
        has_winding_offsets(points) ? std::vector{curve::Isometry{}} : curve::symmetries(face)) {
-    const std::vector<int> image = images(nodes, isometry, tol, is_same);
+    const std::vector<int> image = curve::images(nodes, isometry, tol, is_same);
     if (image.size() != nodes.size() || !keeps_boundary(points, isometry, tol)) continue;
     group.push_back({isometry, linear_part(isometry), image});
   }

@@ -1,40 +1,27 @@
 #include "placement/record_moves.hpp"
 
 #include <utility>
+#include <vector>
+
+#include "base/tolerance.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::placement {
-namespace {
-
-constexpr double moved_tol = 1e-9;  // relative to the diameter: nodes that move less count as not moved
-
-void record_move(CriticalPoint& node, Vec2 to, const std::string& reason, std::vector<NodeChange>& changes) {
-  NodeChange change;
-  change.kind = ChangeKind::place;
-  change.reason = reason;
-  change.before = {{node.position, node.valence, NodeLocation::inside}};
-  change.after = {{to, node.valence, NodeLocation::inside}};
-  changes.push_back(change);
-  node.jacobian = {};
-  node.error = 0;
-  node.source = NodeSource::place;
-}
-
-}  // namespace
 
 void record_moves(const CadFace& face, const CriticalPoints& moved, const std::function<std::string(double)>& reason,
                   CriticalPoints& points) {
-  CriticalPoints result = points;
-  for (std::size_t k = 0; k < points.critical_points.size(); ++k) {
-    CriticalPoint& node = result.critical_points[k];
-    const Vec2 to = moved.critical_points[k].position;
-    const double way = distance(node.position, to);
-    if (way > moved_tol * face.diameter) record_move(node, to, reason(way), result.changes);
-    node.position = to;
+  NodeSet nodes{points.critical_points, points.corners, points.boundary_nodes};
+  std::vector<NodeChange> changes;
+  for (std::size_t k = 0; k < nodes.critical_points.size(); ++k) {
+    CriticalPoint& node = nodes.critical_points[k];
+    const Vec2 from = node.position;
+    node.position = moved.critical_points[k].position;
+    const double way = distance(from, node.position);
+    if (way <= tolerance::round_off * face.diameter) continue;
+    node = changed_node(node, node.position, node.valence, NodeSource::place);
+    changes.push_back({ChangeKind::place, reason(way), {{from, node.valence}}, {mark_of(node)}});
   }
-  if (result.changes.size() == points.changes.size()) return;
-  if (points.form == NodeForm::harmonic && points.zeros.empty()) result.zeros = points.critical_points;
-  result.form = NodeForm::phase;
-  points = std::move(result);
+  if (!changes.empty()) replace_nodes(std::move(nodes), changes, points);
 }
 
 }  // namespace quadrille::placement

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "field/boundary_values.hpp"
 #include "guide/tie_measures.hpp"
 #include "placement/clearance.hpp"
@@ -21,7 +22,7 @@ struct ChoiceRules {
 constexpr ChoiceRules rules;
 
 /// Differences that count. Sides and positions may differ by what the angle is off the tie.
-constexpr Cost tolerances{0.5, 0.5, 0.5, 1e-6, 0.5, 1e-3, 1e-3};
+constexpr Cost tolerances{0.5, 0.5, 0.5, tolerance::tied, 0.5, 1e-3, 1e-3};
 
 double node_clearance(const CadFace& face, const CriticalPoints& points, std::size_t node) {
   const Vec2 x = points.critical_points[node].position;

@@ -11,6 +11,7 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "guide/resolve_clusters.hpp"
+#include "placement/node_ledger.hpp"
 #include "ties/choice_cost.hpp"
 
 namespace quadrille::ties {
@@ -192,20 +193,20 @@ std::string reason(const Choice& choice, const TieOrbits& ties, const Trials& tr
 
 std::string corners_text(std::size_t count) { return count == 1 ? "one corner" : fmt::format("{} corners", count); }
 
-void record(const CadFace& face, const Choice& choice, const TieOrbits& ties, const Trials& trials,
-            CriticalPoints& points) {
+std::vector<placement::NodeEdit> edits_of(const Choice& choice, const TieOrbits& ties, const Trials& trials) {
+  std::vector<placement::NodeEdit> edits;
   for (std::size_t u = 0; u < choice.size(); ++u) {
     const Tie& first = ties.ties[ties.units[u].front()];
-    NodeChange change{ChangeKind::line, "", {}, {}};
-    change.reason =
+    placement::NodeEdit edit;
+    edit.kind = ChangeKind::line;
+    edit.reason =
         fmt::format("{} near {:g} degrees, where the field does not decide between two valences: valence {}, {}",
                     corners_text(ties.units[u].size()), degrees(first.angle), first.smaller + (choice[u] ? 0 : 1),
                     reason(choice, ties, trials, u));
-    for (const int t : ties.units[u])
-      change.after.push_back(
-          {face.joints[ties.ties[t].joint].position, first.smaller + (choice[u] ? 0 : 1), NodeLocation::corner});
-    points.changes.push_back(change);
+    for (const int t : ties.units[u]) edit.corners.push_back({ties.ties[t].joint, first.smaller + (choice[u] ? 0 : 1)});
+    edits.push_back(edit);
   }
+  return edits;
 }
 
 void warn_of_halves(const CadFace& face, const Choice& choice, const TieOrbits& ties, Report& report) {
@@ -237,8 +238,8 @@ CriticalPoints choose_at_ties(const field::FieldEvaluator& field, const TieOrbit
                                    corners_text(ties.ties.size())));
   warn_of_halves(face, choice, ties, report);
   CriticalPoints points = trials.proved(choice, report);
-  record(face, choice, ties, trials, points);
-  points.form = NodeForm::phase;
+  points.form = NodeForm::phase;  // the data are tilted, at corners without a choice too
+  placement::apply(edits_of(choice, ties, trials), points);
   return points;
 }
 

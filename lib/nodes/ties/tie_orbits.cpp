@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "curve/orbits.hpp"
 #include "guide/tie_measures.hpp"
 #include "guide/valence.hpp"
 
@@ -35,21 +36,11 @@ int tie_near(const CadFace& face, const std::vector<Tie>& ties, Vec2 x) {
 /// The sets of ties that these isometries map onto each other; ties without a choice are left out.
 std::vector<std::vector<int>> sets_of(const CadFace& face, const std::vector<Tie>& ties,
                                       const std::vector<curve::Isometry>& group) {
-  std::vector<std::vector<int>> sets;
-  std::vector<bool> is_done(ties.size(), false);
-  for (std::size_t i = 0; i < ties.size(); ++i) {
-    if (is_done[i] || ties[i].smaller == 0) continue;
-    std::vector<int> set{static_cast<int>(i)};
-    is_done[i] = true;
-    for (const curve::Isometry& g : group) {
-      const int image = tie_near(face, ties, g(face.joints[ties[i].joint].position));
-      if (image < 0 || is_done[image] || ties[image].smaller != ties[i].smaller) continue;
-      is_done[image] = true;
-      set.push_back(image);
-    }
-    std::sort(set.begin(), set.end());
-    sets.push_back(set);
-  }
+  const auto is_image = [&](const curve::Isometry& g, int i, int j) {
+    return ties[i].smaller == ties[j].smaller && tie_near(face, ties, g(face.joints[ties[i].joint].position)) == j;
+  };
+  std::vector<std::vector<int>> sets = curve::orbits(ties.size(), group, is_image).sets;
+  std::erase_if(sets, [&](const std::vector<int>& set) { return ties[set.front()].smaller == 0; });
   return sets;
 }
 

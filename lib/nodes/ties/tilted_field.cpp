@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/tolerance.hpp"
 #include "field/error_estimate.hpp"
 #include "zeros/surely_empty.hpp"
 
@@ -13,7 +14,6 @@ namespace {
 constexpr std::array<Vec2, 7> samples{
     Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{0, -1}, Vec2{0, 0}, Vec2{-1, 0}, Vec2{-1.0 / 3, -1.0 / 3}};
 constexpr double safety = 2;
-constexpr double negligible = 1e-9;  // what parts leave out where they vanish
 
 std::vector<int> joints_of(const TieOrbits& ties, const std::vector<int>& unit) {
   std::vector<int> joints;
@@ -76,7 +76,7 @@ void TiltedField::find_empty_elements() {
   sum_.v = v;
   sum_.liftings = liftings;
   for (int e = 0; e < sum_.mesh.num_elems(); ++e)
-    is_empty_[e] = zeros::is_surely_empty(*evaluator_, e, safety * changes[e] + negligible);
+    is_empty_[e] = zeros::is_surely_empty(*evaluator_, e, safety * changes[e] + tolerance::round_off);
 }
 
 const field::FieldEvaluator& TiltedField::with(const Choice& choice) {

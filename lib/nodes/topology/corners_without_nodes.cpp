@@ -7,19 +7,19 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "curve/symmetry.hpp"
+#include "base/tolerance.hpp"
+#include "curve/orbits.hpp"
 #include "guide/admissible_valence.hpp"
 #include "guide/tie_measures.hpp"
 
 namespace quadrille::topology {
 namespace {
 
-constexpr double equal = 1e-6;
 constexpr double least_angle = 40, greatest_angle = 140;  // degrees, of the blocks at a corner whose valence changes
 
 /// Corners that isometries of the face map onto each other.
-struct Orbit {
-  std::vector<std::size_t> corners;
+struct CornerOrbit {
+  std::vector<int> corners;
   std::vector<int> valences;  ///< from which to choose, the present one first
 };
 
@@ -29,7 +29,8 @@ struct Cost {
   double lengths = 0;  ///< minus the lengths of the sides adjacent to changed corners, in diameters
 };
 bool is_less(const Cost& a, const Cost& b) {
-  return std::abs(a.defect - b.defect) > equal ? a.defect < b.defect : a.lengths < b.lengths - equal;
+  return std::abs(a.defect - b.defect) > tolerance::tied ? a.defect < b.defect
+                                                         : a.lengths < b.lengths - tolerance::tied;
 }
 
 struct Choice {
@@ -42,28 +43,22 @@ std::vector<int> valences_of(const Corner& c) {
   if (c.source == NodeSource::corner || c.source == NodeSource::divide || c.valence == 0) return valences;
   for (int v = 1; v <= guide::greatest_corner_valence; ++v) {
     const double block = c.angle_degrees / v;
-    if (v != c.valence && block >= least_angle - equal && block <= greatest_angle + equal) valences.push_back(v);
+    if (v != c.valence && block >= least_angle - tolerance::tied && block <= greatest_angle + tolerance::tied)
+      valences.push_back(v);
   }
   return valences;
 }
 
-std::vector<Orbit> orbits_of(const CadFace& face, const std::vector<Corner>& corners) {
-  const std::vector<curve::Isometry> symmetries = curve::symmetries(face);
-  std::vector<Orbit> orbits;
-  std::vector<bool> is_done(corners.size(), false);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (is_done[i]) continue;
-    Orbit orbit{{}, valences_of(corners[i])};
-    for (std::size_t j = i; j < corners.size(); ++j) {
-      const bool is_image = j == i || std::any_of(symmetries.begin(), symmetries.end(), [&](const curve::Isometry& g) {
-                              return distance(g(corners[i].position), corners[j].position) < equal * face.diameter;
-                            });
-      if (!is_image || is_done[j]) continue;
-      is_done[j] = true;
-      orbit.corners.push_back(j);
-      if (valences_of(corners[j]) != orbit.valences) orbit.valences.resize(1);  // one of them was prescribed
-    }
-    orbits.push_back(orbit);
+std::vector<CornerOrbit> orbits_of(const CadFace& face, const std::vector<Corner>& corners) {
+  const auto is_image = [&](const curve::Isometry& g, int i, int j) {
+    return distance(g(corners[i].position), corners[j].position) < tolerance::same_point * face.diameter;
+  };
+  std::vector<CornerOrbit> orbits;
+  for (const std::vector<int>& set : curve::orbits(corners.size(), curve::symmetries(face), is_image).sets) {
+    orbits.push_back({set, valences_of(corners[set.front()])});
+    std::vector<int>& valences = orbits.back().valences;
+    for (const int i : set)
+      if (valences_of(corners[i]) != valences) valences.resize(1);  // one of them was prescribed
   }
   return orbits;
 }
@@ -77,15 +72,15 @@ Cost cost_of(const CadFace& face, const Corner& c, int valence) {
 
 /// The best choice for each sum of 2 - V over all corners, by dynamic programming over the orbits.
 std::map<int, Choice> best_choices(const CadFace& face, const std::vector<Corner>& corners,
-                                   const std::vector<Orbit>& orbits) {
+                                   const std::vector<CornerOrbit>& orbits) {
   std::map<int, Choice> best{{0, {}}};
-  for (const Orbit& orbit : orbits) {
+  for (const CornerOrbit& orbit : orbits) {
     std::map<int, Choice> next;
     for (const auto& [sum, choice] : best)
       for (const int valence : orbit.valences) {
         Choice with = choice;
         int new_sum = sum;
-        for (const std::size_t i : orbit.corners) {
+        for (const int i : orbit.corners) {
           const int kept = corners[i].valence, changed = valence == orbit.valences.front() ? kept : valence;
           const Cost cost = cost_of(face, corners[i], changed);
           with.cost = {with.cost.defect + cost.defect, with.cost.lengths + cost.lengths};
@@ -112,7 +107,7 @@ int required_index(const CriticalPoints& points) {
 }  // namespace
 
 std::vector<guide::CornerOverride> corners_without_nodes(const CadFace& face, const CriticalPoints& points) {
-  const std::vector<Orbit> orbits = orbits_of(face, points.corners);
+  const std::vector<CornerOrbit> orbits = orbits_of(face, points.corners);
   const std::map<int, Choice> best = best_choices(face, points.corners, orbits);
   const int required = required_index(points);
   const auto left = [&](int sum) { return std::abs(required - sum); };
@@ -124,7 +119,7 @@ std::vector<guide::CornerOverride> corners_without_nodes(const CadFace& face, co
   for (std::size_t k = 0; k < orbits.size(); ++k) {
     const int valence = chosen->second.valences[k];
     if (valence == orbits[k].valences.front()) continue;
-    for (const std::size_t i : orbits[k].corners)
+    for (const int i : orbits[k].corners)
       corners.push_back({points.corners[i].curves[0], points.corners[i].curves[1], valence});
   }
   return corners;

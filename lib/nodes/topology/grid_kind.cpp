@@ -7,13 +7,12 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "guide/admissible_valence.hpp"
 #include "model/far_field.hpp"
 
 namespace quadrille::topology {
 namespace {
-
-constexpr double equal = 1e-6;  // radians, or relative to the diameter
 
 /// Whether a slit joins a body to the outline.
 bool has_slit(const CadFace& face) {
@@ -46,12 +45,12 @@ bool is_downstream(const CadFace& face, Vec2 position) {
   if (corners.size() <= 2) return true;
   Vec2 centre;
   for (const Vec2 corner : corners) centre += corner / static_cast<double>(corners.size());
-  return dot(position - centre, downstream(face)) > equal * face.diameter;
+  return dot(position - centre, downstream(face)) > tolerance::tied * face.diameter;
 }
 
 /// The least valence with blocks below the greatest admissible angle.
 int least_valence(double angle_degrees) {
-  return static_cast<int>(std::ceil(angle_degrees / guide::greatest_block_angle - equal));
+  return static_cast<int>(std::ceil(angle_degrees / guide::greatest_block_angle - tolerance::tied));
 }
 
 int valence_of(const CadFace& face, GridKind kind, const Corner& c) {
@@ -110,7 +109,7 @@ Vec2 downstream(const CadFace& face) {
   double weights = 0;
   for (int j = face.loop_offsets[1]; j < face.num_curves(); ++j) {
     const double turn = face.joints[j].interior_angle - pi;
-    if (!face.joints[j].is_corner || turn < equal) continue;
+    if (!face.joints[j].is_corner || turn < tolerance::same_angle) continue;
     sum += turn * turn * direction_of(face.joints[j]);
     weights += turn * turn;
   }

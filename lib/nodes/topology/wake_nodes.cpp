@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "guide/admissible_valence.hpp"
-#include "guide/node_ring.hpp"
 #include "placement/clearance.hpp"
+#include "placement/node_ledger.hpp"
 
 namespace quadrille::topology {
 namespace {
@@ -27,17 +28,17 @@ double loop_size(const CadFace& face, int joint) {
   return size;
 }
 
-CriticalPoint node_behind(const CadFace& face, const Corner& corner) {
+NodeMark node_behind(const CadFace& face, const Corner& corner) {
   const Joint& joint = face.joints[corner.joint];
   const Vec2 direction = unit(joint.tangent_out + joint.interior_angle / 2);
-  const double start = 1e-6 * face.diameter;  // away from the corner itself
+  const double start = tolerance::same_point * face.diameter;  // away from the corner itself
   const double clearance = placement::clearance_along(face, joint.position + start * direction, direction);
   const double length = std::min(2 * loop_size(face, corner.joint), clearance / 2);
-  return guide::made_node(joint.position + length * direction, 1, NodeSource::corner);
+  return {joint.position + length * direction, 3};
 }
 
-std::vector<CriticalPoint> wake_nodes(const CadFace& face, const CriticalPoints& points) {
-  std::vector<CriticalPoint> nodes;
+std::vector<NodeMark> wake_nodes(const CadFace& face, const CriticalPoints& points) {
+  std::vector<NodeMark> nodes;
   for (const Corner& c : points.corners)
     if (face.loop_of(c.joint) > 0 && c.valence == 3 && c.angle_degrees > 2 * guide::greatest_block_angle)
       nodes.push_back(node_behind(face, c));
@@ -47,25 +48,18 @@ std::vector<CriticalPoint> wake_nodes(const CadFace& face, const CriticalPoints&
 }  // namespace
 
 bool set_wake_nodes(const CadFace& face, CriticalPoints& points) {
-  std::vector<CriticalPoint> nodes = wake_nodes(face, points);
-  NodeChange change{ChangeKind::corner, "an O-grid has a node of valence 3 in the wake of each sharp corner", {}, {}};
-  std::vector<CriticalPoint> kept;
+  placement::NodeEdit edit{ChangeKind::corner,
+                           "an O-grid has a node of valence 3 in the wake of each sharp corner",
+                           {},
+                           wake_nodes(face, points)};
   int left = 0;
-  for (const CriticalPoint& p : points.critical_points) {
-    if (p.source == NodeSource::divide) {
-      kept.push_back(p);
-      continue;
-    }
-    left += p.index;
-    change.before.push_back({p.position, p.valence, NodeLocation::inside});
+  for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
+    if (points.critical_points[i].source == NodeSource::divide) continue;
+    left += points.critical_points[i].index;
+    edit.removed.push_back(i);
   }
-  if (nodes.empty() || left != static_cast<int>(nodes.size())) return false;
-  for (const CriticalPoint& node : nodes) change.after.push_back({node.position, node.valence, NodeLocation::inside});
-  kept.insert(kept.end(), nodes.begin(), nodes.end());
-  points.critical_points = kept;
-  points.changes.push_back(change);
-  points.form = NodeForm::phase;
-  points.index_sum = index_sum_of(points);
+  if (edit.added.empty() || left != static_cast<int>(edit.added.size())) return false;
+  placement::apply({edit}, points);
   return true;
 }
 

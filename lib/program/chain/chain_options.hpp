@@ -32,7 +32,7 @@ struct StageOptions {
 };
 
 /// Declares those of one stage.
-void declare(Options& options, Stage stage, StageOptions& values);
+void declare(Options& options, ChainStage stage, StageOptions& values);
 
 /// Words of the command line, by the command that takes them.
 using Words = std::map<std::string, std::vector<std::string>>;
@@ -45,23 +45,23 @@ struct ChainOptions {
   std::string threads;                ///< as given; empty: auto
   int num_threads = 0;                ///< 0: auto
   Limits limits;                      ///< of seconds and memory
-  Stage first = Stage::cad2tri, last = Stage::quadexport;
+  ChainStage first = ChainStage::cad2tri, last = ChainStage::quadexport;
   std::string from, until;   ///< their names if they were given
   std::string point_option;  ///< an option of points2step that was given
   std::string cad_option;    ///< an option of cad2tri that was given
   bool is_verbose = false, is_quiet = false, is_dry_run = false;
-  std::map<Stage, std::string> programs;  ///< external programs in place of stages, commands for a shell
-  Words words;                            ///< of each stage and of points2step, as given
-  std::string typed;                      ///< the command, for the page: files without folders
+  std::map<ChainStage, std::string> programs;  ///< external programs in place of stages, commands for a shell
+  Words words;                                 ///< of each stage and of points2step, as given
+  std::string typed;                           ///< the command, for the page: files without folders
 
   bool has(const std::string& tool, const std::string& flag) const;  ///< whether the words of the tool hold the flag
 };
 
 /// What is to be done besides.
-enum class Request { run, show_help, show_version };
+enum class Action { run, show_help, show_version };
 
 /// Reads the command line (argv without the name of the program). Throws UsageError.
-Request read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);
+Action read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);
 
 /// The values of the words of each stage. Throws UsageError with the message of the stage.
 StageOptions stage_options(const ChainOptions& options);

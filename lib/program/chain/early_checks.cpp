@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "chain/choose_nodes.hpp"
+#include "chain/chain_nodes.hpp"
 #include "chain/quad_inputs.hpp"
 #include "cli/outcome.hpp"
 
@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 void check_range(const ChainOptions& options) {
   if (is_before(options.last, options.first))
     throw UsageError(fmt::format("--from {} comes after --until {}: no stage would run", options.from, options.until));
-  if (options.first != Stage::cad2tri && options.workdir.empty())
+  if (options.first != ChainStage::cad2tri && options.workdir.empty())
     throw UsageError(
         fmt::format("--from {} needs --workdir, the folder with the files of the stages before", options.from));
-  if (options.last != Stage::quadexport && options.workdir.empty())
+  if (options.last != ChainStage::quadexport && options.workdir.empty())
     throw UsageError(
         fmt::format("--until {} needs --workdir, the folder in which the files of the stages are kept", options.until));
 }
@@ -30,20 +30,21 @@ void check_range(const ChainOptions& options) {
 /// Whether a stage that runs takes the flag too.
 bool has_runner(const ChainOptions& options, const std::string& flag) {
   for (int i = static_cast<int>(options.first); i < num_stages; ++i)
-    if (options.has(enum_name(static_cast<Stage>(i)), flag)) return true;
+    if (options.has(enum_name(static_cast<ChainStage>(i)), flag)) return true;
   return false;
 }
 
 /// Options of stages before --from could not change anything.
 void check_skipped_options(const ChainOptions& options) {
-  if (options.first == Stage::cad2tri) return;
+  if (options.first == ChainStage::cad2tri) return;
   if (!options.cad_option.empty())
     throw UsageError(fmt::format("{} is an option of cad2tri, which --from {} does not run: leave one of them out",
                                  options.cad_option, options.from));
   if (!options.point_option.empty())
     throw UsageError(fmt::format("{} makes a CAD file of points, which --from {} does not read: leave one of them out",
                                  options.point_option, options.from));
-  for (const Stage stage : {Stage::critpoints, Stage::separatrix, Stage::blocksplit, Stage::quadrefine}) {
+  for (const ChainStage stage :
+       {ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit, ChainStage::quadrefine}) {
     const auto words = options.words.find(enum_name(stage));
     if (!is_before(stage, options.first) || words == options.words.end()) continue;
     for (const std::string& word : words->second)
@@ -64,16 +65,16 @@ void check_stage_options(const StageOptions& values) {
 
 void check_output_format(const ChainOptions& options, const StageOptions& values) {
   const std::string format = stage::format_of(options.output.empty() ? "-" : options.output, values.quadexport);
-  if (options.last == Stage::quadexport) stage::require_order(format, values.quadrefine.refine.order);
+  if (options.last == ChainStage::quadexport) stage::require_order(format, values.quadrefine.refine.order);
 }
 
 void check_nodes_option(const ChainOptions& options, const StageOptions& values) {
   if (options.nodes_file.empty()) return;
   if (values.separatrix.layout == layout::LayoutChoice::midpoint)
     throw UsageError("--nodes and --layout midpoint exclude each other: it uses no nodes");
-  if (is_before(Stage::separatrix, options.first))
+  if (is_before(ChainStage::separatrix, options.first))
     throw UsageError(fmt::format("--nodes needs separatrix, which --from {} does not run", options.from));
-  if (is_before(options.last, Stage::critpoints))
+  if (is_before(options.last, ChainStage::critpoints))
     throw UsageError(fmt::format("--nodes is not used before critpoints, where --until {} ends", options.until));
   if (const auto words = options.words.find("critpoints"); words != options.words.end())
     throw UsageError(fmt::format("--nodes takes the place of critpoints: {} is an option of it, leave it out",
@@ -86,25 +87,25 @@ void check_nodes_option(const ChainOptions& options, const StageOptions& values)
 std::vector<std::string> needed_endings(const ChainOptions& options, const StageOptions& values) {
   const bool has_no_field = values.separatrix.layout == layout::LayoutChoice::midpoint;
   switch (options.first) {
-    case Stage::cad2tri:
+    case ChainStage::cad2tri:
       return {};
-    case Stage::fieldsolve:
+    case ChainStage::fieldsolve:
       return {"tri.h5"};
-    case Stage::padapt:
+    case ChainStage::padapt:
       if (has_no_field) return {"tri.h5"};
       return {"tri.h5", "solve.h5"};
-    case Stage::critpoints:
+    case ChainStage::critpoints:
       if (has_no_field) return {"tri.h5"};
       return {"tri.h5", "field.h5"};
-    case Stage::separatrix:
+    case ChainStage::separatrix:
       if (has_no_field) return {"tri.h5"};
       if (!options.nodes_file.empty()) return {"tri.h5", "field.h5"};
       return {"tri.h5", "field.h5", "crit.json"};
-    case Stage::blocksplit:
+    case ChainStage::blocksplit:
       return {"sep.json"};
-    case Stage::quadrefine:
+    case ChainStage::quadrefine:
       return {"blocks.h5"};
-    case Stage::quadexport:
+    case ChainStage::quadexport:
       return {exported_ending(options, values)};
   }
   return {};
@@ -112,7 +113,7 @@ std::vector<std::string> needed_endings(const ChainOptions& options, const Stage
 
 std::string maker_of(const std::string& ending) {
   for (int i = 0; i < num_stages; ++i)
-    if (stage_endings[i] == ending) return enum_name(static_cast<Stage>(i));
+    if (stage_endings[i] == ending) return enum_name(static_cast<ChainStage>(i));
   return {};
 }
 
@@ -144,7 +145,7 @@ bool is_file(const std::string& path) {
 void check_inputs(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   const StageOptions& values = chain.values;
-  if (options.first == Stage::cad2tri) require_input(options.shape);
+  if (options.first == ChainStage::cad2tri) require_input(options.shape);
   if (!options.nodes_file.empty() && options.nodes_file != "-" && !fs::exists(options.nodes_file))
     throw FormatError(
         fmt::format("--nodes {}: no such file; the rules are none, fewest, field and auto", options.nodes_file));
@@ -193,7 +194,7 @@ void check_outputs(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   const std::string& healed = chain.values.cad2tri.healed_file;
   const bool is_stdout = options.output.empty() || options.output == "-";
-  if (is_stdout && options.report == "-" && options.last == Stage::quadexport)
+  if (is_stdout && options.report == "-" && options.last == ChainStage::quadexport)
     throw UsageError("the mesh and the report cannot both go to standard output: give -o FILE");
   for (const std::string& path : {options.output, options.report, healed, options.html}) check_output(chain, path);
   refuse_pair(options.output, options.report, "the mesh", "the report");
@@ -207,21 +208,21 @@ void check_outputs(const ChainState& chain) {
 std::optional<CadFace> known_face(ChainState& chain) {
   if (chain.files.triangles.is_in_memory()) return chain.files.triangles.model().face;
   std::string ending = "tri.h5";
-  if (chain.options.first == Stage::blocksplit) ending = "sep.json";
-  if (chain.options.first == Stage::quadrefine) ending = "blocks.h5";
-  if (chain.options.first == Stage::quadexport) ending = exported_ending(chain.options, chain.values);
+  if (chain.options.first == ChainStage::blocksplit) ending = "sep.json";
+  if (chain.options.first == ChainStage::quadrefine) ending = "blocks.h5";
+  if (chain.options.first == ChainStage::quadexport) ending = exported_ending(chain.options, chain.values);
   const std::string path = chain.files.stem + '.' + ending;
   if (!is_file(path)) return std::nullopt;  // with --dry-run
   return io::read_face(io::read_input(path));
 }
 
-void check_face_for(ChainState& chain, Stage stage, const CadFace& face) {
+void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
   if (chosen_words(chain, stage).empty()) return;
   const cli::Outcome outcome = cli::outcome_of([&] {
-    if (stage == Stage::critpoints) stage::require_critpoints_of(face, chain.values.critpoints);
-    if (stage == Stage::quadrefine)
+    if (stage == ChainStage::critpoints) stage::require_critpoints_of(face, chain.values.critpoints);
+    if (stage == ChainStage::quadrefine)
       stage::require_quadrefine_of(face, prescribed_sizes(chain, face).content, chain.values.quadrefine);
-    if (stage == Stage::quadexport) stage::require_quadexport_of(face, chain.values.quadexport);
+    if (stage == ChainStage::quadexport) stage::require_quadexport_of(face, chain.values.quadexport);
   });
   if (outcome.code != ExitCode::usage && outcome.code != ExitCode::no_result) return;  // the stage says the rest
   chain.last.clear();                                                                  // no later stage has seen it
@@ -254,7 +255,7 @@ std::string exported_ending(const ChainOptions& options, const StageOptions& val
 }
 
 std::string shape_of(const ChainOptions& options, const StageOptions& values) {
-  if (!options.shape.empty() || options.first == Stage::cad2tri) return options.shape;
+  if (!options.shape.empty() || options.first == ChainStage::cad2tri) return options.shape;
   const std::string ending = needed_endings(options, values).front();
   std::string shape;
   std::error_code error;
@@ -281,7 +282,7 @@ void check_files(const ChainState& chain) {
 void check_face(ChainState& chain) {
   const std::optional<CadFace> face = known_face(chain);
   if (!face) return;
-  for (const Stage stage : {Stage::critpoints, Stage::quadrefine, Stage::quadexport})
+  for (const ChainStage stage : {ChainStage::critpoints, ChainStage::quadrefine, ChainStage::quadexport})
     check_face_for(chain, stage, *face);
 }
 

@@ -2,7 +2,7 @@
 // What the command line and the headers of files tell before any work: options of all stages, inputs that are missing,
 // outputs that cannot be written or would replace an input.
 
-#include "chain/chain.hpp"
+#include "chain/chain_state.hpp"
 
 namespace quadrille::chain {
 

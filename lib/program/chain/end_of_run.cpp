@@ -45,7 +45,7 @@ void write_page(ChainState& chain, const io::ChainReport& report) {
 
 void print_summary(const ChainState& chain, const io::ChainReport& report) {
   const ChainOptions& options = chain.options;
-  const bool ends_early = options.last != Stage::quadexport;
+  const bool ends_early = options.last != ChainStage::quadexport;
   if (options.is_quiet) return;
   const bool uses_stdout = options.report == "-" || (!ends_early && (options.output.empty() || options.output == "-"));
   FILE* const stream = uses_stdout ? stderr : stdout;

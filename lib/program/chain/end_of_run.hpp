@@ -1,7 +1,7 @@
 #pragma once
 // What a run leaves: the report, the page, the line about the mesh; after a failure a picture of the last file.
 
-#include "chain/chain.hpp"
+#include "chain/chain_state.hpp"
 
 namespace quadrille::chain {
 

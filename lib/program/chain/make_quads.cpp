@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "chain/choose_nodes.hpp"
+#include "chain/make_graph.hpp"
 #include "chain/quad_inputs.hpp"
 #include "chain/try_remedies.hpp"
-#include "triangulate/coarse_triangles.hpp"
 
 namespace quadrille::chain {
 
@@ -14,7 +13,7 @@ namespace {
 bool solve_field(ChainState& chain) {
   ChainFiles& files = chain.files;
   StageTask solve;
-  solve.stage = Stage::fieldsolve;
+  solve.stage = ChainStage::fieldsolve;
   solve.output = files.solve.path();
   solve.words = {files.triangles.path()};
   solve.compute = [&](Run& run) {
@@ -24,7 +23,7 @@ bool solve_field(ChainState& chain) {
   solve.write_inputs = [&] { files.triangles.write(); };
   solve.drop_result = [&] { files.solve.forget(); };
   StageTask adapt;
-  adapt.stage = Stage::padapt;
+  adapt.stage = ChainStage::padapt;
   adapt.output = files.field.path();
   adapt.words = {files.solve.path()};
   adapt.compute = [&](Run& run) {
@@ -37,76 +36,10 @@ bool solve_field(ChainState& chain) {
   return is_solved;
 }
 
-/// The field that has prescribed nodes.
-bool solve_phase(ChainState& chain, NodeFiles& files) {
-  StageFile<TriMesh>& triangles = chain.files.triangles;
-  StageFile<Field>& field = chain.files.field;
-  StageTask solve;
-  solve.stage = Stage::fieldsolve;
-  solve.is_of_phase = true;
-  solve.output = files.phase_solve.path();
-  solve.words = {"--nodes", files.nodes.name(), "--orders", field.path(), triangles.path()};
-  solve.compute = [&](Run& run) {
-    const OrderMap orders{field.model().elem_order, field.model().kind == FieldKind::harmonic};
-    stage::FieldsolveInput input{triangles.input(), {}, "field", {}};
-    input.orders.emplace(orders, field.input().file);
-    input.nodes.emplace(files.nodes.input());
-    files.phase_solve.set(stage::fieldsolve(input, chain.values.fieldsolve, run), chain.keeps_files);
-  };
-  solve.write_inputs = [&] { triangles.write(), field.write(), files.nodes.write(); };
-  solve.drop_result = [&] { files.phase_solve.forget(); };
-  StageTask adapt;
-  adapt.stage = Stage::padapt;
-  adapt.is_of_phase = true;
-  adapt.output = files.phase.path();
-  adapt.words = {files.phase_solve.path()};
-  adapt.compute = [&](Run& run) {
-    files.phase.set(stage::padapt(files.phase_solve.input(), chain.values.padapt, run), chain.keeps_files);
-  };
-  adapt.write_inputs = [&] { files.phase_solve.write(); };
-  adapt.drop_result = [&] { files.phase.forget(); };
-  const bool is_solved = run_stage(chain, solve) && run_stage(chain, adapt);
-  files.phase_solve.forget();
-  return is_solved;
-}
-
-/// With --dry-run, for a person: whether they run depends on what critpoints finds.
-void print_phase_stages(ChainState& chain, NodeFiles& files) {
-  if (!chain.is_due(Stage::separatrix)) return;
-  fmt::print("# if \"form\" is \"phase\" in {}, or its nodes were edited; separatrix then reads {}:\n",
-             files.nodes.name(), files.phase.path());
-  const std::string before = chain.last;
-  chain.comment = "# ";
-  solve_phase(chain, files);
-  chain.comment.clear();
-  chain.last = before;
-}
-
-/// The layout options with what makes midpoint division possible.
-stage::SeparatrixOptions layout_options(const ChainState& chain) {
-  stage::SeparatrixOptions options = chain.values.separatrix;
-  options.coarse_mesher = triangulate::coarse_triangles;
-  return options;
-}
-
-bool trace(ChainState& chain, NodeFiles& files, StageFile<Field>& field) {
-  StageTask task;
-  task.stage = Stage::separatrix;
-  task.output = files.graph.path();
-  task.words = {field.path(), files.nodes.name()};
-  task.compute = [&](Run& run) {
-    files.graph.set(stage::separatrix(field.input(), files.nodes.input(), layout_options(chain), run),
-                    chain.keeps_files);
-  };
-  task.write_inputs = [&] { field.write(), files.nodes.write(); };
-  task.drop_result = [&] { files.graph.forget(); };
-  return run_stage(chain, task);
-}
-
 bool divide_triangles(ChainState& chain) {
   ChainFiles& files = chain.files;
   StageTask task;
-  task.stage = Stage::separatrix;
+  task.stage = ChainStage::separatrix;
   task.output = files.of_nodes.graph.path();
   task.words = {files.triangles.path()};
   task.compute = [&](Run& run) {
@@ -120,7 +53,7 @@ bool divide_triangles(ChainState& chain) {
 bool make_blocks(ChainState& chain) {
   ChainFiles& files = chain.files;
   StageTask task;
-  task.stage = Stage::blocksplit;
+  task.stage = ChainStage::blocksplit;
   task.output = files.blocks.path();
   task.words = {files.of_nodes.graph.path()};
   task.compute = [&](Run& run) {
@@ -136,7 +69,7 @@ bool make_blocks(ChainState& chain) {
 bool refine_blocks(ChainState& chain) {
   ChainFiles& files = chain.files;
   StageTask task;
-  task.stage = Stage::quadrefine;
+  task.stage = ChainStage::quadrefine;
   task.output = files.quads.path();
   task.words = {files.blocks.path()};
   task.compute = [&](Run& run) {
@@ -168,19 +101,6 @@ void warn_of_triangles(const ChainState& chain) {
 
 }  // namespace
 
-bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::string>& node_words) {
-  if (!make_nodes(chain, files, node_words)) return false;
-  StageFile<Field>* field = &chain.files.field;
-  if (chain.options.is_dry_run && !have_phase_form(chain, files)) {
-    print_phase_stages(chain, files);
-  } else if (needs_own_field(chain, files)) {
-    if (!solve_phase(chain, files)) return false;
-    field = &files.phase;
-    if (!is_before(chain.options.last, Stage::separatrix)) chain.last = files.nodes.path();
-  }
-  return trace(chain, files, *field);
-}
-
 void make_quads(ChainState& chain) {
   using layout::LayoutChoice;
   const LayoutChoice choice = chain.values.separatrix.layout;
@@ -188,8 +108,8 @@ void make_quads(ChainState& chain) {
     quads_of_triangles(chain);
     return;
   }
-  chain.has_other_way = choice == LayoutChoice::automatic && !is_before(Stage::separatrix, chain.options.first) &&
-                        !is_before(chain.options.last, Stage::separatrix);
+  chain.has_other_way = choice == LayoutChoice::automatic && !is_before(ChainStage::separatrix, chain.options.first) &&
+                        !is_before(chain.options.last, ChainStage::separatrix);
   const bool is_made = quads_of_field(chain);
   chain.has_other_way = false;
   if (is_made) return;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "chain/chain.hpp"
+#include "chain/chain_state.hpp"
 #include "io/input_file.hpp"
 
 namespace quadrille::chain {

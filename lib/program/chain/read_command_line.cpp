@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "chain/chain_options.hpp"
+#include "cli/option_values.hpp"
 #include "cli/stage_words.hpp"
 
 namespace quadrille::chain {
@@ -28,8 +29,8 @@ const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name
 const std::set<std::string> of_points{"--farfield", "--wake", "--chord"};
 
 /// The stages whose options are options of quadmesh.
-constexpr std::array open_stages{Stage::critpoints, Stage::separatrix, Stage::blocksplit, Stage::quadrefine,
-                                 Stage::quadexport};
+constexpr std::array open_stages{ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
+                                 ChainStage::quadrefine, ChainStage::quadexport};
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -44,7 +45,7 @@ struct SharedOption {
 std::map<std::string, SharedOption> shared_options() {
   std::map<std::string, SharedOption> all;
   StageOptions values;
-  for (const Stage stage : open_stages)
+  for (const ChainStage stage : open_stages)
     for (const cli::OptionName& name : cli::option_names([&](Options& o) { declare(o, stage, values); }))
       all[name.flag].tools.push_back(enum_name(stage)), all[name.flag].takes_value = name.takes_value;
   return all;
@@ -55,7 +56,7 @@ class Reader {
   Reader(const std::vector<std::string>& arguments, ChainOptions& options)
       : words_(arguments.begin(), arguments.end()), options_(options) {}
 
-  Request read() {
+  Action read() {
     while (!words_.empty()) {
       const std::string word = words_.front();
       if (word.starts_with("--") && word.find('=') != std::string::npos)
@@ -66,9 +67,9 @@ class Reader {
         take_option(word);
       else
         take_shape(word);
-      if (request_ == Request::show_help) break;
+      if (action_ == Action::show_help) break;
     }
-    return request_;
+    return action_;
   }
 
  private:
@@ -76,7 +77,7 @@ class Reader {
   void split_at_equals(const std::string& word) {
     const std::size_t end = word.find('=');
     const std::string flag = word.substr(0, end);
-    if (contains(own_flags, flag)) throw UsageError(flag + " takes no value");
+    if (takes_no_value(flag)) throw UsageError(flag + " takes no value");
     words_.front() = word.substr(end + 1);
     words_.insert(words_.begin(), flag);
     take_option(flag);
@@ -91,6 +92,18 @@ class Reader {
     if (flag == "-o") take_option(flag);
   }
 
+  bool takes_no_value(const std::string& flag) {
+    if (contains(own_flags, flag)) return true;
+    if (contains(own_values, flag)) return false;
+    const auto found = shared().find(flag);
+    return found != shared().end() && !found->second.takes_value;
+  }
+
+  const std::map<std::string, SharedOption>& shared() {
+    if (shared_.empty()) shared_ = shared_options();
+    return shared_;
+  }
+
   void take_option(const std::string& word) {
     static const std::map<std::string, std::string> long_names{
         {"-o", "--output"}, {"-v", "--verbose"}, {"-q", "--quiet"}, {"-h", "--help"}};
@@ -99,11 +112,10 @@ class Reader {
     words_.erase(words_.begin());
     if (contains(own_flags, flag)) return take_flag(flag);
     if (contains(own_values, flag)) return take_value(flag, value_of(word));
-    if (shared_.empty()) shared_ = shared_options();
-    const auto shared = shared_.find(flag);
-    if (shared == shared_.end()) unknown(word);
-    if (!shared->second.takes_value) return choose(shared->second.tools, {flag});
-    choose(shared->second.tools, {flag, value_of(word)});
+    const auto option = shared().find(flag);
+    if (option == shared().end()) unknown(word);
+    if (!option->second.takes_value) return choose(option->second.tools, {flag});
+    choose(option->second.tools, {flag, value_of(word)});
   }
 
   /// The next word; it may be empty or begin with one -, but must not be an option.
@@ -117,8 +129,8 @@ class Reader {
   }
 
   void take_flag(const std::string& flag) {
-    if (flag == "--help") request_ = Request::show_help;
-    if (flag == "--version") request_ = Request::show_version;
+    if (flag == "--help") action_ = Action::show_help;
+    if (flag == "--version") action_ = Action::show_version;
     if (flag == "--verbose") options_.is_verbose = true;
     if (flag == "--quiet") options_.is_quiet = true;
     if (flag == "--dry-run") options_.is_dry_run = true;
@@ -167,9 +179,9 @@ class Reader {
     options_.programs[stage_named("--stage", value.substr(0, end))] = value.substr(end + 1);
   }
 
-  static Stage stage_named(const std::string& flag, const std::string& name) {
-    if (const auto stage = enum_value<Stage>(name)) return *stage;
-    const std::vector<std::string> names = all_enum_names<Stage>();
+  static ChainStage stage_named(const std::string& flag, const std::string& name) {
+    if (const auto stage = enum_value<ChainStage>(name)) return *stage;
+    const std::vector<std::string> names = all_enum_names<ChainStage>();
     throw UsageError(fmt::format("{}: '{}' is no stage{}: the stages are {}", flag, name, did_you_mean(name, names),
                                  fmt::join(names, " ")));
   }
@@ -182,10 +194,9 @@ class Reader {
   }
 
   [[noreturn]] void unknown(const std::string& word) {
-    if (shared_.empty()) shared_ = shared_options();
     std::vector<std::string> known = own_values;
     known.insert(known.end(), own_flags.begin(), own_flags.end());
-    for (const auto& [flag, option] : shared_) known.push_back(flag);
+    for (const auto& [flag, option] : shared()) known.push_back(flag);
     const std::string nearest = nearest_word(word, known);
     throw UsageError(
         fmt::format("unknown option {}{}", word, nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)));
@@ -201,7 +212,7 @@ class Reader {
   std::vector<std::string> words_;  ///< that are left
   ChainOptions& options_;
   std::map<std::string, SharedOption> shared_;  ///< of the stages, once they are needed
-  Request request_ = Request::run;
+  Action action_ = Action::run;
 };
 
 /// The command for a shell; files without folders, so that the page can be given away.
@@ -219,23 +230,23 @@ std::string typed_command(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-void declare(Options& options, Stage stage, StageOptions& values) {
+void declare(Options& options, ChainStage stage, StageOptions& values) {
   switch (stage) {
-    case Stage::cad2tri:
+    case ChainStage::cad2tri:
       return declare(options, values.cad2tri);
-    case Stage::fieldsolve:
+    case ChainStage::fieldsolve:
       return declare(options, values.fieldsolve);
-    case Stage::padapt:
+    case ChainStage::padapt:
       return declare(options, values.padapt);
-    case Stage::critpoints:
+    case ChainStage::critpoints:
       return declare(options, values.critpoints);
-    case Stage::separatrix:
+    case ChainStage::separatrix:
       return declare(options, values.separatrix);
-    case Stage::blocksplit:
+    case ChainStage::blocksplit:
       return declare(options, values.blocksplit);
-    case Stage::quadrefine:
+    case ChainStage::quadrefine:
       return declare(options, values.quadrefine);
-    case Stage::quadexport:
+    case ChainStage::quadexport:
       return declare(options, values.quadexport);
   }
 }
@@ -245,7 +256,7 @@ bool ChainOptions::has(const std::string& tool, const std::string& flag) const {
   return found != words.end() && contains(found->second, flag);
 }
 
-Request read_command_line(const std::vector<std::string>& arguments, ChainOptions& options) {
+Action read_command_line(const std::vector<std::string>& arguments, ChainOptions& options) {
   options.typed = typed_command(arguments);
   return Reader(arguments, options).read();
 }
@@ -253,7 +264,7 @@ Request read_command_line(const std::vector<std::string>& arguments, ChainOption
 StageOptions stage_options(const ChainOptions& options) {
   StageOptions values;
   for (int i = 0; i < num_stages; ++i) {
-    const auto stage = static_cast<Stage>(i);
+    const auto stage = static_cast<ChainStage>(i);
     const auto words = options.words.find(enum_name(stage));
     if (words != options.words.end()) cli::set_options([&](Options& o) { declare(o, stage, values); }, words->second);
   }

@@ -16,7 +16,7 @@ namespace {
 
 bool has_points(const ChainState& chain) {
   const std::string& shape = chain.options.shape;
-  return chain.options.first == Stage::cad2tri &&
+  return chain.options.first == ChainStage::cad2tri &&
          (!chain.options.point_option.empty() || shape.ends_with(".dat") || shape.ends_with(".xy"));
 }
 
@@ -77,9 +77,9 @@ std::string cad_file(ChainState& chain) {
 }  // namespace
 
 void triangulate_shape(ChainState& chain) {
-  const std::string path = chain.is_due(Stage::cad2tri) ? cad_file(chain) : chain.options.shape;
+  const std::string path = chain.is_due(ChainStage::cad2tri) ? cad_file(chain) : chain.options.shape;
   StageTask task;
-  task.stage = Stage::cad2tri;
+  task.stage = ChainStage::cad2tri;
   task.output = chain.files.triangles.path();
   task.words = {path};
   task.compute = [&chain, path](Run& run) {

@@ -1,7 +1,7 @@
 #pragma once
 // The first stage: from a CAD file, or points, to triangles.
 
-#include "chain/chain.hpp"
+#include "chain/chain_state.hpp"
 
 namespace quadrille::chain {
 

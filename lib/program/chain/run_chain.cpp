@@ -53,7 +53,7 @@ void export_mesh(ChainState& chain) {
   const std::string ending = exported_ending(chain.options, chain.values);
   const bool is_step = ending == "blocks.h5";
   StageTask task;
-  task.stage = Stage::quadexport;
+  task.stage = ChainStage::quadexport;
   task.output = chain.options.output.empty() ? "-" : chain.options.output;
   task.words = {files.stem + '.' + ending};
   task.compute = [&, is_step](Run& run) {
@@ -81,7 +81,7 @@ void add_options_of_walls(ChainState& chain) {
 }
 
 void add_clearances(ChainState& chain) {
-  if (!chain.is_due(Stage::critpoints) || !chain.options.nodes_file.empty() ||
+  if (!chain.is_due(ChainStage::critpoints) || !chain.options.nodes_file.empty() ||
       chain.values.separatrix.layout == layout::LayoutChoice::midpoint)
     return;
   std::vector<std::string>& given = chain.values.critpoints.clearances;
@@ -130,7 +130,7 @@ int run_to_the_end(ChainState& chain) {
 /// What standard input holds, if it is the shape or the nodes: read once, before a process is copied.
 std::optional<std::string> standard_input(const ChainOptions& options) {
   if (options.is_dry_run || (options.shape != "-" && options.nodes_file != "-")) return std::nullopt;
-  if (options.shape == "-" && options.first != Stage::cad2tri) return std::nullopt;
+  if (options.shape == "-" && options.first != ChainStage::cad2tri) return std::nullopt;
   std::string bytes;
   std::array<char, 65536> buffer{};
   for (ssize_t count = 0; (count = read(STDIN_FILENO, buffer.data(), buffer.size())) > 0;)
@@ -164,6 +164,7 @@ int run(ChainOptions options) {
     chain.standard_input = input;
     chain.keeps_files = !options.workdir.empty() || !options.html.empty() || !options.nodes_file.empty() ||
                         !options.programs.empty() || is_second_try || budget.is_limited();
+    chain.values.fieldsolve.estimates_errors = chain.keeps_files;  // padapt makes its own
     try {
       add_options_of_walls(chain);
     } catch (const UsageError& e) {
@@ -179,15 +180,15 @@ int run(ChainOptions options) {
 
 int run_chain(const std::vector<std::string>& arguments) {
   ChainOptions options;
-  Request request = Request::run;
-  const cli::Outcome outcome = cli::outcome_of([&] { request = read_command_line(arguments, options); });
+  Action action = Action::run;
+  const cli::Outcome outcome = cli::outcome_of([&] { action = read_command_line(arguments, options); });
   if (!outcome.is_success()) {
     fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
     return static_cast<int>(outcome.code);
   }
-  if (request == Request::show_help) fmt::print("{}", help_text());
-  if (request == Request::show_version) fmt::print("quadmesh (Quadrille) {}\n", version);
-  return request == Request::run ? run(std::move(options)) : 0;
+  if (action == Action::show_help) fmt::print("{}", help_text());
+  if (action == Action::show_version) fmt::print("quadmesh (Quadrille) {}\n", version);
+  return action == Action::run ? run(std::move(options)) : 0;
 }
 
 }  // namespace quadrille::chain

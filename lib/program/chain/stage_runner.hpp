@@ -17,7 +17,7 @@ namespace quadrille::chain {
 
 /// A run of a stage that may be done in three ways.
 struct StageTask {
-  Stage stage = Stage::cad2tri;
+  ChainStage stage = ChainStage::cad2tri;
   std::string name;                           ///< in the report: the stage with a prefix, such as phase_fieldsolve
   bool is_of_phase = false;                   ///< solves for prescribed nodes, as a part of separatrix
   std::string output;                         ///< path of the file that it writes
@@ -52,7 +52,7 @@ class StageRunner {
   const std::vector<io::StageReport>& reports() const { return reports_; }
   const std::string& scratch() const { return scratch_; }
   /// Whether the result of a stage is read from its file.
-  bool is_in_child(Stage stage) const;
+  bool is_in_child(ChainStage stage) const;
   double seconds() const;  ///< since the start
 
  private:

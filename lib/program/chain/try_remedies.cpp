@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <tuple>
 
-#include "chain/make_quads.hpp"
+#include "chain/make_graph.hpp"
 
 namespace quadrille::chain {
 
@@ -68,7 +68,8 @@ bool gives_layout(ChainState& chain, NodeFiles& files, const Remedy& remedy) {
 }  // namespace
 
 void try_remedies(ChainState& chain) {
-  if (chain.has_fixed_nodes || chain.options.is_dry_run || !chain.has_other_way || !chain.is_due(Stage::separatrix))
+  if (chain.has_fixed_nodes || chain.options.is_dry_run || !chain.has_other_way ||
+      !chain.is_due(ChainStage::separatrix))
     return;
   const std::size_t replaced_run = chain.runner.reports().size() - 1;
   const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);

@@ -1,7 +1,7 @@
 #pragma once
 // Other nodes where those of the field give no layout.
 
-#include "chain/chain.hpp"
+#include "chain/chain_state.hpp"
 
 namespace quadrille::chain {
 

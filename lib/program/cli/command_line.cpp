@@ -5,7 +5,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,29 +13,12 @@
 #include "base/name_text.hpp"
 #include "base/option_interval.hpp"
 #include "base/option_record.hpp"
+#include "cli/option_values.hpp"
 #include "cli/overwrite.hpp"
-#include "cli/stage_words.hpp"
 
 namespace quadrille::cli {
 
 namespace {
-
-/// The whole of `text` as a number; a leading + is allowed.
-template <typename T>
-bool parse_number(const std::string& text, T& value) {
-  const char* const begin = text.c_str() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
-  const char* const end = text.c_str() + text.size();
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  return error == std::errc() && stop == end && begin != end;
-}
-
-/// `text` as the value of an option with this interval. Throws UsageError.
-int integer_within(const std::string& flag, const std::string& text, int low, int high) {
-  int given = 0;
-  if (!parse_number(text, given)) throw UsageError(fmt::format("{}: '{}' is not an integer", flag, text));
-  require_in_interval(flag, given, text, low, high);
-  return given;
-}
 
 /// The arguments with each old name, also in the form OLD=VALUE, replaced by the present one. Arguments after -- are
 /// kept.
@@ -52,12 +34,6 @@ std::vector<std::string> with_present_names(int argc, char** argv,
   }
   return arguments;
 }
-
-}  // namespace
-
-int threads_of(const std::string& text) { return text == "auto" ? 0 : integer_within("--threads", text, 1, 1024); }
-
-namespace {
 
 /// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
 struct CallForOptionList {};
@@ -75,9 +51,6 @@ struct CommandLine::Impl {
     page.options.push_back({flag + ' ' + placeholder, std::move(help)});
     CLI::Option* const option = app.add_option(flag, std::move(set));
     return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  }
-  static std::string key(const std::string& flag) {
-    return flag.substr(flag.rfind("--") == std::string::npos ? 0 : flag.rfind("--") + 2);
   }
 
   void add_threads(int& threads) {
@@ -113,7 +86,7 @@ struct CommandLine::Impl {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
       for (const std::string& name : option->get_lnames())
-        if (!hidden.contains(name)) names.push_back("--" + name);
+        if (name != "list-options") names.push_back("--" + name);
     return names;
   }
 
@@ -121,7 +94,6 @@ struct CommandLine::Impl {
   CLI::App app;
   OptionRecord record;
   std::map<std::string, std::string> old_names;  ///< old flag -> present flag
-  std::set<std::string> hidden{"list-options"};
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
@@ -161,11 +133,7 @@ void CommandLine::number(const std::string& flag, double& value, double low, dou
                          const std::string& help) {
   const std::string range = interval_text(low, high);
   const auto set = [=, &value](const CLI::results_t& texts) {
-    double given = 0;
-    if (!parse_number(texts.back(), given))
-      throw UsageError(fmt::format("{}: '{}' is not a number", flag, texts.back()));
-    require_in_interval(flag, given, texts.back(), low, high);
-    value = given;
+    value = number_within(flag, texts.back(), low, high);
     return true;
   };
   impl_->add(flag, "X", set, fmt::format("{} (unit: {}; default: {}; interval: {})", help, unit, value, range));
@@ -234,11 +202,6 @@ void CommandLine::flag(const std::string& flag, bool& value, const std::string& 
   impl_->record.flag(flag, value, help);
 }
 
-void CommandLine::hidden_text(const std::string& flag, std::string& value) {
-  impl_->app.add_option(flag, value)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  impl_->hidden.insert(Impl::key(flag));
-}
-
 void CommandLine::formerly(const std::string& old_flag, const std::string& flag) { impl_->old_names[old_flag] = flag; }
 
 void CommandLine::add_common(CommonOptions& common) {
@@ -296,11 +259,11 @@ std::string CommandLine::option_list() const {
   const auto line = [&](const std::string& flag, const CLI::Option* option) {
     return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
   };
-  const std::set<std::string> common{"help", "version", "output"};
+  const std::set<std::string> common{"help", "version", "output", "list-options"};
   std::string out;
   for (const CLI::Option* option : impl_->declared)
     for (const std::string& name : option->get_lnames())
-      if (!common.contains(name) && !impl_->hidden.contains(name)) out += line("--" + name, option);
+      if (!common.contains(name)) out += line("--" + name, option);
   for (const auto& [old_flag, flag] : impl_->old_names) out += line(old_flag, impl_->app.get_option(flag));
   return out;
 }

@@ -41,7 +41,6 @@ class CommandLine : public Options {
   void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
              const std::string& help, bool records_none) override;
   void flag(const std::string& flag, bool& value, const std::string& help) override;
-  void hidden_text(const std::string& flag, std::string& value) override;
   void formerly(const std::string& old_flag, const std::string& flag) override;
 
   /// Adds the options of every command; called after the tool has declared its own.

@@ -16,7 +16,7 @@ struct OptionName {
   bool takes_value = true;
 };
 
-/// In the order of their declaration, hidden ones left out.
+/// In the order of their declaration.
 std::vector<OptionName> option_names(const Declare& declare);
 
 /// The rows of --help.
@@ -24,8 +24,5 @@ std::string option_rows(const Declare& declare);
 
 /// Sets the declared variables from words such as "--order", "6". Throws UsageError with the messages of a command.
 void set_options(const Declare& declare, const std::vector<std::string>& words);
-
-/// The value of --threads: 0 for "auto". Throws UsageError.
-int threads_of(const std::string& text);
 
 }  // namespace quadrille::cli

@@ -14,7 +14,7 @@
 #include "mesh/element_sizes.hpp"
 #include "model/length_scale.hpp"
 #include "outline/extent.hpp"
-#include "prescribe/chosen_blocks.hpp"
+#include "refine/chosen_blocks.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
 #include "sizing/automatic_sizes.hpp"
@@ -193,7 +193,7 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
   run.report().set("sizes.least_along_curves", sizes.least_along_curves);
   set_first_heights(options, layout.face, refine);
   if (options.flow.velocity > 0) prescribe::report_flow(options.flow, run.report());
-  if (!options.blocks.empty()) refine.blocks = prescribe::parse_blocks(options.blocks, layout.block_names);
+  if (!options.blocks.empty()) refine.blocks = refine::parse_blocks(options.blocks, layout.block_names);
   layers::require_offsets(refine.walls, layout.face);
   run.begin_phase("refine");
   QuadMesh mesh = refine::refine(layout, refine, run.report());

@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "growth/block_vertices.hpp"
-#include "growth/limit_growth.hpp"
-#include "growth/smooth_walls.hpp"
 #include "growth/straighten_lines.hpp"
-#include "mesh/edge_growth.hpp"
+#include "mesh/mesh_score.hpp"
 
 namespace quadrille::growth {
 namespace {
@@ -30,10 +28,10 @@ VertexRows vertex_rows(const layers::WallPlan& walls, int block, const BlockVert
 
 }  // namespace
 
-std::vector<mesh::RowShifts> block_shifts(const BlockLayout& blocks, const layers::WallPlan& walls,
-                                          const sizing::ArcDivisions& divisions, const QuadMesh& mesh, double limit) {
-  const std::vector<double> qualities = block_qualities(mesh);
-  std::vector<mesh::RowShifts> shifts(blocks.num_blocks());
+std::vector<layers::RowShifts> block_shifts(const BlockLayout& blocks, const layers::WallPlan& walls,
+                                            const sizing::ArcDivisions& divisions, const QuadMesh& mesh, double limit) {
+  const std::vector<double> skewness = mesh::block_skewness(mesh);
+  std::vector<layers::RowShifts> shifts(blocks.num_blocks());
   std::size_t first = 0;
   bool any = false;
   for (int block = 0; block < blocks.num_blocks(); ++block) {
@@ -41,30 +39,22 @@ std::vector<mesh::RowShifts> block_shifts(const BlockLayout& blocks, const layer
     const int rows = divisions[arcs[1].arc].num_intervals(), columns = divisions[arcs[0].arc].num_intervals();
     const BlockVertices vertices(mesh, first, columns);
     first += static_cast<std::size_t>(rows) * columns;
-    if (!walls.has_wall(block) || qualities[block] >= straighten_constants.good_quality) continue;
+    if (!walls.has_wall(block) || skewness[block] == 0) continue;
     shifts[block] = straightening_shifts(vertex_rows(walls, block, vertices, columns, rows, mesh.order), limit);
     any = true;
   }
-  return any ? shifts : std::vector<mesh::RowShifts>();
+  return any ? shifts : std::vector<layers::RowShifts>();
 }
 
-bool drop_useless(const QuadMesh& before, const QuadMesh& straight, std::vector<mesh::RowShifts>& shifts) {
-  const std::vector<double> was = block_qualities(before), now = block_qualities(straight);
+bool drop_useless(const QuadMesh& before, const QuadMesh& straight, std::vector<layers::RowShifts>& shifts) {
+  const std::vector<double> was = mesh::block_skewness(before), now = mesh::block_skewness(straight);
   bool any = false;
   for (std::size_t block = 0; block < shifts.size(); ++block) {
-    if (shifts[block].empty() || now[block] > straighten_constants.least_gain * was[block]) continue;
+    if (shifts[block].empty() || mesh::exceeds(was[block], now[block])) continue;
     shifts[block].clear();
     any = true;
   }
   return any;
-}
-
-bool is_better(const QuadMesh& straight, const QuadMesh& other, double limit) {
-  if (!straight.is_valid) return false;
-  const double quality = std::ranges::min(block_qualities(straight)), was = std::ranges::min(block_qualities(other));
-  if (was < growth_constants.good_quality && quality > straighten_constants.least_gain * was) return true;
-  return mesh::edge_growth(straight).greatest <=
-         straighten_constants.most_growth * std::max(limit, mesh::edge_growth(other).greatest);
 }
 
 }  // namespace quadrille::growth

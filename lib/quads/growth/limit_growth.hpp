@@ -25,10 +25,8 @@ struct GrowthConstants {
   double warned_excess = 0.1;  ///< of the limit: lines inside blocks are smoothed, not limited
   double margin = 0.1;  ///< part of the limit's logarithm by which arcs, with the first weight, and lines inside blocks
                         ///< aim at less than the limit: lines are not as smooth as the arcs between which they run, and
-                        ///< are tied to their neighbours afterwards (mesh/smooth_across)
-  double kept_quality = 0.95;  ///< least part of a block's scaled Jacobian that smooth lines may leave
-  double good_quality = 0.5;   ///< a block this good keeps smooth lines, whatever it was before
-  double equal_tol = 1e-6;     ///< ratios that exceed the limit by less, relatively, are within it
+                        ///< are tied to their neighbours afterwards (layers/smooth_across)
+  double equal_tol = 1e-6;  ///< ratios that exceed the limit by less, relatively, are within it
 };
 inline constexpr GrowthConstants growth_constants;
 

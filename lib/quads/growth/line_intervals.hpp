@@ -16,9 +16,9 @@ namespace quadrille::growth {
 using BlockLines = std::vector<layers::BlockLineLengths>;
 
 struct LinePlan {
-  BlockLines lengths;                   ///< of the intervals of all lines, before they are tied to each other
-  BlockLines factors;                   ///< of the intervals that are tied to each other; empty: none
-  std::vector<mesh::RowShifts> shifts;  ///< by block: LayeredBlock::shifts; empty: none
+  BlockLines lengths;                     ///< of the intervals of all lines, before they are tied to each other
+  BlockLines factors;                     ///< of the intervals that are tied to each other; empty: none
+  std::vector<layers::RowShifts> shifts;  ///< by block: LayeredBlock::shifts; empty: none
 };
 
 /// The lengths for all lines of the nodes of elements of this order; `limit`: greatest ratio of adjacent intervals that

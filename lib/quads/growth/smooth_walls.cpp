@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/edge_growth.hpp"
+#include "mesh/mesh_score.hpp"
 #include "prescribe/named_arcs.hpp"
 
 namespace quadrille::growth {
@@ -43,16 +45,6 @@ GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const Ke
   layers::measure_released_layers(input, divisions, plan);
   plan.arc_nodes = layers::layered_arc_nodes(plan.requests, divisions, input.order);
   return outcome;
-}
-
-std::vector<double> block_qualities(const QuadMesh& mesh) {
-  std::vector<double> least(mesh.block_names.size(), 1);
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const bool is_proved = mesh.elem_jacobian_bound[elem] > 0;
-    double& quality = least[mesh.elem_block[elem]];
-    quality = std::min(quality, is_proved ? mesh.elem_scaled_jacobian[elem] : 0);
-  }
-  return least;
 }
 
 namespace {
@@ -96,27 +88,17 @@ bool is_dropped(const layers::BlockLineLengths& lines) { return lines[0].empty()
 
 bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const layers::WallSides& walls,
                 BlockLines& lines) {
-  const std::vector<double> with = block_qualities(mesh);
+  const std::vector<double> with = mesh::block_skewness(mesh);
   bool any = false;
   for (std::size_t block = 0; block < lines.size(); ++block) {
     if (lines[block][0].empty() && lines[block][1].empty()) continue;
-    const double least = std::min(growth_constants.good_quality, growth_constants.kept_quality * without[block]);
-    if (with[block] > 0 && with[block] >= least) continue;
+    if (std::isfinite(with[block]) && !mesh::exceeds(with[block], without[block])) continue;
     const std::array<bool, 2> drop = lines_to_drop(walls.of_block[block], lines[block]);
     for (const int direction : {0, 1})
       if (drop[direction]) lines[block][direction].clear();
     any = true;
   }
   return any;
-}
-
-bool keeps_qualities(const std::vector<double>& before, const QuadMesh& mesh) {
-  const std::vector<double> now = block_qualities(mesh);
-  for (std::size_t block = 0; block < now.size(); ++block) {
-    const double least = std::min(growth_constants.good_quality, before[block] * (1 - growth_constants.equal_tol));
-    if (now[block] <= 0 || now[block] < least) return false;
-  }
-  return true;
 }
 
 void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& lines, const QuadMesh& mesh,
@@ -130,7 +112,7 @@ void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& 
   }
   report.set("growth.greatest", growth.greatest);
   report.set("growth.place", std::vector<double>{position.x, position.y});
-  report.set("growth.blocks_straightened", std::ranges::count_if(lines.shifts, std::not_fn(&mesh::RowShifts::empty)));
+  report.set("growth.blocks_straightened", std::ranges::count_if(lines.shifts, std::not_fn(&layers::RowShifts::empty)));
   report.set("growth.blocks_kept", outcome ? lost : static_cast<std::ptrdiff_t>(mesh.block_names.size()));
   if (growth.greatest <= limit * (1 + growth_constants.warned_excess)) return;
   report.warn(warning::target_growth_missed,

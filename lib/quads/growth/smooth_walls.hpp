@@ -30,18 +30,11 @@ KeptChords kept_chords(const sizing::MeasuredLayout& measured, const std::vector
 GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const KeptChords& kept, layers::WallPlan& plan,
                           sizing::ArcDivisions& divisions);
 
-/// The least scaled Jacobian of the elements of each block; 0 if one is not proved valid.
-std::vector<double> block_qualities(const QuadMesh& mesh);
-
-/// Blocks whose elements corrected lines make invalid, or worse than GrowthConstants allow, lose those along their
-/// walls (without walls: those with the longer intervals), and the next time all: these lines follow from the sides
-/// alone. `without`: the qualities of the same blocks without corrected lines; `mesh`: with `lines`. Returns whether
-/// any did.
+/// Blocks whose elements corrected lines make invalid or more skew (mesh/mesh_score) lose those along their walls
+/// (without walls: those with the longer intervals), and the next time all: these lines follow from the sides alone.
+/// `without`: the skewness of the same blocks without corrected lines; `mesh`: with `lines`. Returns whether any did.
 bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const layers::WallSides& walls,
                 BlockLines& lines);
-
-/// Whether every block is proved valid and has at least GrowthConstants::good_quality, or its quality `before`.
-bool keeps_qualities(const std::vector<double>& before, const QuadMesh& mesh);
 
 /// Keys growth.{greatest_before, greatest, place, raised_chords, blocks_kept, blocks_straightened}; warning W-QUA-004
 /// if the mesh misses the limit by more than a tenth. `outcome`: none if only the mesh without smoothing is proved

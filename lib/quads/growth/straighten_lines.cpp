@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/index_cubic.hpp"
+#include "layers/index_cubic.hpp"
 
 namespace quadrille::growth {
 namespace {
@@ -30,7 +30,7 @@ class Straightener {
         num_columns_(static_cast<int>(block.rows.front().size())),
         shifts_(num_rows_, std::vector<double>(num_columns_, 0)) {}
 
-  mesh::RowShifts minimised() {
+  layers::RowShifts minimised() {
     if (num_unknowns() == 0) return shifts_;
     sum_ = assembled();
     for (int step = 0; step < straighten_constants.max_steps; ++step)
@@ -54,7 +54,7 @@ class Straightener {
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
     const Eigen::VectorXd change = -solver.solve(gradient_);
-    const mesh::RowShifts before = shifts_;
+    const layers::RowShifts before = shifts_;
     for (double part = 1; part >= straighten_constants.least_part; part /= 2) {
       move(before, change, part);
       const double sum = is_rising() ? assembled() : sum_;
@@ -66,7 +66,7 @@ class Straightener {
     return 0;
   }
 
-  void move(const mesh::RowShifts& from, const Eigen::VectorXd& change, double part) {
+  void move(const layers::RowShifts& from, const Eigen::VectorXd& change, double part) {
     for (int row = 0; row < num_rows_; ++row)
       for (int column = 0; column < num_columns_; ++column)
         if (is_free({row, column})) shifts_[row][column] = from[row][column] + part * change[unknown({row, column})];
@@ -104,7 +104,7 @@ class Straightener {
     for (int row = 0; row < num_rows_; ++row) {
       placed_[row].clear();
       for (int column = 0; column < num_columns_; ++column)
-        placed_[row].push_back(mesh::index_cubic(block_.rows[row], column + shifts_[row][column]));
+        placed_[row].push_back(layers::index_cubic(block_.rows[row], column + shifts_[row][column]));
     }
   }
 
@@ -174,22 +174,22 @@ class Straightener {
     return sum;
   }
 
-  const mesh::IndexCubic<Vec2>& at(Place p) const { return placed_[p.row][p.column]; }
+  const layers::IndexCubic<Vec2>& at(Place p) const { return placed_[p.row][p.column]; }
   Vec2 was(Place p) const { return block_.rows[p.row][p.column]; }
 
   const VertexRows& block_;
   double limit_;
   int num_rows_, num_columns_;
-  mesh::RowShifts shifts_;
+  layers::RowShifts shifts_;
   double sum_ = 0;
-  std::vector<std::vector<mesh::IndexCubic<Vec2>>> placed_;
+  std::vector<std::vector<layers::IndexCubic<Vec2>>> placed_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd gradient_;
 };
 
 }  // namespace
 
-mesh::RowShifts straightening_shifts(const VertexRows& block, double limit) {
+layers::RowShifts straightening_shifts(const VertexRows& block, double limit) {
   return Straightener(block, limit).minimised();
 }
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
-#include "mesh/shift_along_rows.hpp"
+#include "layers/shift_along_rows.hpp"
 
 namespace quadrille::growth {
 
@@ -31,9 +31,6 @@ struct StraightenConstants {
   int max_steps = 12;           ///< Gauss-Newton steps
   double least_change = 1e-3;   ///< of a shift, in intervals, in a step that is not the last
   double least_part = 1e-3;     ///< of a step, which is halved until it reduces the sum
-  double good_quality = 0.7;    ///< scaled Jacobian with which a block keeps its lines
-  double least_gain = 1.05;     ///< factor by which a block's scaled Jacobian has to rise
-  double most_growth = 1.1;     ///< factor by which the greatest growth may rise
 };
 inline constexpr StraightenConstants straighten_constants;
 
@@ -44,6 +41,6 @@ struct VertexRows {
 };
 
 /// `limit`: of the ratio of adjacent edges, > 1. Cost: a sparse factorisation of the vertices' number in each step.
-mesh::RowShifts straightening_shifts(const VertexRows& block, double limit);
+layers::RowShifts straightening_shifts(const VertexRows& block, double limit);
 
 }  // namespace quadrille::growth

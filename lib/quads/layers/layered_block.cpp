@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "layers/layer_rules.hpp"
+#include "layers/smooth_across.hpp"
 #include "mesh/piecewise_polynomial.hpp"
-#include "mesh/smooth_across.hpp"
 #include "mesh/transfinite.hpp"
 
 namespace quadrille::layers {
@@ -91,27 +91,27 @@ class TiedLines {
 
   /// Ties the lines themselves.
   void tie() {
-    mesh::LineNodes all = nodes();
-    mesh::smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across);
+    LineNodes all = nodes();
+    smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across);
     set(all.parameters);
   }
 
   /// Multiplies the intervals of each line between its layers by its factors, up to a common factor; the changes are
   /// tied to each other. Nodes keep their relative positions in their intervals.
   void scale(const std::vector<std::vector<double>>& factors) {
-    const mesh::LineNodes all = nodes();
+    const LineNodes all = nodes();
     std::vector<double> scaled = all.parameters;
     for (std::size_t line = 0; line < factors.size(); ++line)
       if (!factors[line].empty()) scale_line(factors[line], &scaled[line * num_nodes_ + low_]);
     for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] -= all.parameters[i];
-    mesh::smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across, scaled);
+    smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across, scaled);
     for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] += all.parameters[i];
     set(scaled);
   }
 
  private:
-  mesh::LineNodes nodes() const {
-    mesh::LineNodes all{static_cast<int>(lines_.size()), num_nodes_, {}, {}};
+  LineNodes nodes() const {
+    LineNodes all{static_cast<int>(lines_.size()), num_nodes_, {}, {}};
     for (std::size_t line = 0; line < lines_.size(); ++line)
       for (const double u : parameters_[line]) {
         const double bottom = parameters_[line][low_], top = parameters_[line][high_];
@@ -232,7 +232,7 @@ std::vector<Vec2> place_columns(const BlockNodes& nodes, const std::vector<Vec2>
 /// heights, above them their t, but for what the end of the layers changes.
 void shift_columns(const BlockNodes& nodes, const std::vector<Vec2>& st, std::vector<Vec2>& positions) {
   const std::array<std::vector<double>, 4>& fractions = nodes.block.fractions;
-  const std::vector<Vec2> shifted = mesh::shifted_along_rows(st, nodes.width(), nodes.order, nodes.block.shifts);
+  const std::vector<Vec2> shifted = shifted_along_rows(st, nodes.width(), nodes.order, nodes.block.shifts);
   const LineFamily family = column_family(nodes);
   const int low = static_cast<int>(family.low_heights.size());
   const int high = nodes.height() - 1 - static_cast<int>(family.high_heights.size());

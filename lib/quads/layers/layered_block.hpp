@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "layers/divide_normal_line.hpp"
+#include "layers/shift_along_rows.hpp"
 #include "layers/side_table.hpp"
-#include "mesh/shift_along_rows.hpp"
 
 namespace quadrille::layers {
 
@@ -32,7 +32,7 @@ struct LayeredBlock {
   BlockLineLengths factors = {};
   /// If given, how far the vertices of lines along a wall's normals move along the layers: rows are those of the
   /// block with these lines as columns.
-  mesh::RowShifts shifts = {};
+  RowShifts shifts = {};
 };
 
 /// The inner columns (0) or rows (1), by their number along the side; the first and the last one are empty.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sizing/match_periodic.hpp"
+#include "refine/match_periodic.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -214,7 +214,7 @@ std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& mea
     }
   }
   for (const PeriodicArcs& arcs : measured.periodic_arcs())
-    sizing::match_fractions(arcs, by_arc[arcs[0].arc], by_arc[arcs[1].arc]);
+    match_fractions(arcs, by_arc[arcs[0].arc], by_arc[arcs[1].arc]);
   std::vector<sizing::ArcParameter> parameters(measured.num_arcs());
   for (std::size_t arc = 0; arc < by_arc.size(); ++arc)
     if (!by_arc[arc].empty()) parameters[arc] = sizing::ArcParameter(std::move(by_arc[arc]));

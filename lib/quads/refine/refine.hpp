@@ -2,13 +2,22 @@
 // Makes the final mesh from the blocks of a layout.
 //
 //   1. Measure the arcs of the layout (sizing/measured_layout) and align lines across chords (refine/align_chords).
-//   2. Plan one count and one grading for each chord from the size field (sizing/grade_chords).
-//   3. Divide the arcs so that the boundary meets its tolerance (refine/divide_arcs), and cut wall layers
-//      (layers/wall_layers).
-//   4. Sample elements from the exact maps of the blocks (refine/split_isoparametric) and bound det J from below
-//      (refine/validity). The counts of chords outside chosen blocks are raised until all elements are proved valid.
-//   5. Move vertices so that elements have better shapes (refine/relax).
+//   2. Share out prescribed numbers of elements along boundaries among the chords (prescribe/boundary_counts).
+//   3. Attempt a mesh (refine/split_mesh):
+//        a. plan one count and one grading for each chord from the size field (sizing/grade_chords), the prescribed
+//           lengths at ends (prescribe/end_grading) and the limits on lengths (refine/length_limits);
+//        b. divide the arcs so that the boundary meets its tolerance (refine/divide_arcs);
+//        c. cut layers along walls (layers/wall_layers) and limit the growth from wall to wall (growth/smooth_walls);
+//        d. make both sides of periodic pairs equal (refine/match_periodic);
+//        e. sample elements from the exact maps of the blocks (refine/split_isoparametric), with layers on lines that
+//           grow smoothly (growth/line_intervals) where these do not make blocks more skew;
+//        f. bound det J of each element from below (refine/validity), measure lengths and the distance from the CAD
+//           curves, and score the mesh (mesh/mesh_score).
+//   4. As long as a remedy applies (refine/remedies), attempt it again with its settings, at most 12 times in all; the
+//      best mesh is kept (refine/best_split).
+//   5. Place its vertices better: straight lines along walls, corrected lines, relaxation (refine/place_vertices).
 //   6. Split every element into equal parts of its own map (mesh/nested_quads).
+//   7. Report, and refuse a mesh that is not valid or misses a prescribed quality (refine/validity).
 
 #include "base/report.hpp"
 #include "model/block_layout.hpp"
@@ -17,7 +26,6 @@
 
 namespace quadrille::refine {
 
-/// If aligned lines result in an invalid element and equal arc-length fractions do not, the mesh has equal fractions.
 /// Throws ComputeError with the position of the worst element if one cannot be proved valid (unless allow_invalid) or
 /// misses min_scaled_jacobian or max_edge_ratio, and if the mesh would have more than max_elements or
 /// 1e8 nodes.

@@ -29,10 +29,10 @@ struct RefineOptions {
   std::vector<prescribe::EndGrading> end_gradings = {};  ///< lengths at the ends of boundaries (prescribe/end_grading)
   double end_growth = 1.2;                               ///< and the greatest growth from there, > 1
   std::vector<layers::WallSpec> walls = {};              ///< layers along boundaries (layers/wall_layers)
-  std::vector<int> blocks = {};    ///< chords through these only are refined (prescribe/chosen_blocks); empty: all
+  std::vector<int> blocks = {};    ///< chords through these only are refined (refine/chosen_blocks); empty: all
   double min_scaled_jacobian = 0;  ///< a mesh with a lower one is an error, 0 to 1; 0: none is
   /// Elements become shorter where blocks are so thin that the ratio of their sides would exceed this
-  /// (sizing/length_limits); 0: none do, else at least 1.
+  /// (refine/length_limits); 0: none do, else at least 1.
   double target_edge_ratio = 100;
   /// With walls, lines across blocks are smoothed, and counts raised, until adjacent edges along them differ by at most
   /// this factor (growth/limit_growth); 0: they are not, else above 1.

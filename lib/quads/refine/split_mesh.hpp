@@ -8,49 +8,71 @@
 #include "growth/line_intervals.hpp"
 #include "growth/smooth_walls.hpp"
 #include "layers/wall_layers.hpp"
+#include "mesh/boundary_distance.hpp"
+#include "mesh/mesh_score.hpp"
 #include "model/quad_mesh.hpp"
-#include "refine/divide_arcs.hpp"
+#include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/grade_chords.hpp"
-#include "sizing/length_limits.hpp"
 #include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
 
-/// The data that every attempt at a valid mesh has in common.
+/// The data that all attempts have in common.
 struct SplitRequest {
   const RefineOptions& options;
+  const sizing::MeasuredLayout& equal;    ///< lines connect equal fractions of the arcs
+  const sizing::MeasuredLayout& aligned;  ///< lines are nearly normal to the arcs (refine/align_chords)
   sizing::SizeField sizes;
-  double tolerance;        ///< of the boundary, a length
-  DivideOptions division;  ///< with what splines that were replaced (CadFace::fit_distance) leave of the tolerance
-  sizing::LengthLimits limits = {};
-  int max_elements = 0;  ///< of divided arcs: more are refused
+  mesh::ScoreLimits limits;  ///< above which remedies apply
+  Report& report;
+};
+
+/// What remedies change from one attempt to the next.
+struct SplitSettings {
   bool limits_growth = false;
-  Report* report = nullptr;
-  const Progress::Part* attempt = nullptr;
-  const struct SplitMesh* last = nullptr;  ///< of the last attempt, from which is taken what has not changed
+  bool is_aligned = false;
+  std::vector<sizing::ChordCount> counts = {};  ///< of chords without a prescribed one, in place of their sizes
+  double tolerance = 0;                         ///< of the divisions of the boundary, a length
+  LengthLimits length_limits = {};
+  int max_elements = 0;  ///< of divided arcs: more are refused
+  int doublings = 0;     ///< of the counts of chords with elements that were not proved valid
 };
 
 /// A measured mesh and the plans from which it was made.
 struct SplitMesh {
-  QuadMesh mesh;
-  std::vector<sizing::ChordPlan> plans;
-  double tolerance = 0;  ///< with which arcs were divided
-  bool has_equal_parameters = false;
-  sizing::ArcDivisions divisions;
-  std::optional<layers::WallPlan> walls;
-  std::optional<growth::GrowthOutcome> growth;
-  growth::LinePlan lines;
-  int doublings = 0;         ///< of counts beyond the prescribed sizes, until the mesh was valid
-  int shortened_chords = 0;  ///< chords with length limits
+  SplitSettings settings;
+  std::vector<sizing::ChordPlan> plans = {};
+  sizing::ArcDivisions divisions = {};
+  std::optional<layers::WallPlan> walls = {};
+  std::optional<growth::GrowthOutcome> growth = {};
+  growth::LinePlan lines = {};
+  QuadMesh mesh = {};
+  mesh::BoundaryDistance distance = {};
+  mesh::MeshScore score = {};
 };
 
-/// The mesh of the result's divisions, layers and lines. `known`: elements that are the same keep their measures.
-QuadMesh measured_mesh(const sizing::MeasuredLayout& measured, const SplitRequest& request, const SplitMesh& result,
-                       const QuadMesh* known);
+/// The settings that the options prescribe.
+SplitSettings first_settings(const SplitRequest& request);
 
-/// `coarse`: counts of chords outside the chosen blocks. Throws as refine.
-SplitMesh split(const sizing::MeasuredLayout& measured, const SplitRequest& request,
-                const std::vector<sizing::ChordCount>& coarse);
+/// The layout with the lines of these settings.
+const sizing::MeasuredLayout& layout_of(const SplitRequest& request, const SplitSettings& settings);
+
+/// For the layers along walls.
+layers::WallInput wall_input(const SplitRequest& request, const SplitSettings& settings);
+
+/// `last`: another attempt, from which is taken what has not changed; or none. Throws as refine.
+SplitMesh split(const SplitRequest& request, const SplitSettings& settings, const SplitMesh* last);
+
+/// Makes the mesh of the divisions, layers and lines of `result`, and measures its elements; those that `known` has
+/// keep their measures.
+void sample_mesh(const SplitRequest& request, const QuadMesh* known, SplitMesh& result);
+
+/// Measures the mesh, whose elements and distance are measured.
+void set_score(const SplitRequest& request, SplitMesh& result);
+
+/// By element: whether a chord that layers divide passes it. Such elements are thin on purpose, also in the blocks
+/// behind the layers, through which the chord runs on. Empty: there are no layers.
+std::vector<bool> elements_on_layered_chords(const BlockLayout& blocks, const SplitMesh& split);
 
 }  // namespace quadrille::refine

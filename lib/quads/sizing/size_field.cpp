@@ -13,7 +13,7 @@ namespace {
 
 constexpr int leaf_size = 4;
 /// More than the levels of a tree that halves up to 2^31 sources.
-constexpr int max_depth = 40;
+constexpr int max_bisections = 40;
 
 /// A rectangle, and the least size in it.
 struct Bounds {
@@ -133,7 +133,7 @@ struct SizeField::Sources {
       int node;
       double distance2;
     };
-    std::array<Open, max_depth> open{{{0, nodes[0].bounds.distance2_to(x)}}};
+    std::array<Open, max_bisections> open{{{0, nodes[0].bounds.distance2_to(x)}}};
     for (int num_open = 1; num_open > 0;) {
       const auto [n, distance2] = open[--num_open];
       const Node& node = nodes[n];

@@ -1,4 +1,4 @@
-"""One job of pipelines/batch: meshes one shape, in a folder of its own below the results, and moves what is complete
+"""One job of pipelines/quadbatch: meshes one shape, in a folder of its own below the results, and moves what is complete
 there; the row of the table is last. The argument is JSON: shape, folder, ending, version, options, threads, verbose,
 quadmesh."""
 import contextlib
@@ -76,7 +76,6 @@ def new_result(job, results, shape):
 
 def main():
     job = json.loads(sys.argv[1])
-    frame.add_tools_to_path(job["quadmesh"])
     row = mesh_shape(job)
     if job["verbose"]:
         counts = ", ".join(count(row, key) for key in ("blocks", "irregular_nodes", "quads"))
@@ -90,4 +89,4 @@ def count(row, key):
 
 
 if __name__ == "__main__":
-    frame.run_command("batch", main)
+    frame.run_command("quadbatch", main)

@@ -1,4 +1,4 @@
-"""The rows of a batch as one table: CSV for programs, HTML for people."""
+"""The rows of many shapes as one table: CSV for programs, HTML for people."""
 import csv
 import html
 import io

@@ -1,4 +1,4 @@
-"""Results of a batch: for each shape NAME the mesh NAME.ENDING, NAME.report.json, and, written last, NAME.result.json,
+"""Results of many shapes: for each shape NAME the mesh NAME.ENDING, NAME.report.json, and, written last, NAME.result.json,
 a row of the table. A shape whose row is missing, or older than the shape, is to be done."""
 import json
 import os
@@ -66,7 +66,7 @@ class Results:
 
     def new_row(self, shape, exit_code, cpu_seconds, message, report):
         """`report` is that of quadmesh, or None."""
-        row = {"tool": "batch", "version": self.version, "shape": str(shape), "ending": self.ending,
+        row = {"tool": "quadbatch", "version": self.version, "shape": str(shape), "ending": self.ending,
                "options": self.options, "exit_code": exit_code}
         figures = report or {}
         row |= {key: figures.get(key) for key in FIGURES}
@@ -86,7 +86,7 @@ def read_row(path):
     """None if there is none, or a part of one."""
     try:
         row = json.loads(path.read_text(encoding="utf-8"))
-        return row if row.get("tool") == "batch" else None
+        return row if row.get("tool") == "quadbatch" else None
     except (OSError, ValueError, AttributeError):
         return None
 

@@ -1,4 +1,4 @@
-"""What makes one layout better than another: the goal of the search, of the user's choice (place --goal)."""
+"""What makes one layout better than another: the goal of the search, of the user's choice (quadplace --goal)."""
 import math
 from dataclasses import dataclass
 from typing import Callable

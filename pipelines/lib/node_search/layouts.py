@@ -10,8 +10,7 @@ from command_frame import Failure, Stopped
 
 def run_stage(*words, is_trial=False):
     """Runs one tool, and fails with its exit code. Its messages are shown, except in trials, many of which fail."""
-    process = subprocess.Popen([str(word) for word in (*words, "--called-by", "place")], stderr=subprocess.PIPE,
-                               text=True, errors="replace")
+    process = subprocess.Popen([str(word) for word in words], stderr=subprocess.PIPE, text=True, errors="replace")
     try:
         messages = process.communicate()[1]
     except Stopped:

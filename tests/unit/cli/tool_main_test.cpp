@@ -217,20 +217,6 @@ TEST(ToolMain, InformsWithV) {
   EXPECT_EQ(run(detailed, {"-vv"}).err, "sample: more\n");
 }
 
-TEST(ToolMain, APipelineGivesTheLineOfProgressItsTitle) {
-  Sample s;
-  const Tool tool = s.tool([](Session& session) { session.begin_phase("work"); });
-  const std::vector<std::string> arguments{"--progress-title", "chain: stage 2 of 3, sample", "--progress-since", "1"};
-  EXPECT_EQ(run(tool, arguments).err, "");
-  std::vector<std::string> shown = arguments;
-  shown.insert(shown.end(), {"--progress", "always"});
-  EXPECT_EQ(run(tool, shown).err, "chain: stage 2 of 3, sample: work ...\n");
-  EXPECT_EQ(run(tool, {"--progress-since", "yesterday"}).code, 2);
-  EXPECT_EQ(run(tool, {"--help"}).out.find("--progress-"), std::string::npos);
-  run(tool, shown);
-  EXPECT_EQ(s.chain[0].options.find("progress"), std::string::npos) << s.chain[0].options;
-}
-
 TEST(ToolMain, CountsProgressOnlyIfItIsShown) {
   Sample s;
   bool is_counted = false;

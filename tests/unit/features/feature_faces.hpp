@@ -8,8 +8,8 @@
 
 #include "../hand_made.hpp"
 #include "../support/critical_points.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "features/feature_constants.hpp"
 #include "features/feature_state.hpp"
 
 namespace quadrille::features::testing_features {
@@ -81,7 +81,7 @@ inline FeatureNode boundary_node(const CadFace& face, int curve, double t, int v
 inline FeatureState state_of(const CadFace& face, double size, const std::vector<FeatureNode>& nodes) {
   FeatureState state;
   state.size = size;
-  state.tie = feature_constants.equal_lengths * face.diameter;
+  state.tie = tolerance::tied * face.diameter;
   state.nodes = nodes;
   return state;
 }

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "mesh/mesh_score.hpp"
+
 namespace quadrille::growth {
 namespace {
 
@@ -19,10 +21,11 @@ QuadMesh mesh_of(const std::vector<double>& least) {
 
 BlockLines lines_of(int num_blocks) { return BlockLines(num_blocks, layers::BlockLineLengths{{{{1.0}}, {{1.0}}}}); }
 
-TEST(BlockQualities, AreThoseOfTheWorstElementAndZeroIfOneIsNotProved) {
-  QuadMesh mesh = mesh_of({0.9, 0.8, 0.7, 0.6, 0.5, 0.4});
-  mesh.elem_jacobian_bound[5] = 0;
-  EXPECT_EQ(block_qualities(mesh), (std::vector<double>{0.8, 0.6, 0}));
+/// That of blocks with these least scaled Jacobians.
+std::vector<double> skewness_of(const std::vector<double>& least) {
+  std::vector<double> twice;
+  for (const double quality : least) twice.insert(twice.end(), 2, quality);
+  return mesh::block_skewness(mesh_of(twice));
 }
 
 /// The walls beside three blocks: their numbers by side.
@@ -38,19 +41,19 @@ TEST(DropWorse, BlocksThatLoseQualityLoseTheirLines) {
   BlockLines lines = lines_of(3);
   const layers::WallSides walls = walls_of({no_wall, no_wall, no_wall});
   // a: less than before, but good; b: bad, but nearly as before; c: bad, and worse than before.
-  const QuadMesh mesh = mesh_of({0.9, 0.51, 0.19, 0.7, 0.3, 0.9});
-  EXPECT_TRUE(drop_worse({0.9, 0.2, 0.4}, mesh, walls, lines));
+  const QuadMesh mesh = mesh_of({0.9, 0.71, 0.192, 0.7, 0.3, 0.9});
+  EXPECT_TRUE(drop_worse(skewness_of({0.9, 0.2, 0.4}), mesh, walls, lines));
   EXPECT_FALSE(lines[0][0].empty());
   EXPECT_FALSE(lines[1][0].empty());
   EXPECT_TRUE(lines[2][0].empty() && lines[2][1].empty()) << "neither direction has shorter intervals";
-  EXPECT_FALSE(drop_worse({0.9, 0.2, 0.4}, mesh, walls, lines)) << "nothing is left";
+  EXPECT_FALSE(drop_worse(skewness_of({0.9, 0.2, 0.4}), mesh, walls, lines)) << "nothing is left";
 }
 
 TEST(DropWorse, BlocksThatAreNotProvedLoseTheirLinesHoweverBadTheyWere) {
   BlockLines lines = lines_of(3);
   QuadMesh mesh = mesh_of({0.9, 0.9, 0.9, 0.9, 0.9, 0.9});
   mesh.elem_jacobian_bound[2] = -1;
-  EXPECT_TRUE(drop_worse({0.9, 0, 0.9}, mesh, walls_of({no_wall, no_wall, no_wall}), lines));
+  EXPECT_TRUE(drop_worse(skewness_of({0.9, 0, 0.9}), mesh, walls_of({no_wall, no_wall, no_wall}), lines));
   EXPECT_FALSE(lines[0][0].empty());
   EXPECT_TRUE(lines[1][0].empty());
 }
@@ -61,24 +64,14 @@ TEST(DropWorse, NormalsOfWallsAndLinesWithShorterIntervalsAreDroppedLast) {
   // Walls below a, to the right of b, none at c, whose columns have the shorter intervals.
   const layers::WallSides walls = walls_of({{{0, -1, -1, -1}, {-1, 1, -1, -1}, no_wall}});
   const QuadMesh bad = mesh_of({0.1, 0.1, 0.1, 0.1, 0.1, 0.1});
-  EXPECT_TRUE(drop_worse({0.9, 0.9, 0.9}, bad, walls, lines));
+  EXPECT_TRUE(drop_worse(skewness_of({0.9, 0.9, 0.9}), bad, walls, lines));
   for (const int block : {0, 1, 2}) {
     const int kept = block == 1 ? 1 : 0;
     EXPECT_FALSE(lines[block][kept].empty()) << block;
     EXPECT_TRUE(lines[block][1 - kept].empty()) << block;
   }
-  EXPECT_TRUE(drop_worse({0.9, 0.9, 0.9}, bad, walls, lines));
+  EXPECT_TRUE(drop_worse(skewness_of({0.9, 0.9, 0.9}), bad, walls, lines));
   for (const int block : {0, 1, 2}) EXPECT_TRUE(lines[block][0].empty() && lines[block][1].empty()) << block;
-}
-
-TEST(KeepsQualities, OfBlocksThatAreGoodOrAsGoodAsBefore) {
-  const std::vector<double> before{0.9, 0.45, 0.9};
-  EXPECT_TRUE(keeps_qualities(before, mesh_of({0.9, 0.51, 0.45, 0.7, 0.9, 0.9})));
-  EXPECT_FALSE(keeps_qualities(before, mesh_of({0.9, 0.49, 0.45, 0.7, 0.9, 0.9}))) << "a is not good any more";
-  EXPECT_FALSE(keeps_qualities(before, mesh_of({0.9, 0.51, 0.44, 0.7, 0.9, 0.9}))) << "b is worse";
-  QuadMesh mesh = mesh_of({0.9, 0.9, 0.9, 0.9, 0.9, 0.9});
-  mesh.elem_jacobian_bound[5] = 0;
-  EXPECT_FALSE(keeps_qualities({0, 0, 0}, mesh)) << "c is not proved";
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/index_cubic.hpp"
+#include "layers/index_cubic.hpp"
 
 namespace quadrille::growth {
 namespace {
@@ -29,8 +29,8 @@ VertexRows half_annulus(Angle angle_at_end) {
 }
 
 /// The greatest cotangent of the angle between lines and rows, which are circles.
-double most_oblique(const VertexRows& block, const mesh::RowShifts& shifts) {
-  const auto at = [&](int row, int i) { return mesh::index_cubic(block.rows[row], i + shifts[row][i]).value; };
+double most_oblique(const VertexRows& block, const layers::RowShifts& shifts) {
+  const auto at = [&](int row, int i) { return layers::index_cubic(block.rows[row], i + shifts[row][i]).value; };
   double most = 0;
   for (int row = 0; row < num_rows; ++row)
     for (int i = 0; i <= num_columns; ++i) {
@@ -40,10 +40,10 @@ double most_oblique(const VertexRows& block, const mesh::RowShifts& shifts) {
   return most;
 }
 
-mesh::RowShifts none() { return mesh::RowShifts(num_rows + 1, std::vector<double>(num_columns + 1, 0)); }
+layers::RowShifts none() { return layers::RowShifts(num_rows + 1, std::vector<double>(num_columns + 1, 0)); }
 
 TEST(StraighteningShifts, AreZeroForLinesNormalToTheRows) {
-  const mesh::RowShifts shifts = straightening_shifts(half_annulus([](double a) { return a; }), 1.3);
+  const layers::RowShifts shifts = straightening_shifts(half_annulus([](double a) { return a; }), 1.3);
   for (const std::vector<double>& row : shifts)
     for (const double shift : row) EXPECT_NEAR(shift, 0, 1e-6);
 }
@@ -61,7 +61,7 @@ TEST(StraighteningShifts, AreThoseOfTheMirrorImage) {
     std::reverse(row.begin(), row.end());
     for (Vec2& x : row) x.x = -x.x;
   }
-  const mesh::RowShifts shifts = straightening_shifts(block, 1.3), others = straightening_shifts(mirrored, 1.3);
+  const layers::RowShifts shifts = straightening_shifts(block, 1.3), others = straightening_shifts(mirrored, 1.3);
   for (int row = 0; row <= num_rows; ++row)
     for (int i = 0; i <= num_columns; ++i) EXPECT_NEAR(shifts[row][i], -others[row][num_columns - i], 1e-8);
 }
@@ -69,7 +69,7 @@ TEST(StraighteningShifts, AreThoseOfTheMirrorImage) {
 TEST(StraighteningShifts, LeaveTheEndsOfLinesAndFixedVertices) {
   VertexRows block = half_annulus([](double a) { return a + 0.5 * std::sin(a); });
   block.fixed_first = 3, block.fixed_last = 2;
-  const mesh::RowShifts shifts = straightening_shifts(block, 1.3);
+  const layers::RowShifts shifts = straightening_shifts(block, 1.3);
   for (int row = 0; row <= num_rows; ++row)
     for (int i = 0; i <= num_columns; ++i) {
       const bool is_free = row > 0 && row < num_rows && i >= 3 && i < num_columns - 1;
@@ -80,10 +80,10 @@ TEST(StraighteningShifts, LeaveTheEndsOfLinesAndFixedVertices) {
 // The lines gather at one end of the outer circle: neighbours differ by up to a factor of 2 there.
 TEST(StraighteningShifts, KeepTheGrowthOfRowsNearTheLimit) {
   const VertexRows block = half_annulus([](double a) { return M_PI * std::pow(a / M_PI, 2); });
-  const mesh::RowShifts shifts = straightening_shifts(block, 1.3);
+  const layers::RowShifts shifts = straightening_shifts(block, 1.3);
   double most = 1;
   for (int i = 1; i < num_columns; ++i) {
-    const auto at = [&](int k) { return mesh::index_cubic(block.rows[3], k + shifts[3][k]).value; };
+    const auto at = [&](int k) { return layers::index_cubic(block.rows[3], k + shifts[3][k]).value; };
     const double ratio = distance(at(i), at(i + 1)) / distance(at(i - 1), at(i));
     most = std::max({most, ratio, 1 / ratio});
   }
@@ -91,8 +91,8 @@ TEST(StraighteningShifts, KeepTheGrowthOfRowsNearTheLimit) {
 }
 
 TEST(StraighteningShifts, OfABlockOfOneIntervalAreZero) {
-  const mesh::RowShifts shifts = straightening_shifts({{{{0, 0}, {1, 0}}, {{1, 1}, {2, 1}}}}, 1.3);
-  EXPECT_EQ(shifts, (mesh::RowShifts{{0, 0}, {0, 0}}));
+  const layers::RowShifts shifts = straightening_shifts({{{{0, 0}, {1, 0}}, {{1, 1}, {2, 1}}}}, 1.3);
+  EXPECT_EQ(shifts, (layers::RowShifts{{0, 0}, {0, 0}}));
 }
 
 }  // namespace

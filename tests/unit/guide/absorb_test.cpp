@@ -13,8 +13,11 @@ namespace {
 struct AbsorbTest : testing::Test {
   Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2) { return Vec2{1, 0}; });
   field::FieldEvaluator evaluator{field};
-  std::vector<Corner> corners{{0, {0, 0}, 135, 2, {3, 0}}, {1, {1, 0}, 90, 1, {0, 1}}};
-  std::vector<NodeChange> changes;
+  CriticalPoints points;
+  std::vector<Corner>& corners = points.corners;
+  std::vector<NodeChange>& changes = points.changes;
+
+  AbsorbTest() { corners = {{0, {0, 0}, 135, 2, {3, 0}}, {1, {1, 0}, 90, 1, {0, 1}}}; }
 
   static zeros::FoundZero zero(Vec2 x, int index) {
     zeros::FoundZero result;
@@ -23,7 +26,7 @@ struct AbsorbTest : testing::Test {
     return result;
   }
   std::vector<bool> absorb(const std::vector<zeros::FoundZero>& zeros, double length = 0.01) {
-    return absorb_into_corners(evaluator, zeros, length, corners, changes);
+    return absorb_into_corners(evaluator, zeros, length, points);
   }
 };
 

@@ -48,14 +48,33 @@ TEST(NodeRing, SurroundsAHoleWhereTheCentreIsOutside) {
 
 TEST(ClusterNodes, AreOneNodeWhereTheValenceIsAllowed) {
   const auto nodes = [&](int index, int max_valence) {
-    return cluster_nodes(square(), identity, max_valence, cluster_at({0.5, 0.5}, index), {}, NodeSource::cluster);
+    return cluster_nodes(square(), identity, max_valence, cluster_at({0.5, 0.5}, index), {});
   };
   EXPECT_EQ(nodes(-2, 6).size(), 1u);
   EXPECT_EQ(nodes(-2, 6)[0].valence, 6);
   EXPECT_EQ(nodes(-2, 5).size(), 2u);
   EXPECT_EQ(nodes(2, 6).size(), 2u);  // valence 2 is no node
   EXPECT_EQ(nodes(2, 6)[0].valence, 3);
-  EXPECT_EQ(nodes(2, 6)[0].source, NodeSource::cluster);
+}
+
+TEST(NodesOfClusters, AreExactImagesInOneOrbitAndNoneForIndexZero) {
+  std::vector<Cluster> clusters = {cluster_at({0.2, 0.3}, 2), cluster_at({0.8 + 1e-8, 0.3}, 2),
+                                   cluster_at({0.5, 0.5 + 1e-8}, 0), cluster_at({0.3, 0.2}, -2)};
+  const std::vector<curve::Isometry> group = curve::symmetries(square());
+  std::vector<std::size_t> asked;
+  const auto nodes = nodes_of_clusters(square(), group, 5, clusters, [&](std::size_t i) {
+    asked.push_back(i);
+    return std::vector<Vec2>{};
+  });
+  EXPECT_EQ(asked, (std::vector<std::size_t>{0, 3}));
+  EXPECT_NEAR(clusters[1].centre.x, 0.8, 1e-14);
+  EXPECT_NEAR(clusters[2].centre.y, 0.5, 1e-14);
+  ASSERT_EQ(nodes[0].size(), 2u);
+  ASSERT_EQ(nodes[1].size(), 2u);
+  for (int k = 0; k < 2; ++k)
+    EXPECT_NEAR(distance(nodes[1][k].position, {1 - nodes[0][k].position.x, nodes[0][k].position.y}), 0, 1e-14);
+  EXPECT_TRUE(nodes[2].empty());
+  EXPECT_EQ(nodes[3][0].valence, 5);
 }
 
 }  // namespace

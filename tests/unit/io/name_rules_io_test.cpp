@@ -10,8 +10,8 @@ namespace {
 
 using Kind = NameRule::Kind;
 
-std::vector<NameRule> boundary(const std::string& json) { return read_boundary_names({"names.json", json, ""}); }
-std::vector<NameRule> blocks(const std::string& json) { return read_block_names({"names.json", json, ""}); }
+std::vector<NameRule> boundary(const std::string& json) { return read_boundary_names({{"names.json", ""}, json}); }
+std::vector<NameRule> blocks(const std::string& json) { return read_block_names({{"names.json", ""}, json}); }
 
 std::string refusal(const std::string& json, bool is_block = false) {
   return message_of<FormatError>([&] { is_block ? blocks(json) : boundary(json); });

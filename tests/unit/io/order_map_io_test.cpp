@@ -9,7 +9,7 @@ namespace quadrille::io {
 namespace {
 
 std::vector<int> read(const std::string& text, int num_elems = 2, int max_order = 12) {
-  return read_order_map({"orders.json", text, ""}, num_elems, max_order).elem_order;
+  return read_order_map({{"orders.json", ""}, text}, num_elems, max_order).elem_order;
 }
 
 std::string map(const std::string& version, const std::string& elem_order) {

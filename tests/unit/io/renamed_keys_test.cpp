@@ -85,7 +85,7 @@ TEST_F(PreviousMajor, OffsetsOfCriticalPoints) {
       R"({"format": "critical-points", "version": [1, 2], "producer": "an editor", "provenance": [],
     "origin": [0, 0], "form": "phase", "critical_points": [], "corners": [], "twist_offsets": [1, -2],
     "index_sum": {"expected": 0}})";
-  EXPECT_EQ(read_critical_points({"file", text, ""}).hole_winding_offsets, (std::vector<int>{1, -2}));
+  EXPECT_EQ(read_critical_points({{"file", ""}, text}).hole_winding_offsets, (std::vector<int>{1, -2}));
 }
 
 TEST_F(PreviousMajor, Field) {

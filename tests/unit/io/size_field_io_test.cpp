@@ -9,7 +9,7 @@ namespace quadrille::io {
 namespace {
 
 SizeSources read(const std::string& text, Vec2 origin = {}) {
-  return read_size_field({"sizes.json", text, ""}, origin);
+  return read_size_field({{"sizes.json", ""}, text}, origin);
 }
 
 std::string field(const std::string& members, const std::string& version = "[1, 0]") {

@@ -11,7 +11,9 @@
 namespace quadrille::io {
 namespace {
 
-SizeSources read(const std::string& text, Vec2 origin = {}) { return read_size_field({"sizes.csv", text, ""}, origin); }
+SizeSources read(const std::string& text, Vec2 origin = {}) {
+  return read_size_field({{"sizes.csv", ""}, text}, origin);
+}
 
 std::string refusal(const std::string& text) {
   return message_of<FormatError>([&] { read(text); });
@@ -49,7 +51,7 @@ TEST(SizeTableIo, WhatIsNoTableIsRefusedWithTheLine) {
   expect_contains(refusal("<?xml version=\"1.0\"?><VTKFile>"), "python3 -m quadrille.vtu_sizes sizes.csv");
 }
 
-TEST(SizeTableIo, JsonIsNoTable) { EXPECT_FALSE(is_size_table({"a", " {\"format\": 1}", ""})); }
+TEST(SizeTableIo, JsonIsNoTable) { EXPECT_FALSE(is_size_table({{"a", ""}, " {\"format\": 1}"})); }
 
 }  // namespace
 }  // namespace quadrille::io

@@ -1,4 +1,4 @@
-#include "prescribe/chosen_blocks.hpp"
+#include "refine/chosen_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,13 +28,12 @@ int elems_in(const QuadMesh& mesh, int block) {
 
 TEST(ChosenBlocks, AreNamedByNumberOrName) {
   const std::vector<std::string> names{"inlet", "block_1", "0", "outlet"};
-  EXPECT_EQ(prescribe::parse_blocks("3", names), (std::vector<int>{3}));
-  EXPECT_EQ(prescribe::parse_blocks("outlet,1,inlet,3", names), (std::vector<int>{0, 1, 3}));
-  EXPECT_EQ(prescribe::parse_blocks("0", names), (std::vector<int>{2})) << "a name goes before a number";
-  EXPECT_EQ(prescribe::parse_blocks("b,1", {"a", "a", "b", "b"}), (std::vector<int>{1, 2, 3}))
-      << "blocks may share a name";
+  EXPECT_EQ(parse_blocks("3", names), (std::vector<int>{3}));
+  EXPECT_EQ(parse_blocks("outlet,1,inlet,3", names), (std::vector<int>{0, 1, 3}));
+  EXPECT_EQ(parse_blocks("0", names), (std::vector<int>{2})) << "a name goes before a number";
+  EXPECT_EQ(parse_blocks("b,1", {"a", "a", "b", "b"}), (std::vector<int>{1, 2, 3})) << "blocks may share a name";
   for (const char* wrong : {"4", "-1", "", "1,", "1,,2", "wall", "1x"})
-    EXPECT_THROW(prescribe::parse_blocks(wrong, names), UsageError);
+    EXPECT_THROW(parse_blocks(wrong, names), UsageError);
 }
 
 TEST(ChosenBlocks, OtherChordsGetOneElement) {
@@ -60,9 +59,9 @@ TEST(ChosenBlocks, ACountThatWasAskedForStays) {
   options.blocks = {0};
   const int before = refined(layout, options).num_elems();
   const sizing::MeasuredLayout measured(layout);
-  const std::vector<sizing::ChordCount> coarse = prescribe::coarse_counts(measured, {0}, {});
+  const std::vector<sizing::ChordCount> coarse = coarse_counts(measured, {0}, {});
   ASSERT_FALSE(coarse.empty());
-  EXPECT_TRUE(prescribe::coarse_counts(measured, {0}, {{coarse[0].chord, 3}}).size() == coarse.size() - 1);
+  EXPECT_TRUE(coarse_counts(measured, {0}, {{coarse[0].chord, 3}}).size() == coarse.size() - 1);
   options.counts = {{coarse[0].chord, 3}};
   EXPECT_GT(refined(layout, options).num_elems(), before);
 }
@@ -83,13 +82,13 @@ TEST(ChosenBlocks, CountsRiseWhereElementsAreNotProved) {
   const BlockLayout layout = layout_of(hand_made::l_shape());
   const sizing::MeasuredLayout measured(layout);
   QuadMesh mesh = refined(layout, {1, 1, 5e-7});
-  std::vector<sizing::ChordCount> coarse = prescribe::coarse_counts(measured, {0}, {});
-  EXPECT_FALSE(prescribe::raise_counts(measured, mesh, coarse)) << "all elements are proved";
+  std::vector<sizing::ChordCount> coarse = coarse_counts(measured, {0}, {});
+  EXPECT_FALSE(raise_counts(measured, mesh, coarse)) << "all elements are proved";
   for (double& bound : mesh.elem_jacobian_bound) bound = -1;
-  EXPECT_TRUE(prescribe::raise_counts(measured, mesh, coarse));
+  EXPECT_TRUE(raise_counts(measured, mesh, coarse));
   for (const sizing::ChordCount& c : coarse) EXPECT_EQ(c.count, 2);
   int rounds = 0;
-  while (prescribe::raise_counts(measured, mesh, coarse)) ++rounds;
+  while (raise_counts(measured, mesh, coarse)) ++rounds;
   EXPECT_LT(rounds, 20) << "it ends";
 }
 
@@ -104,17 +103,17 @@ TEST(DoubleCounts, OfChordsThroughBlocksWithoutAProofOnly) {
   const int first = measured.chord_of(layout.block2arcs[0][0].arc),
             second = measured.chord_of(layout.block2arcs[0][1].arc);
   std::vector<sizing::ChordCount> counts{{first, 1}};
-  EXPECT_TRUE(prescribe::double_counts(measured, mesh, divisions, {}, counts));
+  EXPECT_TRUE(double_counts(measured, mesh, divisions, {}, counts));
   ASSERT_EQ(counts.size(), 2u);
   for (const sizing::ChordCount& c : counts) {
     EXPECT_TRUE(c.chord == first || c.chord == second);
     EXPECT_EQ(c.count, 6);
   }
   counts.clear();
-  EXPECT_TRUE(prescribe::double_counts(measured, mesh, divisions, {{first, 3}}, counts));
+  EXPECT_TRUE(double_counts(measured, mesh, divisions, {{first, 3}}, counts));
   ASSERT_EQ(counts.size(), 1u);
   EXPECT_EQ(counts.front().chord, second);
-  EXPECT_FALSE(prescribe::double_counts(measured, mesh, divisions, {{first, 3}, {second, 3}}, counts));
+  EXPECT_FALSE(double_counts(measured, mesh, divisions, {{first, 3}, {second, 3}}, counts));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "curve/project.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
+#include "split_samples.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -179,12 +180,8 @@ TEST(Refine, BoundaryEdgesWalkTheLoops) {
 }
 
 TEST(Refine, FoldedBlockIsRefusedWithItsPlace) {
-  // A chevron whose lower side bulges through the upper one.
-  const std::vector<Nurbs> loop{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {0.1, 0.1}),
-                                curve::segment({0.1, 0.1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
-  const SeparatrixGraph graph = hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}});
   try {
-    refined(graph, {0.2, 2, 5e-7});
+    refined(folded_block(), {0.2, 2, 5e-7});
     FAIL() << "a folded block was accepted";
   } catch (const ComputeError& error) {
     EXPECT_NE(std::string(error.what()).find("block_0"), std::string::npos);

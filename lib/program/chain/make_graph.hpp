@@ -1,0 +1,15 @@
+#pragma once
+// The separatrix graph for one choice of nodes.
+
+#include "chain/chain_state.hpp"
+
+namespace quadrille::chain {
+
+/// The graph of `files.graph` for the triangles and the field, with these words for critpoints beside the chosen ones;
+/// first a field of their own, if the nodes need one. Returns false as run_stage does.
+bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::string>& node_words);
+
+/// The options of separatrix, with what makes midpoint division possible.
+stage::SeparatrixOptions layout_options(const ChainState& chain);
+
+}  // namespace quadrille::chain
