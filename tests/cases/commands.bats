@@ -84,11 +84,11 @@ here() {
 
 @test "the examples of every help are run" {
   run -0 sed -nE 's/^quadrille_tool\(([a-z0-9]+) .*|^quadrille_tool\(([a-z0-9]+)\)/\1\2/p' "$ROOT/tools/CMakeLists.txt"
-  for tool in $output; do # cli.bats runs those of TOOLS
+  for tool in $(helps | cut -d ' ' -f 1 | grep -vxf - <(echo "$output")); do # cli.bats runs those of TOOLS
     grep -qE "^TOOLS=.*\b$tool\b" "$ROOT/tests/tools/cli.bats" || fail "cli.bats does not run the examples of $tool"
   done
-  grep -lE '^EXAMPLES$|"EXAMPLES"' "$ROOT"/pipelines/* "$ROOT"/pipelines/lib/*_help.sh 2>/dev/null |
-    xargs -n 1 basename -s .sh | sed 's/_help$//' | grep -vx -e man-page -e completions | sort >found
+  grep -lE '^EXAMPLES$|"EXAMPLES"' "$ROOT"/pipelines/* "$ROOT"/lib/program/chain/*_help.cpp 2>/dev/null |
+    xargs -n 1 basename -s .cpp | sed 's/_help$//' | grep -vx -e man-page -e completions | sort >found
   helps | cut -d ' ' -f 1 | sort | diff - found
   while read -r command tests; do
     grep -q EXAMPLES "$ROOT/tests/$tests" || fail "no test runs the examples of $command"

@@ -98,7 +98,7 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
   run -0 awk '/^###? / { heading = $2 } /^```sh$/ && !seen[heading]++ { printf " %s", heading }' "$page"
   assert_output "  1. 2. 3. 4.1 4.2 4.3"
   "$ROOT/pipelines/quadmesh" --help >help
-  sed -n '/^## Which option/,/^## /p' "$page" | sed -E 's/`(cad2tri|pipelines\/place) [^`]*`//' | grep -oE -- '--[a-z][a-z-]+' | sort -u >options
+  sed -n '/^## Which option/,/^## /p' "$page" | sed -E 's/`(cad2tri|pipelines\/quadplace) [^`]*`//' | grep -oE -- '--[a-z][a-z-]+' | sort -u >options
   assert [ "$(wc -l <options)" -ge 20 ]
   while read -r option; do grep -qE "^  (-., )?$option\b" help || fail "quadmesh has no $option"; done <options
 }

@@ -37,6 +37,19 @@ double number_at(const Json& root, const std::string& key) {
   return value.is_number() ? value.get<double>() : 0;
 }
 
+std::string text_at(const Json& root, const std::string& key) {
+  const Json value = at(root, key);
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+/// The entries of "warnings" that are objects. External programs may write anything there.
+Json warnings_in(const Json& report) {
+  Json warnings = Json::array();
+  for (const Json& warning : at(report, "warnings"))
+    if (warning.is_object()) warnings.push_back(warning);
+  return warnings;
+}
+
 /// A run of a stage.
 struct StageRun {
   std::string stage;
@@ -48,7 +61,8 @@ std::vector<StageRun> runs_of(const std::vector<StageReport>& stages) {
   std::vector<StageRun> runs;
   for (const StageReport& stage : stages) {
     Json report = parsed(stage.json);
-    if (report.contains("tool")) runs.push_back({stage.stage, std::move(report), !stage.stage.starts_with("failed_")});
+    if (!text_at(report, "tool").empty())
+      runs.push_back({stage.stage, std::move(report), !stage.stage.starts_with("failed_")});
   }
   return runs;
 }
@@ -69,7 +83,7 @@ Json given_up(const std::vector<StageRun>& runs) {
     if (!run.is_used) continue;
     last_code = static_cast<int>(number_at(run.report, "exit_code"));
     if (last_code != 0 && message.is_null())
-      message = fmt::format("{}: {}", run.report["tool"].get<std::string>(), run.report.value("error", ""));
+      message = fmt::format("{}: {}", text_at(run.report, "tool"), text_at(run.report, "error"));
   }
   return last_code == 0 ? message : Json();
 }
@@ -83,7 +97,7 @@ Json times_of(const std::vector<StageRun>& runs) {
     if (sum.is_null()) sum = Json::object();
     const Json total = at(run.report, "timings.total");
     for (const auto& [key, value] : total.items())
-      sum[key] = value.get<double>() + (sum.contains(key) ? sum[key].get<double>() : 0.0);
+      if (value.is_number()) sum[key] = value.get<double>() + (sum.contains(key) ? sum[key].get<double>() : 0.0);
   }
   return times;
 }
@@ -91,8 +105,8 @@ Json times_of(const std::vector<StageRun>& runs) {
 Json warnings_of(const std::vector<StageRun>& runs) {
   Json all = Json::array();
   for (const StageRun& run : runs) {
-    const Json warnings = run.report.value("warnings", Json::array());
-    if (!run.is_used && (warnings.empty() || warnings[0].value("tool", "") != "quadmesh")) continue;
+    const Json warnings = warnings_in(run.report);
+    if (!run.is_used && (warnings.empty() || text_at(warnings[0], "tool") != "quadmesh")) continue;
     for (const Json& warning : warnings) {
       Json one{{"tool", run.report["tool"]}};
       one.update(warning);
@@ -170,9 +184,9 @@ std::string counted_at(const Json& report, const std::string& key, const char* n
 std::vector<ReportedWarning> warnings_of(const StageReport& report) {
   const Json root = parsed(report.json);
   std::vector<ReportedWarning> warnings;
-  for (const Json& warning : root.value("warnings", Json::array()))
-    warnings.push_back(
-        {warning.value("tool", root.value("tool", "")), warning.value("code", ""), warning.value("message", "")});
+  for (const Json& warning : warnings_in(root))
+    warnings.push_back({text_at(warning.contains("tool") ? warning : root, "tool"), text_at(warning, "code"),
+                        text_at(warning, "message")});
   return warnings;
 }
 
@@ -197,7 +211,8 @@ std::string ChainReport::times() const {
   std::string lines;
   for (const auto& [stage, times] : root["stages"].items()) {
     const double cpu = number_at(times, "cpu_seconds");
-    lines += fmt::format("{:<16.16} {} s CPU, {} %\n", stage, rounded(cpu, 3), std::round(cpu / all * 100));
+    lines +=
+        fmt::format("{:<16.16} {} s CPU, {} %\n", stage, rounded(cpu, 3), all > 0 ? std::round(cpu / all * 100) : 0);
   }
   return lines +
          fmt::format("all stages       {} s CPU, {} s\n", rounded(all, 3), rounded(number_at(root, "wall_seconds"), 3));

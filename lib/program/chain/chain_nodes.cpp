@@ -105,8 +105,7 @@ bool find_nodes_again(ChainState& chain, NodeFiles& files, const std::vector<std
                            " was edited, but made with other options of critpoints: use it with --from separatrix, or "
                            "remove it",
                        false};
-  files.nodes.take(found);
-  files.nodes.write();
+  files.nodes.set(found.release(), true);
   return true;
 }
 

@@ -8,6 +8,8 @@
 
 namespace quadrille::chain {
 
+namespace fs = std::filesystem;
+
 io::InputFile read_input(const ChainState& chain, const std::string& path) {
   if (path != "-" || !chain.standard_input) return io::read_input(path);
   io::InputFile file{io::identity_of("standard input", *chain.standard_input), *chain.standard_input};
@@ -37,9 +39,9 @@ PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face) {
 
 bool is_same_file(const std::string& path, const std::string& other) {
   std::error_code error;
-  if (std::filesystem::exists(path, error) && std::filesystem::exists(other, error))
-    return std::filesystem::equivalent(path, other, error);
-  return std::filesystem::weakly_canonical(path, error) == std::filesystem::weakly_canonical(other, error);
+  if (fs::exists(path, error) && fs::exists(other, error)) return fs::equivalent(path, other, error);
+  const auto whole = [&](const std::string& one) { return fs::weakly_canonical(fs::absolute(one, error), error); };
+  return whole(path) == whole(other);
 }
 
 }  // namespace quadrille::chain

@@ -46,8 +46,8 @@ OPTIONS
   --region-name NAME=LIST|NAME@X,Y
                             name of regions, where SHAPE has several faces in one plane, in the same way; a point lies
                             inside the region
-  --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other; may be
-                            given several times (see cad2tri --help)
+  --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other;
+                            may be given several times (see cad2tri --help)
   --offset NAME=T           embed a curve at the distance T from the boundary NAME, which blocks end at; --wall
                             NAME:...,blocks=own does so by itself; may be given several times (see cad2tri --help)
   --boundary-names FILE     new names of boundary curves, JSON (see formats/boundary-names.md)
@@ -76,8 +76,8 @@ OPTIONS
                             in either, the exit code is 1
   --max-memory SIZE         stop a stage that has more in memory, with the same consequences: 500M, 2G (K, M, G, T:
                             powers of 1024; default: no limit)
-  --stage NAME=COMMAND      run COMMAND in place of the stage NAME: a program, or a command for the shell, that takes the
-                            words of the stage's own command and writes its file; may be given several times
+  --stage NAME=COMMAND      run COMMAND in place of the stage NAME: a program, or a command for the shell, that takes
+                            the words of the stage's own command and writes its file; may be given several times
   --threads N|auto          number of threads of a stage, 1 to 1024; auto: as many as there are processors, for work
                             that lasts longer than 0.2 s; the mesh does not depend on it (default: auto)
   -v, --verbose             print the seconds and the share of each stage

@@ -77,7 +77,7 @@ class Reader {
   void split_at_equals(const std::string& word) {
     const std::size_t end = word.find('=');
     const std::string flag = word.substr(0, end);
-    if (contains(own_flags, flag)) throw UsageError(flag + " takes no value");
+    if (takes_no_value(flag)) throw UsageError(flag + " takes no value");
     words_.front() = word.substr(end + 1);
     words_.insert(words_.begin(), flag);
     take_option(flag);
@@ -92,6 +92,18 @@ class Reader {
     if (flag == "-o") take_option(flag);
   }
 
+  bool takes_no_value(const std::string& flag) {
+    if (contains(own_flags, flag)) return true;
+    if (contains(own_values, flag)) return false;
+    const auto found = shared().find(flag);
+    return found != shared().end() && !found->second.takes_value;
+  }
+
+  const std::map<std::string, SharedOption>& shared() {
+    if (shared_.empty()) shared_ = shared_options();
+    return shared_;
+  }
+
   void take_option(const std::string& word) {
     static const std::map<std::string, std::string> long_names{
         {"-o", "--output"}, {"-v", "--verbose"}, {"-q", "--quiet"}, {"-h", "--help"}};
@@ -100,11 +112,10 @@ class Reader {
     words_.erase(words_.begin());
     if (contains(own_flags, flag)) return take_flag(flag);
     if (contains(own_values, flag)) return take_value(flag, value_of(word));
-    if (shared_.empty()) shared_ = shared_options();
-    const auto shared = shared_.find(flag);
-    if (shared == shared_.end()) unknown(word);
-    if (!shared->second.takes_value) return choose(shared->second.tools, {flag});
-    choose(shared->second.tools, {flag, value_of(word)});
+    const auto option = shared().find(flag);
+    if (option == shared().end()) unknown(word);
+    if (!option->second.takes_value) return choose(option->second.tools, {flag});
+    choose(option->second.tools, {flag, value_of(word)});
   }
 
   /// The next word; it may be empty or begin with one -, but must not be an option.
@@ -183,10 +194,9 @@ class Reader {
   }
 
   [[noreturn]] void unknown(const std::string& word) {
-    if (shared_.empty()) shared_ = shared_options();
     std::vector<std::string> known = own_values;
     known.insert(known.end(), own_flags.begin(), own_flags.end());
-    for (const auto& [flag, option] : shared_) known.push_back(flag);
+    for (const auto& [flag, option] : shared()) known.push_back(flag);
     const std::string nearest = nearest_word(word, known);
     throw UsageError(
         fmt::format("unknown option {}{}", word, nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)));

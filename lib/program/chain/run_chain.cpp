@@ -164,6 +164,7 @@ int run(ChainOptions options) {
     chain.standard_input = input;
     chain.keeps_files = !options.workdir.empty() || !options.html.empty() || !options.nodes_file.empty() ||
                         !options.programs.empty() || is_second_try || budget.is_limited();
+    chain.values.fieldsolve.estimates_errors = chain.keeps_files;  // padapt makes its own
     try {
       add_options_of_walls(chain);
     } catch (const UsageError& e) {

@@ -31,13 +31,21 @@ int stages_after(const StageTask& task, const ChainOptions& options) {
   return std::max(0, (task.is_of_phase ? after_phase.at(position) : after.at(position)) - left_out);
 }
 
-/// What a killed stage cannot report itself; the warning holds if there are quads without a field.
-std::string report_of_stopped(const std::string& tool, const std::string& reason, const ChildEnd& end) {
+/// What a stage did not report itself. `warnings`: JSON objects, joined by commas.
+std::string report_of(const std::string& tool, int code, const std::string& error, const ChildEnd& end,
+                      const std::string& warnings = {}) {
   return fmt::format(
-      R"({{"tool": {}, "exit_code": 1, "error": {}, "timings": {{"total": {{"cpu_seconds": {}, "wall_seconds": {}}}}}, )"
-      R"("warnings": [{{"tool": "quadmesh", "code": "{}", "message": {}}}]}})",
-      json_string(tool), json_string(reason), end.cpu_seconds, end.wall_seconds, warning::stage_stopped,
-      json_string(fmt::format("{} was {}: the quads are made without a field", tool, reason)));
+      R"({{"tool": {}, "exit_code": {}, "error": {}, "timings": {{"total": {{"cpu_seconds": {}, "wall_seconds": {}}}}}, )"
+      R"("warnings": [{}]}})",
+      json_string(tool), code, json_string(error), end.cpu_seconds, end.wall_seconds, warnings);
+}
+
+/// The warning holds if there are quads without a field.
+std::string report_of_stopped(const std::string& tool, const std::string& reason, const ChildEnd& end) {
+  const std::string text = fmt::format("{} was {}: the quads are made without a field", tool, reason);
+  return report_of(
+      tool, 1, reason, end,
+      fmt::format(R"({{"tool": "quadmesh", "code": "{}", "message": {}}})", warning::stage_stopped, json_string(text)));
 }
 
 /// A mistake on the command line is one of quadmesh: what is wrong with its options, or begins with one.
@@ -145,7 +153,11 @@ StageEnd StageRunner::run_in_child(const StageTask& task, Share share) {
   end.report = {task.name, report_in(report)};
   end.message = io::value_of(end.report, "error").value_or("");
   if (child.code > of_signal) end.message = fmt::format("ended by signal {}", child.code - of_signal);
-  if (!options_.programs.contains(task.stage)) end.messages = messages_of(tool, {end.code, end.message});
+  if (child.code != 0 && !io::value_of(end.report, "tool")) {
+    if (end.message.empty()) end.message = fmt::format("ended with the exit code {}", child.code);
+    end.report.json = report_of(tool, child.code, end.message, child);
+  }
+  if (end.messages.empty()) end.messages = messages_of(tool, {end.code, end.message});
   return end;
 }
 

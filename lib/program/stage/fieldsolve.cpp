@@ -146,14 +146,16 @@ Field fieldsolve(const FieldsolveInput& input, const FieldsolveOptions& options,
   run.begin_phase("estimate");
   std::vector<Field> parts;
   for (SolvedRegion& region : regions) {
-    region.field.elem_error = field::error_estimate(region.field, region.phase ? region.phase->boundary() : nullptr);
+    if (options.estimates_errors)
+      region.field.elem_error = field::error_estimate(region.field, region.phase ? region.phase->boundary() : nullptr);
     parts.push_back(std::move(region.field));
   }
   run.end_phase();
   Field field = regions::join(mesh, std::move(parts));
   const auto [lowest, highest] = std::minmax_element(field.elem_order.begin(), field.elem_order.end());
   run.report().set("solve.field_order", *highest);
-  run.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
+  if (options.estimates_errors)
+    run.report().set("solve.max_error", *std::max_element(field.elem_error.begin(), field.elem_error.end()));
   field.provenance = with_step(mesh.provenance, "fieldsolve", options, std::move(inputs));
   run.info(fmt::format("{} of order {}..{}, {}", counted(mesh.num_elems(), "element"), *lowest, *highest,
                        counted(num_liftings(field), "lifting")));

@@ -20,6 +20,9 @@ struct FieldsolveOptions {
   std::string nodes_file;          ///< path of critical points, which the caller reads
   galerkin::LaplaceOptions solve;  ///< its number of threads is that of the run
 
+  /// No option of the command: whether the error of each element is estimated, which padapt does again.
+  bool estimates_errors = true;
+
   void validate() const;  ///< throws UsageError
 };
 void declare(Options& options, FieldsolveOptions& fieldsolve);

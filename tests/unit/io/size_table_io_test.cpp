@@ -51,7 +51,7 @@ TEST(SizeTableIo, WhatIsNoTableIsRefusedWithTheLine) {
   expect_contains(refusal("<?xml version=\"1.0\"?><VTKFile>"), "python3 -m quadrille.vtu_sizes sizes.csv");
 }
 
-TEST(SizeTableIo, JsonIsNoTable) { EXPECT_FALSE(is_size_table({"a", " {\"format\": 1}", ""})); }
+TEST(SizeTableIo, JsonIsNoTable) { EXPECT_FALSE(is_size_table({{"a", ""}, " {\"format\": 1}"})); }
 
 }  // namespace
 }  // namespace quadrille::io

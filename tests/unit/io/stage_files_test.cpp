@@ -161,15 +161,14 @@ TEST_F(StageFiles, NodesAddedByHandNeedPlaceAndValenceOnly) {
 TEST_F(StageFiles, UnknownKindsOfChangesAreReadButUnknownFormsAreRefused) {
   const auto read = [](const std::string& form, const std::string& location) {
     return read_stage<CriticalPoints>(
-        {"file",
-         R"({"format": "critical-points", "version": [1, 2], "producer": "a later version", "provenance": [],
+        {{"file", ""},
+         R"({"format": "critical-points", "version": [2, 2], "producer": "a later version", "provenance": [],
     "origin": [0, 0], "form": ")" +
              form + R"(", "critical_points": [{"position": [0.5, 0.5], "valence": 3,
       "source": "dream"}], "corners": [], "index_sum": {"expected": 4},
     "changes": [{"kind": "dream", "reason": "later", "before": [], "after": [
       {"position": [0.5, 0.5], "valence": 3, "where": ")" +
-             location + R"("}]}]})",
-         ""});
+             location + R"("}]}]})"});
   };
   const CriticalPoints points = read("phase", "inside");
   EXPECT_EQ(points.critical_points[0].source, NodeSource::other);
@@ -238,6 +237,36 @@ TEST_F(StageFiles, QuadMeshSurvivesTheRoundTrip) {
   expect_same_bytes(mesh);
   EXPECT_FALSE(read_stage<QuadMesh>(read_input(path("second"))).is_valid);
   EXPECT_EQ(read_stage<QuadMesh>(read_input(path("second"))).least_jacobian_bound, -0.25);
+}
+
+TEST_F(StageFiles, AStructHasTheBytesAndTheIdentityOfItsFile) {
+  const std::string bytes = stage_bytes(samples::field());
+  write_stage(path("file"), samples::field());
+  EXPECT_EQ(bytes, bytes_of("file"));
+  const InputFile file = read_input(path("file"));
+  const FileIdentity identity = identity_of(path("file"), bytes);
+  EXPECT_EQ(identity.name, file.name);
+  EXPECT_EQ(identity.sha256, file.sha256);
+  EXPECT_NE(identity_of(path("file"), bytes + ' ').sha256, file.sha256);
+}
+
+TEST_F(StageFiles, TheReaderOfAStructReadsItsFormatAlone) {
+  const auto expect_own_format = [](const auto& model, const std::string& format) {
+    using Model = std::decay_t<decltype(model)>;
+    const std::string bytes = stage_bytes(model);
+    const InputFile file{{"file", ""}, bytes};
+    EXPECT_EQ(stage_format(file), format);
+    EXPECT_EQ(stage_bytes(read_stage<Model>(file)), bytes);
+    const InputFile other{{"file", ""},
+                          format == "tri-mesh" ? stage_bytes(samples::quad_mesh()) : stage_bytes(samples::tri_mesh())};
+    EXPECT_THROW(read_stage<Model>(other), FormatError) << format;
+  };
+  expect_own_format(samples::tri_mesh(), "tri-mesh");
+  expect_own_format(samples::field(), "field");
+  expect_own_format(samples::critical_points(), "critical-points");
+  expect_own_format(samples::separatrix_graph(), "separatrix-graph");
+  expect_own_format(samples::block_layout(), "block-layout");
+  expect_own_format(samples::quad_mesh(), "quad-mesh");
 }
 
 }  // namespace
