@@ -13,7 +13,7 @@ struct Sample {
   double size = 0.5;
   int order = 4;
   bool is_loud = false;
-  std::string name = "plain", mode = "fast", file, secret;
+  std::string name = "plain", mode = "fast", file;
   std::vector<std::string> parts;
 
   Declare declare() {
@@ -25,12 +25,11 @@ struct Sample {
       o.choice("--mode", mode, {"fast", "slow"}, "the mode");
       o.input_file("--table", file, "FILE", "a table");
       o.texts("--part", parts, "A:B", "a part");
-      o.hidden_text("--secret", secret);
     };
   }
 };
 
-TEST(OptionNames, AreInTheOrderOfTheirDeclarationWithoutHiddenOnes) {
+TEST(OptionNames, AreInTheOrderOfTheirDeclaration) {
   Sample sample;
   std::string names;
   for (const OptionName& name : option_names(sample.declare())) names += name.flag + (name.takes_value ? "= " : " ");
@@ -41,7 +40,7 @@ TEST(OptionRows, AreThoseOfTheHelpOfOneCommand) {
   Sample sample;
   const std::string rows = option_rows(sample.declare());
   expect_contains(rows, "(unit: length; default: 0.5; interval: 0 to 10)");
-  expect_counts(rows, {{"\n", 7}, {"--secret", 0}, {"--threads", 0}, {"--output", 0}});
+  expect_counts(rows, {{"\n", 7}, {"--threads", 0}, {"--output", 0}});
 }
 
 TEST(SetOptions, SetsTheDeclaredVariablesAndLeavesTheOthers) {
