@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
       names.emplace(rules, names_file);
     }
     const io::InputFile file = io::read_input(input);
-    const SeparatrixGraph graph = io::read_separatrix_graph(file);
+    const SeparatrixGraph graph = io::read_stage<SeparatrixGraph>(file);
     const BlockLayout layout = stage::blocksplit({graph, file}, names, options, s);
     s.begin_phase("write");
     io::write_stage(output, layout);

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
     options.validate();
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
-    const Field field = io::read_field(file);
+    const Field field = io::read_stage<Field>(file);
     const CriticalPoints points = stage::critpoints({field, file}, options, s);
     s.begin_phase("write");
     io::write_stage(output, points);

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   tool.run = [&](cli::Session& s) {
     options.validate();
     const io::InputFile file = io::read_input(input);
-    const TriMesh mesh = io::read_tri_mesh(file);
+    const TriMesh mesh = io::read_stage<TriMesh>(file);
     stage::FieldsolveInput from{{mesh, file}, {}, {}, {}};
     OrderMap orders;
     if (!options.orders_file.empty()) {
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     CriticalPoints points;
     if (!options.nodes_file.empty()) {
       const io::InputFile nodes_file = io::read_input(options.nodes_file);
-      points = io::read_critical_points(nodes_file);
+      points = io::read_stage<CriticalPoints>(nodes_file);
       from.nodes.emplace(points, nodes_file);
     }
     io::write_stage(output, stage::fieldsolve(from, options, s));

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   tool.run = [&](cli::Session& s) {
     options.validate();
     const io::InputFile file = io::read_input(input);
-    const Field start = io::read_field(file);
+    const Field start = io::read_stage<Field>(file);
     io::write_stage(output, stage::padapt({start, file}, options, s));
   };
   tool.report_writer = io::write_report;

@@ -16,8 +16,8 @@ exports::StepModel step_model_of(exports::StepRequest request) {
   io::InputFile file;
   file.name = request.name;
   file.bytes = std::move(request.bytes);
-  BlockLayout layout = io::read_block_layout(file);
-  check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), file.name);
+  BlockLayout layout = io::read_stage<BlockLayout>(file);
+  check::require_sound(layout, file.name);
   if (request.length.unit == "file" && !occ::has_step_unit(layout.face)) request.length.unit = "mm";
   const LengthScale length = length_scale(layout.face, request.length);
   scale_lengths(layout, length);

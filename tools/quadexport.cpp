@@ -27,7 +27,7 @@ std::vector<stage::OutputFile> exported(const std::string& input, const std::str
   s.begin_phase("read");
   const io::InputFile file = io::read_input(input);
   if (is_step) return {stage::quadexport_step({file.bytes, file}, output, options, s)};
-  return stage::quadexport(io::read_quad_mesh(file), file.name, output, options, s);
+  return stage::quadexport(io::read_stage<QuadMesh>(file), file.name, output, options, s);
 }
 
 }  // namespace

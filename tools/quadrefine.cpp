@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     }
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
-    const BlockLayout layout = io::read_block_layout(file);
+    const BlockLayout layout = io::read_stage<BlockLayout>(file);
     const SizeSources sources = sources_of(sizes, layout.face);
     std::optional<stage::Input<SizeSources>> with_sizes;
     if (sizes) with_sizes.emplace(sources, *sizes);

@@ -14,13 +14,13 @@ namespace {
 SeparatrixGraph graph_of(const io::InputFile& file, const std::string& points_path,
                          const stage::SeparatrixOptions& options, cli::Session& session) {
   if (io::stage_format(file) == "tri-mesh") {
-    const TriMesh triangles = io::read_tri_mesh(file);
+    const TriMesh triangles = io::read_stage<TriMesh>(file);
     return stage::separatrix({triangles, file}, options, session);
   }
-  const Field field = io::read_field(file);
+  const Field field = io::read_stage<Field>(file);
   if (options.layout == layout::LayoutChoice::midpoint) return stage::separatrix({field, file}, {}, options, session);
   const io::InputFile points_file = io::read_input(points_path);
-  const CriticalPoints points = io::read_critical_points(points_file);
+  const CriticalPoints points = io::read_stage<CriticalPoints>(points_file);
   return stage::separatrix({field, file}, stage::Input<CriticalPoints>(points, points_file), options, session);
 }
 

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-#include <map>
-
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "cli/tool_main.hpp"
+#include "io/format_list.hpp"
 #include "io/history.hpp"
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
@@ -20,42 +18,25 @@ using namespace quadrille;
 namespace {
 
 /// A mesh may satisfy all rules without being valid: then it is marked as not valid.
-std::vector<check::Violation> violations_of_quads(const io::InputFile& file, cli::Session& session) {
-  const QuadMesh mesh = io::read_quad_mesh(file);
-  std::vector<check::Violation> violations = check::check_quad_mesh(mesh, check::CheckDepth::full);
-  if (violations.empty() && !mesh.is_valid)
-    session.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file.name, check::validity_warning(mesh)));
-  return violations;
-}
-
-template <typename Stage>
-std::vector<check::Violation> violations_of(const io::InputFile& file, Stage (*read)(const io::InputFile&),
-                                            std::vector<check::Violation> (*check)(const Stage&, check::CheckDepth)) {
-  return check(read(file), check::CheckDepth::full);
-}
-
-std::vector<check::Violation> violations_of(const io::InputFile& file, const std::string& format,
-                                            cli::Session& session) {
-  if (format == "tri-mesh") return violations_of(file, io::read_tri_mesh, check::check_tri_mesh);
-  if (format == "field") return violations_of(file, io::read_field, check::check_field);
-  if (format == "critical-points") return violations_of(file, io::read_critical_points, check::check_critical_points);
-  if (format == "separatrix-graph")
-    return violations_of(file, io::read_separatrix_graph, check::check_separatrix_graph);
-  if (format == "block-layout") return violations_of(file, io::read_block_layout, check::check_block_layout);
-  return violations_of_quads(file, session);
+void warn_of_validity(const StageModel& stage, const std::string& file, cli::Session& session) {
+  const QuadMesh* mesh = std::get_if<QuadMesh>(&stage);
+  if (mesh && !mesh->is_valid)
+    session.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file, check::validity_warning(*mesh)));
 }
 
 /// Prints the violations of one file and returns their number.
 std::size_t check_file(const std::string& path, cli::Session& session) {
   try {
     const io::InputFile file = io::read_input(path);
-    const std::string format = io::stage_format(file);
     session.begin_phase("check");
-    const std::vector<check::Violation> violations = violations_of(file, format, session);
+    const StageModel stage = io::read_any_stage(file);
+    const std::vector<check::Violation> violations =
+        std::visit([](const auto& model) { return check::check_stage(model, check::CheckDepth::full); }, stage);
+    if (violations.empty()) warn_of_validity(stage, file.name, session);
     session.end_phase();
     for (const check::Violation& violation : violations)
       fmt::print("{}: {}: {}\n", file.name, violation.rule, violation.text);
-    session.info(fmt::format("{}: {}, {}", file.name, format,
+    session.info(fmt::format("{}: {}, {}", file.name, stage_formats[stage.index()].name,
                              violations.empty() ? "all rules hold" : counted(violations.size(), "violation")));
     return violations.size();
   } catch (const FormatError& e) {
@@ -66,13 +47,7 @@ std::size_t check_file(const std::string& path, cli::Session& session) {
 }
 
 Provenance provenance_of(const io::InputFile& file) {
-  const std::string format = io::stage_format(file);
-  if (format == "tri-mesh") return io::read_tri_mesh(file).provenance;
-  if (format == "field") return io::read_field(file).provenance;
-  if (format == "critical-points") return io::read_critical_points(file).provenance;
-  if (format == "separatrix-graph") return io::read_separatrix_graph(file).provenance;
-  if (format == "block-layout") return io::read_block_layout(file).provenance;
-  return io::read_quad_mesh(file).provenance;
+  return std::visit([](const auto& model) { return model.provenance; }, io::read_any_stage(file));
 }
 
 /// Prints the commands by which the files were made, each once.
@@ -110,7 +85,7 @@ void check_files(const std::vector<std::string>& paths, cli::Session& session) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> paths;
-  bool is_history = false;
+  bool is_history = false, is_list = false;
   cli::Tool tool;
   tool.name = "stagecheck";
   tool.summary = "checks stage files against the numbered rules of their formats";
@@ -127,9 +102,15 @@ int main(int argc, char** argv) {
                  "print the commands by which each FILE was made, with all options, from its provenance, each "
                  "command once; inputs that no command makes are described by their "
                  "SHA-256. Give x.crit.json with the files made from it: only it knows the options of critpoints");
+    options.flag(
+        "--list-formats", is_list,
+        "print the formats with their versions, and the tools that write them, as JSON for scripts; no FILE is "
+        "read");
   };
   tool.run = [&](cli::Session& session) {
-    if (is_history)
+    if (is_list)
+      fmt::print("{}", io::format_list());
+    else if (is_history)
       print_history(paths);
     else
       check_files(paths, session);

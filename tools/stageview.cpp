@@ -45,40 +45,29 @@ draw::Window parsed_window(const std::string& text) {
   return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
 }
 
-/// A struct of a stage file after its quick checks.
-template <typename Model, typename Check>
-Model valid(Model model, const Check& check, const io::InputFile& file) {
-  check::require_valid(check(model, check::CheckDepth::quick), file.name);
-  return model;
+/// The struct of a stage file after its quick checks.
+StageModel read_stage(const io::InputFile& file, cli::Session& session) {
+  StageModel stage = io::read_any_stage(file);
+  std::visit([&](const auto& model) { check::require_sound(model, file.name); }, stage);
+  if (const auto* mesh = std::get_if<QuadMesh>(&stage); mesh && !mesh->is_valid)
+    session.report().warn(warning::mesh_not_valid, check::validity_warning(*mesh));
+  return stage;
 }
 
-page::Stage read_stage(const io::InputFile& file, cli::Session& session) {
-  const std::string format = io::stage_format(file);
-  if (format == "tri-mesh") return valid(io::read_tri_mesh(file), check::check_tri_mesh, file);
-  if (format == "field") return valid(io::read_field(file), check::check_field, file);
-  if (format == "critical-points") return valid(io::read_critical_points(file), check::check_critical_points, file);
-  if (format == "separatrix-graph") return valid(io::read_separatrix_graph(file), check::check_separatrix_graph, file);
-  if (format == "block-layout") return valid(io::read_block_layout(file), check::check_block_layout, file);
-  if (format != "quad-mesh") throw FormatError(file.name + ": there is no picture for the format " + format);
-  QuadMesh mesh = valid(io::read_quad_mesh(file), check::check_quad_mesh, file);
-  if (!mesh.is_valid) session.report().warn(warning::mesh_not_valid, check::validity_warning(mesh));
-  return mesh;
-}
-
-const Provenance& provenance_of(const page::Stage& stage) {
+const Provenance& provenance_of(const StageModel& stage) {
   return std::visit([](const auto& model) -> const Provenance& { return model.provenance; }, stage);
 }
 
 /// A stage with the file that it was read from.
 struct Read {
   io::InputFile file;
-  page::Stage stage;
+  StageModel stage;
 };
 
 /// Reads a file that was made from one of `others`, or one of them from it.
 Read read_related(const std::string& path, const std::vector<Read>& others, cli::Session& session) {
   io::InputFile file = io::read_input(path);
-  page::Stage stage = read_stage(file, session);
+  StageModel stage = read_stage(file, session);
   const auto is_related = [&](const Read& other) {
     return check::have_same_origin(other.file, provenance_of(other.stage), file, provenance_of(stage));
   };
@@ -112,46 +101,44 @@ draw::DrawOptions draw_options(const Settings& settings) {
 
 /// The picture of the last of the files; with --field, the field is the first of two.
 std::string picture_of(const std::vector<Read>& files, const Settings& settings) {
-  const page::Stage& stage = files.back().stage;
+  const StageModel& stage = files.back().stage;
   draw::DrawOptions options = draw_options(settings);
   if (!settings.inputs.empty()) options.file = base_name(settings.inputs.back());
-  if (const auto* mesh = std::get_if<TriMesh>(&stage)) return draw::draw_tri_mesh(*mesh, options);
-  if (const auto* field = std::get_if<Field>(&stage)) return draw::draw_field(*field, options);
-  if (const auto* graph = std::get_if<SeparatrixGraph>(&stage)) return draw::draw_separatrix_graph(*graph, options);
-  if (const auto* layout = std::get_if<BlockLayout>(&stage)) return draw::draw_block_layout(*layout, options);
-  if (const auto* mesh = std::get_if<QuadMesh>(&stage)) return draw::draw_quad_mesh(*mesh, options);
-  const Field* field = std::get_if<Field>(&files.front().stage);
-  return draw::draw_critical_points(std::get<CriticalPoints>(stage), field, options);
+  options.field = std::get_if<Field>(&files.front().stage);
+  return std::visit([&](const auto& model) { return draw::draw_stage(model, options); }, stage);
+}
+
+/// Whether a picture of two of them can be drawn.
+bool is_comparable(const StageModel& stage) {
+  return std::visit([]<typename Model>(const Model&) { return draw::Comparable<Model>; }, stage);
 }
 
 /// Two layouts or meshes; they need not be of one chain.
-std::array<page::Stage, 2> read_pair(const Settings& settings, cli::Session& session) {
+std::array<StageModel, 2> read_pair(const Settings& settings, cli::Session& session) {
   if (settings.inputs.size() != 2) throw UsageError("--compare needs two files, layouts or meshes");
-  std::array<page::Stage, 2> stages;
+  std::array<StageModel, 2> stages;
   for (std::size_t k = 0; k < 2; ++k) {
     const io::InputFile file = io::read_input(settings.inputs[k]);
-    page::Stage& stage = stages[k] = read_stage(file, session);
-    if (!std::holds_alternative<SeparatrixGraph>(stage) && !std::holds_alternative<BlockLayout>(stage) &&
-        !std::holds_alternative<QuadMesh>(stage))
-      throw UsageError("--compare needs layouts or meshes, but " + file.name + " is a " + io::stage_format(file) +
-                       " file");
+    StageModel& stage = stages[k] = read_stage(file, session);
+    if (!is_comparable(stage))
+      throw UsageError("--compare needs layouts or meshes, but " + file.name + " is a " +
+                       stage_formats[stage.index()].name + " file");
   }
   if (stages[0].index() != stages[1].index())
     throw UsageError("--compare needs two files of one format: two layouts, or two meshes");
   return stages;
 }
 
-template <typename Model>
-std::string drawn_pair(const std::array<page::Stage, 2>& pair, const Settings& settings) {
-  return draw::draw_comparison<Model>({&std::get<Model>(pair[0]), &std::get<Model>(pair[1])},
-                                      {base_name(settings.inputs[0]), base_name(settings.inputs[1])},
-                                      draw_options(settings));
-}
-
-std::string picture_of_pair(const std::array<page::Stage, 2>& pair, const Settings& settings) {
-  if (std::holds_alternative<SeparatrixGraph>(pair[0])) return drawn_pair<SeparatrixGraph>(pair, settings);
-  if (std::holds_alternative<BlockLayout>(pair[0])) return drawn_pair<BlockLayout>(pair, settings);
-  return drawn_pair<QuadMesh>(pair, settings);
+std::string picture_of_pair(const std::array<StageModel, 2>& pair, const Settings& settings) {
+  const auto drawn = [&]<typename Model>(const Model& first) -> std::string {
+    if constexpr (draw::Comparable<Model>)
+      return draw::draw_comparison<Model>({&first, &std::get<Model>(pair[1])},
+                                          {base_name(settings.inputs[0]), base_name(settings.inputs[1])},
+                                          draw_options(settings));
+    else
+      throw Defect("a picture of two files that read_pair refuses");
+  };
+  return std::visit(drawn, pair[0]);
 }
 
 /// The report with the commands by which the files were made, named after the last of them.
@@ -168,7 +155,7 @@ page::RunRecord run_of(const std::vector<Read>& files, const Settings& settings)
 
 std::string page_of(std::vector<Read> files, const Settings& settings) {
   const page::RunRecord run = run_of(files, settings);
-  std::vector<page::Stage> stages;
+  std::vector<StageModel> stages;
   for (Read& read : files) stages.push_back(std::move(read.stage));
   return page::html_page(stages, run);
 }
@@ -191,7 +178,7 @@ void check_usage(const Settings& settings, bool is_page) {
 std::string drawn(const Settings& settings, bool is_page, cli::Session& session) {
   session.begin_phase("read");
   if (settings.is_comparison) {
-    const std::array<page::Stage, 2> pair = read_pair(settings, session);
+    const std::array<StageModel, 2> pair = read_pair(settings, session);
     session.begin_phase("draw");
     return is_page ? page::comparison_page(pair[0], pair[1]) : picture_of_pair(pair, settings);
   }

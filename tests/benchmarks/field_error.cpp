@@ -67,8 +67,8 @@ Errors compare(const field::FieldEvaluator& field, const field::FieldEvaluator& 
 
 Field load(const char* name) {
   const io::InputFile file = io::read_input(name);
-  Field field = io::read_field(file);
-  check::require_valid(check::check_field(field, check::CheckDepth::quick), file.name);
+  Field field = io::read_stage<Field>(file);
+  check::require_sound(field, file.name);
   return field;
 }
 

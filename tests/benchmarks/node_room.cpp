@@ -45,7 +45,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    tell_room(io::read_field(io::read_input(argv[1])).mesh.face, io::read_critical_points(io::read_input(argv[2])));
+    tell_room(io::read_stage<Field>(io::read_input(argv[1])).mesh.face,
+              io::read_stage<CriticalPoints>(io::read_input(argv[2])));
   } catch (const std::exception& error) {
     fmt::print(stderr, "node_room: {}\n", error.what());
     return 1;

@@ -115,8 +115,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: trace_error FIELD CRIT\n");
     return 2;
   }
-  const Field field = io::read_field(io::read_input(argv[1]));
-  const CriticalPoints points = io::read_critical_points(io::read_input(argv[2]));
+  const Field field = io::read_stage<Field>(io::read_input(argv[1]));
+  const CriticalPoints points = io::read_stage<CriticalPoints>(io::read_input(argv[2]));
   const field::FieldEvaluator evaluator(field);
   const Comparison comparison(evaluator, points);
   std::vector<std::string> rk, ab4;

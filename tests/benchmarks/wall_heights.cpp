@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
     std::fputs("wall_heights MESH.quad.h5 FIRST STEPS NAME...\n", stderr);
     return 2;
   }
-  const QuadMesh mesh = io::read_quad_mesh(io::read_input(argv[1]));
+  const QuadMesh mesh = io::read_stage<QuadMesh>(io::read_input(argv[1]));
   const Measured m = Walls(mesh, {argv + 4, argv + argc}).measure(std::atof(argv[2]), std::atoi(argv[3]));
   const Vec2 worst = m.worst_place + mesh.face.origin, corner = m.worst_with_corners + mesh.face.origin;
   fmt::print(

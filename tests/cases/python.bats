@@ -30,6 +30,15 @@ passes() {
   passes samples
 }
 
+@test "the formats are those of the tools, with their major versions" {
+  stagecheck --list-formats >formats.json
+  run -0 /usr/bin/python3 -c "
+import json
+from quadrille.stage_file import MAJOR_VERSIONS
+formats = json.load(open('formats.json'))['formats']
+assert MAJOR_VERSIONS == {row['name']: row['version'][0] for row in formats}, MAJOR_VERSIONS"
+}
+
 @test "tables of sizes from the points and cells of a VTU file" {
   passes vtu_sizes
 }

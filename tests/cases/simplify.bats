@@ -26,7 +26,7 @@ shape() { jq '.simplify.least_scaled_jacobian * 1000 | floor' "$1.json"; }
   assert [ "$(blocks none)" -gt 14 ]
   assert [ "$(blocks normal)" -le 14 ]
   assert [ "$(shape normal)" -ge 500 ]
-  assert [ "$(jq '.simplify.largest_turn_degrees <= 40' normal.json)" = true ]
+  assert [ "$(jq '.simplify.largest_deviation_degrees <= 40' normal.json)" = true ]
 }
 
 @test "a flange loses its thin strips in threes" {

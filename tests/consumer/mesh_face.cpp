@@ -11,7 +11,7 @@
 int main(int argc, char** argv) try {
   if (argc < 4) return 2;
   using namespace quadrille;
-  const TriMesh triangles = api::read_tri_mesh(argv[1]);
+  const TriMesh triangles = api::read<TriMesh>(argv[1]);
   Field field = api::solve_field(triangles);
   const CriticalPoints points = api::find_nodes(field);
   if (points.form == NodeForm::phase) field = api::solve_field_of_nodes(triangles, points);

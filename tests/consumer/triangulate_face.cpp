@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv) {
   using namespace quadrille;
-  if (argc == 3) api::write(argv[2], api::make_triangles(api::read_block_layout(argv[1]).face));
+  if (argc == 3) api::write(argv[2], api::make_triangles(api::read<BlockLayout>(argv[1]).face));
 }

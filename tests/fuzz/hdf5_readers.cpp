@@ -13,11 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using quadrille::FormatError;
   const InputFile file{{"fuzz", ""}, std::string(reinterpret_cast<const char*>(data), size)};
   try {
-    const std::string format = stage_format(file);
-    if (format == "tri-mesh") check_tri_mesh(read_tri_mesh(file), CheckDepth::full);
-    if (format == "field") check_field(read_field(file), CheckDepth::full);
-    if (format == "block-layout") check_block_layout(read_block_layout(file), CheckDepth::full);
-    if (format == "quad-mesh") check_quad_mesh(read_quad_mesh(file), CheckDepth::full);
+    std::visit([](const auto& model) { check_stage(model, CheckDepth::full); }, read_any_stage(file));
   } catch (const FormatError&) {
   }
   return 0;

@@ -18,8 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const FormatError&) {
     }
   };
-  attempt([&] { check_critical_points(read_critical_points(file), CheckDepth::full); });
-  attempt([&] { check_separatrix_graph(read_separatrix_graph(file), CheckDepth::full); });
+  attempt([&] { std::visit([](const auto& model) { check_stage(model, CheckDepth::full); }, read_any_stage(file)); });
   attempt([&] { read_boundary_names(file); });
   attempt([&] { read_block_names(file); });
   return 0;

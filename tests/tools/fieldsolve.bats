@@ -193,9 +193,8 @@ nodes_of() {
   done
   run -0 jq -n --slurpfile a 0.json --slurpfile b 1.json '$b[0].phase.hole_winding[0] - $a[0].phase.hole_winding[0]'
   assert_output 1
-  run -0 jq -e '.phase.hole_winding_energy < 1e-9 and (.phase.hole_periods[0] | fabs) < 1e-6 and
-    .phase.twists == .phase.hole_winding' 0.json
-  run -0 jq -e '.phase.hole_winding_energy > 1 and .phase.twist_energy == .phase.hole_winding_energy' 1.json
+  run -0 jq -e '.phase.hole_winding_energy < 1e-9 and (.phase.hole_periods[0] | fabs) < 1e-6' 0.json
+  run -0 jq -e '.phase.hole_winding_energy > 1' 1.json
   jq '.form = "phase" | .hole_winding_offsets = [0, 0]' r.crit.json > nodes.json
   run --separate-stderr fieldsolve --nodes nodes.json r.tri.h5 -o c.phase.h5
   assert_equal "$status" 3

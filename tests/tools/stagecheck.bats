@@ -63,6 +63,20 @@ setup() {
   done
 }
 
+@test "--list-formats prints the table of formats for scripts" {
+  run -0 --separate-stderr stagecheck --list-formats
+  assert_equal "$(jq -r '[.formats[].name] | join(" ")' <<<"$output")" \
+    "tri-mesh field critical-points separatrix-graph block-layout quad-mesh"
+  assert_equal "$(jq -c '.tools[] | select(.after == "padapt")' <<<"$output")" \
+    '{"name":"critpoints","after":"padapt","writes":"critical-points","ending":"crit.json"}'
+  assert_equal "$(jq -r '.optional_inputs[] | select(.format == "size-field") | .tool + " " + .option' <<<"$output")" \
+    "quadrefine --size-field"
+  for file in "$ROOT"/tests/formats/*/passed/square.*; do
+    ending=${file##*/square.}
+    assert [ "$(jq --arg ending "$ending" '[.tools[] | select(.ending == $ending)] | length' <<<"$output")" = 1 ]
+  done
+}
+
 @test "regions and partners that do not fit are refused" {
   crit=$ROOT/tests/formats/critical_points/passed/regions.crit.json
   for broken in 'FAC-R01 .face.partners |= .[1:]' 'FAC-R01 .face.partners[1] = 99' 'FAC-R01 del(.face.region_names)' \

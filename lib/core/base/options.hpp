@@ -60,9 +60,6 @@ class Options {
     one_of(
         flag, words, [&value] { return value; }, [&value](const std::string& word) { value = word; }, help);
   }
-
-  /// Accepts `old_flag` ("--max-turn") in place of `flag`, an option declared before. --help does not show it.
-  virtual void formerly(const std::string& /*old_flag*/, const std::string& /*flag*/) {}
 };
 
 }  // namespace quadrille

@@ -154,10 +154,12 @@ constexpr Rule<BlockLayout> rules[] = {
 
 }  // namespace
 
-std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth depth) {
-  std::vector<Violation> all = check_cad_face(layout.face, depth);
+std::vector<Violation> violations_of(const BlockLayout& layout, CheckDepth depth) {
+  std::vector<Violation> all = violations_of(layout.face, depth);
   if (!all.empty()) return all;
   return apply_rules(rules, layout, depth);
 }
+
+template std::vector<Violation> check_stage(const BlockLayout&, CheckDepth);
 
 }  // namespace quadrille::check

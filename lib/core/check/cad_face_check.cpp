@@ -246,7 +246,9 @@ constexpr Rule<CadFace> rules[] = {
 
 }  // namespace
 
-std::vector<Violation> check_cad_face(const CadFace& face, CheckDepth depth) { return apply_rules(rules, face, depth); }
+std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth) { return apply_rules(rules, face, depth); }
+
+template std::vector<Violation> check_stage(const CadFace&, CheckDepth);
 
 void require_valid(const std::vector<Violation>& violations, const std::string& name) {
   if (!violations.empty())

@@ -4,12 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/block_layout.hpp"
-#include "model/critical_points.hpp"
-#include "model/field.hpp"
-#include "model/quad_mesh.hpp"
-#include "model/separatrix_graph.hpp"
-#include "model/tri_mesh.hpp"
+#include "model/stage_formats.hpp"
 
 namespace quadrille::check {
 
@@ -21,15 +16,12 @@ struct Violation {
 /// quick: the rules without which a stage could read out of bounds or loop forever; full: every rule, proofs included.
 enum class CheckDepth { quick, full };
 
-std::vector<Violation> check_cad_face(const CadFace& face, CheckDepth depth);
-std::vector<Violation> check_tri_mesh(const TriMesh& mesh, CheckDepth depth);
-std::vector<Violation> check_field(const Field& field, CheckDepth depth);
-std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth);
+/// The rules of the format of a struct of StageModel or of a CadFace; those of a face or mesh that it contains come
+/// first.
+template <typename Model>
+std::vector<Violation> check_stage(const Model& model, CheckDepth depth);
 /// The rules of critical points that also need the mesh of their field: they refer to elements and corners of it.
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const TriMesh& mesh);
-std::vector<Violation> check_separatrix_graph(const SeparatrixGraph& graph, CheckDepth depth);
-std::vector<Violation> check_block_layout(const BlockLayout& layout, CheckDepth depth);
-std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth);
 
 /// The warning (warning::mesh_not_valid) for a mesh that was written although it is not valid: a sentence with the
 /// position of the worst element; empty for a valid mesh.
@@ -37,5 +29,11 @@ std::string validity_warning(const QuadMesh& mesh);
 
 /// Throws FormatError with the first violation; `name` is the file's name for the message.
 void require_valid(const std::vector<Violation>& violations, const std::string& name);
+
+/// Throws FormatError unless the rules hold that every stage checks when it reads a file.
+template <typename Model>
+void require_sound(const Model& model, const std::string& name) {
+  require_valid(check_stage(model, CheckDepth::quick), name);
+}
 
 }  // namespace quadrille::check

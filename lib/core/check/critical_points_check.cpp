@@ -291,9 +291,9 @@ constexpr Rule<PointsOfMesh> rules_with_field[] = {
 
 }  // namespace
 
-std::vector<Violation> check_critical_points(const CriticalPoints& points, CheckDepth depth) {
+std::vector<Violation> violations_of(const CriticalPoints& points, CheckDepth depth) {
   if (points.face.curves.empty()) return apply_rules(rules, points, depth);
-  std::vector<Violation> all = check_cad_face(points.face, depth);
+  std::vector<Violation> all = violations_of(points.face, depth);
   if (!all.empty()) return all;
   return apply_rules(rules, points, depth);
 }
@@ -301,5 +301,7 @@ std::vector<Violation> check_critical_points(const CriticalPoints& points, Check
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const TriMesh& mesh) {
   return apply_rules(rules_with_field, PointsOfMesh{points, mesh}, CheckDepth::quick);
 }
+
+template std::vector<Violation> check_stage(const CriticalPoints&, CheckDepth);
 
 }  // namespace quadrille::check

@@ -241,10 +241,12 @@ constexpr Rule<Field> rules[] = {
 
 }  // namespace
 
-std::vector<Violation> check_field(const Field& field, CheckDepth depth) {
-  std::vector<Violation> all = check_tri_mesh(field.mesh, depth);
+std::vector<Violation> violations_of(const Field& field, CheckDepth depth) {
+  std::vector<Violation> all = violations_of(field.mesh, depth);
   if (!all.empty()) return all;
   return apply_rules(rules, field, depth);
 }
+
+template std::vector<Violation> check_stage(const Field&, CheckDepth);
 
 }  // namespace quadrille::check

@@ -319,10 +319,12 @@ std::string validity_warning(const QuadMesh& mesh) {
                      position_text(mesh.face, mesh.nodes[side_node(mesh, elem, 0, 0)]));
 }
 
-std::vector<Violation> check_quad_mesh(const QuadMesh& mesh, CheckDepth depth) {
-  std::vector<Violation> all = check_cad_face(mesh.face, depth);
+std::vector<Violation> violations_of(const QuadMesh& mesh, CheckDepth depth) {
+  std::vector<Violation> all = violations_of(mesh.face, depth);
   if (!all.empty()) return all;
   return apply_rules(rules, mesh, depth);
 }
+
+template std::vector<Violation> check_stage(const QuadMesh&, CheckDepth);
 
 }  // namespace quadrille::check

@@ -1,5 +1,8 @@
 #pragma once
 // The numbered rules of a format: a table of small functions. Private to check.
+//
+// FORMAT_check.cpp defines violations_of(const Model&, CheckDepth) and instantiates check_stage of its struct:
+//   template std::vector<Violation> check_stage(const QuadMesh&, CheckDepth);
 
 #include <fmt/format.h>
 
@@ -57,6 +60,14 @@ std::vector<Violation> apply_rules(const Rule<Stage> (&rules)[N], const Stage& s
   }
   return all;
 }
+
+template <typename Model>
+std::vector<Violation> check_stage(const Model& model, CheckDepth depth) {
+  return violations_of(model, depth);
+}
+/// Of what other structs contain.
+std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth);
+std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth);
 
 inline bool is_finite(double x) { return std::isfinite(x); }
 inline bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }

@@ -151,10 +151,12 @@ constexpr Rule<SeparatrixGraph> rules[] = {
 
 }  // namespace
 
-std::vector<Violation> check_separatrix_graph(const SeparatrixGraph& graph, CheckDepth depth) {
-  std::vector<Violation> all = check_cad_face(graph.face, depth);
+std::vector<Violation> violations_of(const SeparatrixGraph& graph, CheckDepth depth) {
+  std::vector<Violation> all = violations_of(graph.face, depth);
   if (!all.empty()) return all;
   return apply_rules(rules, graph, depth);
 }
+
+template std::vector<Violation> check_stage(const SeparatrixGraph&, CheckDepth);
 
 }  // namespace quadrille::check

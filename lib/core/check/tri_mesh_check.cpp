@@ -309,10 +309,12 @@ constexpr Rule<TriMesh> rules[] = {
 
 }  // namespace
 
-std::vector<Violation> check_tri_mesh(const TriMesh& mesh, CheckDepth depth) {
-  std::vector<Violation> all = check_cad_face(mesh.face, depth);
+std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth) {
+  std::vector<Violation> all = violations_of(mesh.face, depth);
   if (!all.empty()) return all;
   return apply_rules(rules, mesh, depth);
 }
+
+template std::vector<Violation> check_stage(const TriMesh&, CheckDepth);
 
 }  // namespace quadrille::check

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
+#include "galerkin/make_sparse_solver.hpp"
 #include "stiffness/condensed_element.hpp"
 #include "stiffness/element_shapes.hpp"
 
@@ -65,14 +66,14 @@ int ContinuousSystem::num_unknowns(const std::vector<int>& elem_order) const {
 }
 
 void ContinuousSystem::set_orders(const std::vector<int>& elem_order, Stopwatch& watch) {
-  cholesky_.reset();
+  solver_.reset();
   update_elements(elem_order);
   watch.lap("elements");
   map_ = std::make_unique<DofMap>(
       make_dof_map(*context_->mesh, context_->topology, context_->tree.elimination_order, elem_order));
-  cholesky_ = std::make_unique<CondensedCholesky>(context_->tree, *map_, num_threads_);
+  solver_ = make_sparse_solver(context_->tree, *map_, num_threads_);
   watch.lap("structure");
-  cholesky_->factor(elements_, context_->progress);
+  solver_->factor(elements_, context_->progress);
   watch.lap("factorisation");
 }
 
@@ -80,7 +81,7 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
   const Eigen::MatrixXd rhs = right_hand_side(*map_, elements_, given);
   watch.lap("data");
   Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
-  dofs << cholesky_->solve(rhs), given;
+  dofs << solver_->solve(rhs), given;
   watch.lap("substitution");
   residual_ = relative_residual(*map_, elements_, rhs, dofs);
   watch.lap("residual");
@@ -90,7 +91,7 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
 // Of f = (x, given) with A x = b: the energy is that of (0, given) less b^T A^-1 b.
 Eigen::MatrixXd ContinuousSystem::energy_products(const SparseColumns& given) const {
   const SparseData data = sparse_data(*map_, elements_, given);
-  const Eigen::MatrixXd products = data.product - cholesky_->inverse_products(data.rhs);
+  const Eigen::MatrixXd products = data.product - solver_->inverse_products(data.rhs);
   return (products + products.transpose()) / 2;
 }
 

@@ -6,7 +6,7 @@
 #include "base/stopwatch.hpp"
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
-#include "galerkin/linear_solver.hpp"
+#include "galerkin/sparse_solver.hpp"
 #include "stiffness/condense.hpp"
 
 namespace quadrille::galerkin {
@@ -54,7 +54,7 @@ class ContinuousSystem {
   std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
   CondensedElements elements_;
   std::unique_ptr<DofMap> map_;
-  std::unique_ptr<CondensedCholesky> cholesky_;  ///< of map_
+  std::unique_ptr<SparseSolver> solver_;  ///< of map_
   double residual_ = 0;
 };
 

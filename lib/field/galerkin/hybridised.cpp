@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "galerkin/linear_solver.hpp"
+#include "galerkin/make_sparse_solver.hpp"
 #include "spectral/modified_to_orthogonal.hpp"
 #include "stiffness/element_matrices.hpp"
 
@@ -52,12 +53,12 @@ Solution HybridisedGalerkin::solve(const std::vector<int>& elem_order) {
   const Eigen::MatrixXd given = trace_data(*context_->mesh, context_->topology, map, data_);
   const Eigen::MatrixXd rhs = right_hand_side(map, elements_, given);
   watch.lap("data");
-  CondensedCholesky cholesky(context_->tree, map, num_threads_);
+  const std::unique_ptr<SparseSolver> solver = make_sparse_solver(context_->tree, map, num_threads_);
   watch.lap("structure");
-  cholesky.factor(elements_, context_->progress);
+  solver->factor(elements_, context_->progress);
   watch.lap("factorisation");
   Eigen::MatrixXd dofs(map.num_dofs, 2);
-  dofs << cholesky.solve(rhs), given;
+  dofs << solver->solve(rhs), given;
   watch.lap("substitution");
 
   Solution solution;

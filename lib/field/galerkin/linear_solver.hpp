@@ -7,28 +7,23 @@
 #include <functional>
 #include <vector>
 
-#include "base/progress.hpp"
-#include "galerkin/condensed_system.hpp"
 #include "galerkin/dof_map.hpp"
 #include "galerkin/partial_cholesky.hpp"
+#include "galerkin/sparse_solver.hpp"
 #include "mesh/elimination_tree.hpp"
-#include "stiffness/condense.hpp"
 
 namespace quadrille::galerkin {
 
 /// Cholesky factorisation of the sum of the elements' Schur complements over the free dofs. The result does not depend
 /// on the number of threads. For n elements: time n^1.5, memory n log n.
-class CondensedCholesky {
+class CondensedCholesky : public SparseSolver {
  public:
   /// Symbolic factorisation. `map` numbers its dofs in the order of tree.elimination_order; both must outlive this.
   CondensedCholesky(const mesh::EliminationTree& tree, const DofMap& map, int num_threads = 1);
-  /// Throws ComputeError if the sum is not positive definite.
-  void factor(const CondensedElements& elements, Progress* progress = nullptr);
-  /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
-  /// b^T A^-1 b for the factored A and many sparse columns b: each column is carried only through the parts of the mesh
-  /// between its entries and the whole. Requires factor().
-  Eigen::MatrixXd inverse_products(const SparseColumns& b) const;
+  void factor(const CondensedElements& elements, Progress* progress = nullptr) override;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) override;
+  /// Each column is carried only through the parts of the mesh between its entries and the whole.
+  Eigen::MatrixXd inverse_products(const SparseColumns& b) const override;
 
  private:
   /// A part of the mesh: the dofs eliminated with it, then the dofs shared with the rest of the mesh, both ascending.

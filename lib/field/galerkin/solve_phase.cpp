@@ -236,10 +236,6 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   report.set("phase.corner_valences", corner_valences);
   report.set("phase.num_corner_angles", form.terms.corner_angles.size());
   const std::vector<double> hole_winding(form.hole_winding.begin(), form.hole_winding.end());
-  report.set("phase.twists", hole_winding);  // key of formats before field 2.0
-  report.set("phase.best_twists", form.best_hole_winding);
-  report.set("phase.periods", form.hole_periods);
-  report.set("phase.twist_energy", form.hole_winding_energy);
   report.set("phase.hole_winding", hole_winding);
   report.set("phase.best_hole_winding", form.best_hole_winding);
   report.set("phase.hole_periods", form.hole_periods);

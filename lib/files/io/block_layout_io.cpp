@@ -1,13 +1,10 @@
 #include "base/numbered_names.hpp"
 #include "io/cad_face_io.hpp"
-#include "io/stage_files.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 
 namespace {
-
-constexpr FormatVersion block_layout_version{"block-layout", 2, 0};
 
 void describe_block_sides(Archive& archive, std::vector<std::array<HalfEdge, 4>>& block2arcs) {
   std::vector<std::array<int, 4>> codes;
@@ -19,7 +16,9 @@ void describe_block_sides(Archive& archive, std::vector<std::array<HalfEdge, 4>>
     block2arcs.push_back({half_edge_of_code(c0), half_edge_of_code(c1), half_edge_of_code(c2), half_edge_of_code(c3)});
 }
 
-void describe_block_layout(Archive& archive, BlockLayout& layout) {
+}  // namespace
+
+void describe(Archive& archive, BlockLayout& layout) {
   describe_face(archive, layout.face);
   describe_nurbs(archive, "splines", layout.splines);
   describe_graph(archive, layout.nodes, layout.arcs);
@@ -45,18 +44,7 @@ void describe_block_layout(Archive& archive, BlockLayout& layout) {
     archive.field("block_region", layout.block_region, {"", "region of each block"});
 }
 
-}  // namespace
-
-BlockLayout read_block_layout(const InputFile& file) {
-  BlockLayout layout;
-  layout.provenance =
-      read_hdf5_stage(file, block_layout_version, [&](Archive& a) { describe_block_layout(a, layout); });
-  return layout;
-}
-
-std::string stage_bytes(const BlockLayout& layout) {
-  BlockLayout copy = layout;
-  return hdf5_stage_bytes(block_layout_version, layout.provenance, [&](Archive& a) { describe_block_layout(a, copy); });
-}
+template BlockLayout read_stage(const InputFile&);
+template std::string stage_bytes(const BlockLayout&);
 
 }  // namespace quadrille::io

@@ -1,13 +1,9 @@
 #include "io/cad_face_io.hpp"
-#include "io/stage_files.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 
 namespace {
-
-constexpr RenamedKey renamed[] = {{"hole_winding_offsets", "twist_offsets"}};
-constexpr FormatVersion critical_points_version{"critical-points", 2, 2, renamed};
 
 /// `id` is informative: the position in the list when the file was written. Edited lists need not keep it.
 void describe_id(Archive& archive, std::size_t index) {
@@ -101,7 +97,9 @@ void describe_index_sum(Archive& archive, CriticalPoints& points) {
   });
 }
 
-void describe_critical_points(Archive& archive, CriticalPoints& points) {
+}  // namespace
+
+void describe(Archive& archive, CriticalPoints& points) {
   if (archive.has("form")) archive.field("form", points.form, {}, "CRT-R12");
   archive.field("origin", points.origin);
   std::size_t next = 0, next_zero = 0;
@@ -122,19 +120,7 @@ void describe_critical_points(Archive& archive, CriticalPoints& points) {
   if (has_face) describe_face(archive, points.face);
 }
 
-}  // namespace
-
-CriticalPoints read_critical_points(const InputFile& file) {
-  CriticalPoints points;
-  points.provenance =
-      read_json_stage(file, critical_points_version, [&](Archive& a) { describe_critical_points(a, points); });
-  return points;
-}
-
-std::string stage_bytes(const CriticalPoints& points) {
-  CriticalPoints copy = points;
-  return json_stage_bytes(critical_points_version, points.provenance,
-                          [&](Archive& a) { describe_critical_points(a, copy); });
-}
+template CriticalPoints read_stage(const InputFile&);
+template std::string stage_bytes(const CriticalPoints&);
 
 }  // namespace quadrille::io

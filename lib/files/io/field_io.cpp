@@ -1,20 +1,9 @@
-#include "io/stage_files.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate_io.hpp"
 #include "io/tri_mesh_io.hpp"
 
 namespace quadrille::io {
 
 namespace {
-
-constexpr RenamedKey renamed[] = {
-    {"phase.prescribed", "asked"},
-    {"phase.hole_winding_offsets", "twist_offsets"},
-    {"phase.best_hole_winding", "best_twists"},
-    {"phase.hole_winding", "twists"},
-    {"phase.hole_periods", "periods"},
-    {"phase.hole_winding_energy", "twist_energy"},
-};
-constexpr FormatVersion field_version{"field", 2, 2, renamed};
 
 void describe_turn(Archive& a, PhaseTurn& turn) {
   a.field("position", turn.position);
@@ -76,7 +65,9 @@ void describe_phases(Archive& archive, Field& field) {
                    [&](Archive& a) { describe_region_phases(a, field.mesh.face, field.region_phases); });
 }
 
-void describe_field(Archive& archive, Field& field) {
+}  // namespace
+
+void describe(Archive& archive, Field& field) {
   archive.field("kind", field.kind, {"", "harmonic or phase"}, "FLD-R05");
   archive.field("method", field.method, {"", "discretisation"}, "FLD-R05");
   archive.object("mesh", [&](Archive& a) { describe_tri_mesh(a, field.mesh); });
@@ -104,20 +95,10 @@ void describe_field(Archive& archive, Field& field) {
     if (a.has("elem_order")) a.field("elem_order", step.elem_order, {"", "orders of the round's solution"});
     if (a.has("elem_sensor")) a.field("elem_sensor", step.elem_sensor, {"1", "their sensors"});
   });
+  if (archive.is_reading()) field.mesh.provenance = field.provenance;
 }
 
-}  // namespace
-
-Field read_field(const InputFile& file) {
-  Field field;
-  field.provenance = read_hdf5_stage(file, field_version, [&](Archive& a) { describe_field(a, field); });
-  field.mesh.provenance = field.provenance;
-  return field;
-}
-
-std::string stage_bytes(const Field& field) {
-  Field copy = field;
-  return hdf5_stage_bytes(field_version, field.provenance, [&](Archive& a) { describe_field(a, copy); });
-}
+template Field read_stage(const InputFile&);
+template std::string stage_bytes(const Field&);
 
 }  // namespace quadrille::io

@@ -2,53 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "io/json_archive.hpp"
 
 namespace quadrille::io {
 
-namespace {
-
-/// Major versions count from 1.
-int oldest_major(const FormatVersion& present) { return std::max(present.major - 1, 1); }
-
-std::string readable_majors(const FormatVersion& present) {
-  const int oldest = oldest_major(present);
-  return oldest == present.major ? fmt::format("version {}", oldest)
-                                 : fmt::format("versions {} and {}", oldest, present.major);
-}
-
-}  // namespace
-
 std::string producer_of(const Provenance& provenance) {
   return provenance.empty() ? "Quadrille" : provenance.back().tool + ' ' + provenance.back().version;
 }
 
-void require_version(const std::string& file_name, const FormatVersion& expected, const std::string& format,
+void require_version(const std::string& file_name, const StageFormat& expected, const std::string& format,
                      const std::vector<int>& version) {
-  if (format != expected.format)
+  if (format != expected.name)
     throw FormatError(
-        fmt::format("{}: expected a {} file, found {}", file_name, expected.format,
+        fmt::format("{}: expected a {} file, found {}", file_name, expected.name,
                     format.empty() ? "a file without a format" : fmt::format("a {} file", clean_name(format))));
   if (version.size() != 2 || version[0] < 0 || version[1] < 0)
     throw FormatError(fmt::format("{}: 'version' must be [major, minor]", file_name));
   if (version[0] > expected.major)
-    throw FormatError(fmt::format("{}: {} version {}.{} is newer than this program, which reads {}; update it",
-                                  file_name, format, version[0], version[1], readable_majors(expected)));
-  if (version[0] < oldest_major(expected))
+    throw FormatError(fmt::format("{}: {} version {}.{} is newer than this program, which reads version {}; update it",
+                                  file_name, format, version[0], version[1], expected.major));
+  if (version[0] < expected.major)
     throw FormatError(
-        fmt::format("{}: {} version {}.{} is from an older program and no longer read (this one reads {}); "
+        fmt::format("{}: {} version {}.{} is from an older program and no longer read (this one reads version {}); "
                     "create the file again",
-                    file_name, format, version[0], version[1], readable_majors(expected)));
-}
-
-void describe_version(Archive& archive, const FormatVersion& present, const std::vector<int>& version,
-                      const std::function<void(Archive&)>& describe) {
-  if (version[0] == present.major) return describe(archive);
-  describe_with_former_names(archive, present.renamed, describe);
+                    file_name, format, version[0], version[1], expected.major));
 }
 
 void describe_provenance(Archive& archive, Provenance& provenance) {

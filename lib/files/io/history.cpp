@@ -5,27 +5,26 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "model/stage_formats.hpp"
+
 namespace quadrille::io {
 
 namespace {
 
-/// The option by which the tool reads its `position`-th input of this format; empty: the input is an argument.
-std::string option_of(const std::string& tool, std::size_t position, const std::string& format) {
-  static const std::map<std::string, std::string> options{{"order-map", "--orders"},
-                                                          {"boundary-names", "--boundary-names"},
-                                                          {"block-names", "--block-names"},
-                                                          {"size-field", "--size-field"}};
-  if (tool == "fieldsolve" && position > 0 && format == "field") return "--orders";
-  if (format == "critical-points") return tool == "fieldsolve" ? "--nodes" : "";
-  const auto found = options.find(format);
-  return found == options.end() ? "" : found->second;
+/// The row of an input that the tool reads by an option; nullptr: the input is an argument.
+const OptionalInput* option_of(const std::string& tool, const std::string& format) {
+  const auto found = std::find_if(optional_inputs.begin(), optional_inputs.end(),
+                                  [&](const OptionalInput& row) { return row.tool == tool && row.format == format; });
+  return found == optional_inputs.end() ? nullptr : &*found;
 }
 
-std::string ending_of_input(const std::string& format) {
-  static const std::map<std::string, std::string> endings{
-      {"critical-points", ".crit.json"}, {"order-map", ".orders.json"}, {"field", ".orders.h5"}};
-  const auto found = endings.find(format);
-  return found == endings.end() ? '.' + format : found->second;
+/// Of an input that no command makes.
+std::string ending_of_input(const std::string& tool, const std::string& format) {
+  const OptionalInput* row = option_of(tool, format);
+  if (row) return '.' + std::string(row->ending);
+  const auto writer = std::find_if(stage_tools.begin(), stage_tools.end(),
+                                   [&](const StageTool& stage) { return stage.writes == format; });
+  return '.' + (writer == stage_tools.end() ? format : std::string(writer->ending));
 }
 
 bool is_phase(const ProvenanceStep& step) {
@@ -35,15 +34,11 @@ bool is_phase(const ProvenanceStep& step) {
 
 /// Of what a step writes; `before` is the name of what the step before wrote.
 std::string ending_of_output(const ProvenanceStep& step, const std::string& before) {
-  static const std::map<std::string, std::string> endings{{"cad2tri", ".tri.h5"},
-                                                          {"critpoints", ".crit.json"},
-                                                          {"separatrix", ".sep.json"},
-                                                          {"blocksplit", ".blocks.h5"},
-                                                          {"quadrefine", ".quad.h5"}};
-  if (step.tool == "fieldsolve") return is_phase(step) ? ".phase.solve.h5" : ".solve.h5";
-  if (step.tool == "padapt") return before.find(".phase.") != std::string::npos ? ".phase.h5" : ".field.h5";
-  const auto found = endings.find(step.tool);
-  return found == endings.end() ? '.' + step.tool : found->second;
+  const StageTool* stage = find_stage_tool(step.tool);
+  const std::string ending = '.' + (stage ? std::string(stage->ending) : step.tool);
+  if (step.tool == "fieldsolve" && is_phase(step)) return ".phase" + ending;
+  if (step.tool == "padapt" && before.find(".phase.") != std::string::npos) return ".phase.h5";
+  return ending;
 }
 
 std::string shell_word(const std::string& word) {
@@ -121,12 +116,12 @@ std::vector<std::string> History::lines_of(const Provenance& chain, const std::s
       if (i == 0 && !before.empty()) {
         names_.insert({input.sha256, before});
       } else if (!names_.contains(input.sha256)) {
-        const std::string name = new_name(stem, ending_of_input(input.format));
+        const std::string name = new_name(stem, ending_of_input(step.tool, input.format));
         names_.insert({input.sha256, name});
         lines.push_back(fmt::format("# {}: {}, SHA-256 {}", name, input.format, input.sha256));
       }
-      const std::string option = option_of(step.tool, i, input.format);
-      command += (option.empty() ? " " : ' ' + option + ' ') + shell_word(names_[input.sha256]);
+      const OptionalInput* row = i == 0 ? nullptr : option_of(step.tool, input.format);
+      command += (row ? ' ' + std::string(row->option) + ' ' : " ") + shell_word(names_[input.sha256]);
       identity += ' ' + input.sha256;
     }
     std::string& output = outputs_[identity];

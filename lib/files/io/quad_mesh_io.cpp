@@ -2,14 +2,11 @@
 
 #include "base/numbered_names.hpp"
 #include "io/cad_face_io.hpp"
-#include "io/stage_files.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 
 namespace {
-
-constexpr FormatVersion quad_mesh_version{"quad-mesh", 2, 0};
 
 double least(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
@@ -23,7 +20,9 @@ void describe_edges(Archive& archive, const char* name, std::vector<QuadBoundary
   });
 }
 
-void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
+}  // namespace
+
+void describe(Archive& archive, QuadMesh& mesh) {
   describe_face(archive, mesh.face);
   archive.field("order", mesh.order, {"", "shape order N"});
   archive.field("nodes", mesh.nodes, {"length", "relative to face.origin"});
@@ -56,17 +55,7 @@ void describe_quad_mesh(Archive& archive, QuadMesh& mesh) {
   if (archive.has("is_valid")) archive.field("is_valid", mesh.is_valid, {"", "whether every element is proved valid"});
 }
 
-}  // namespace
-
-QuadMesh read_quad_mesh(const InputFile& file) {
-  QuadMesh mesh;
-  mesh.provenance = read_hdf5_stage(file, quad_mesh_version, [&](Archive& a) { describe_quad_mesh(a, mesh); });
-  return mesh;
-}
-
-std::string stage_bytes(const QuadMesh& mesh) {
-  QuadMesh copy = mesh;
-  return hdf5_stage_bytes(quad_mesh_version, mesh.provenance, [&](Archive& a) { describe_quad_mesh(a, copy); });
-}
+template QuadMesh read_stage(const InputFile&);
+template std::string stage_bytes(const QuadMesh&);
 
 }  // namespace quadrille::io

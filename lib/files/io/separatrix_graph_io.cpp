@@ -1,18 +1,9 @@
 #include "io/cad_face_io.hpp"
-#include "io/stage_files.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 
 namespace {
-
-constexpr RenamedKey renamed[] = {
-    {"certificate.method", "way"},
-    {"certificate.face_valence_histogram", "census"},
-    {"certificate.shortened_spirals", "laps_cut"},
-    {"certificate.largest_deviation_degrees", "largest_turn_degrees"},
-};
-constexpr FormatVersion separatrix_graph_version{"separatrix-graph", 2, 4, renamed};
 
 void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
   LayoutMethod method = certificate.method.value_or(LayoutMethod::traced);
@@ -31,7 +22,9 @@ void describe_certificate(Archive& archive, LayoutCertificate& certificate) {
   archive.field("largest_deviation_degrees", certificate.largest_deviation_degrees);
 }
 
-void describe_separatrix_graph(Archive& archive, SeparatrixGraph& graph) {
+}  // namespace
+
+void describe(Archive& archive, SeparatrixGraph& graph) {
   LayoutCertificate& certificate = graph.certificate;
   if (archive.is_reading() ? archive.has("certificate") : certificate.method.has_value())
     archive.object("certificate", [&](Archive& a) { describe_certificate(a, certificate); });
@@ -48,19 +41,7 @@ void describe_separatrix_graph(Archive& archive, SeparatrixGraph& graph) {
   describe_face(archive, graph.face);
 }
 
-}  // namespace
-
-SeparatrixGraph read_separatrix_graph(const InputFile& file) {
-  SeparatrixGraph graph;
-  graph.provenance =
-      read_json_stage(file, separatrix_graph_version, [&](Archive& a) { describe_separatrix_graph(a, graph); });
-  return graph;
-}
-
-std::string stage_bytes(const SeparatrixGraph& graph) {
-  SeparatrixGraph copy = graph;
-  return json_stage_bytes(separatrix_graph_version, graph.provenance,
-                          [&](Archive& a) { describe_separatrix_graph(a, copy); });
-}
+template SeparatrixGraph read_stage(const InputFile&);
+template std::string stage_bytes(const SeparatrixGraph&);
 
 }  // namespace quadrille::io

@@ -13,7 +13,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr FormatVersion size_field_version{"size-field", 1, 0};
+constexpr StageFormat present{"size-field", 1, 0, Storage::json};
 
 void require(Archive& archive, const char* name, bool holds, const char* problem) {
   if (!holds) archive.fail(name, problem);
@@ -22,11 +22,11 @@ void require(Archive& archive, const char* name, bool holds, const char* problem
 void require_header(Archive& root, const std::string& file_name) {
   std::string format;
   if (root.has("format")) root.field("format", format);
-  if (format != size_field_version.format)
+  if (format != present.name)
     throw FormatError(fmt::format("{}: not a size field: the key \"format\" must be \"size-field\"", file_name));
   std::vector<int> version;
   root.field("version", version);
-  require_version(file_name, size_field_version, format, version);
+  require_version(file_name, present, format, version);
 }
 
 void read_size(Archive& archive, double& size) {

@@ -60,12 +60,10 @@ void read_safely(const InputFile& file, const Read& read) {
   read_image();
 }
 
-}  // namespace
-
-std::string hdf5_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe) {
+std::string hdf5_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
   Hdf5Writer writer;
-  writer.root().text_attribute("format", version.format);
-  writer.root().integer_attribute("version", {version.major, version.minor});
+  writer.root().text_attribute("format", format.name);
+  writer.root().integer_attribute("version", {format.major, format.minor});
   writer.root().text_attribute("producer", producer_of(provenance));
   writer.root().text_attribute("provenance", provenance_text(provenance));
   describe(*hdf5_archive(writer.root()));
@@ -74,23 +72,21 @@ std::string hdf5_stage_bytes(const FormatVersion& version, const Provenance& pro
   return bytes;
 }
 
-Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, const Describe& describe) {
-  Provenance provenance;
+void read_hdf5(const InputFile& file, const StageFormat& format, Provenance& provenance, const Describe& describe) {
   read_safely(file, [&](const Hdf5Reader& reader) {
     const Hdf5Header header = read_header(reader.root(), file.name);
-    require_version(file.name, version, header.format, header.version);
+    require_version(file.name, format, header.format, header.version);
     provenance = parse_provenance(reader.root().text_attribute("provenance"), file.name);
-    describe_version(*hdf5_archive(reader.root()), version, header.version, describe);
+    describe(*hdf5_archive(reader.root()));
   });
-  return provenance;
 }
 
-std::string json_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe) {
+std::string json_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
   JsonWriter writer;
-  std::string format = version.format, producer = producer_of(provenance);
-  std::vector<int> numbers{version.major, version.minor};
+  std::string name = format.name, producer = producer_of(provenance);
+  std::vector<int> numbers{format.major, format.minor};
   Provenance chain = provenance;
-  writer.root().field("format", format);
+  writer.root().field("format", name);
   writer.root().field("version", numbers);
   writer.root().field("producer", producer);
   describe_provenance(writer.root(), chain);
@@ -98,20 +94,31 @@ std::string json_stage_bytes(const FormatVersion& version, const Provenance& pro
   return writer.text();
 }
 
-Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe) {
+void read_json(const InputFile& file, const StageFormat& format, Provenance& provenance, const Describe& describe) {
   if (looks_like_hdf5(file.bytes))
-    throw FormatError(fmt::format("{}: expected a {} file (JSON), found an HDF5 file", file.name, version.format));
+    throw FormatError(fmt::format("{}: expected a {} file (JSON), found an HDF5 file", file.name, format.name));
   JsonReader reader(file.bytes, file.name);
-  std::string format;
+  std::string name;
   std::vector<int> numbers;
-  reader.root().field("format", format);
+  reader.root().field("format", name);
   reader.root().field("version", numbers);
-  require_version(file.name, version, format, numbers);
-  Provenance provenance;
+  require_version(file.name, format, name, numbers);
   describe_provenance(reader.root(), provenance);
   require_short(provenance, file.name);
-  describe_version(reader.root(), version, numbers, describe);
-  return provenance;
+  describe(reader.root());
+}
+
+}  // namespace
+
+std::string described_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
+  const auto bytes = format.storage == Storage::hdf5 ? hdf5_bytes : json_bytes;
+  return bytes(format, provenance, describe);
+}
+
+void read_described(const InputFile& file, const StageFormat& format, Provenance& provenance,
+                    const Describe& describe) {
+  const auto read = format.storage == Storage::hdf5 ? read_hdf5 : read_json;
+  read(file, format, provenance, describe);
 }
 
 void write_stage_bytes(const std::string& path, const std::string& bytes) {
@@ -130,9 +137,7 @@ std::string stage_format(const InputFile& file) {
       throw FormatError(fmt::format("{}: neither HDF5 nor a JSON object: not a stage file", file.name));
     JsonReader(file.bytes, file.name).root().field("format", format);
   }
-  constexpr const char* known[] = {"tri-mesh",         "field",        "critical-points",
-                                   "separatrix-graph", "block-layout", "quad-mesh"};
-  if (std::find(std::begin(known), std::end(known), format) == std::end(known))
+  if (std::none_of(stage_formats.begin(), stage_formats.end(), [&](const auto& known) { return format == known.name; }))
     throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file.name, clean_name(format)));
   return format;
 }

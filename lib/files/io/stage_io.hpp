@@ -12,10 +12,8 @@ namespace quadrille::io {
 
 using Describe = std::function<void(Archive&)>;
 
-std::string hdf5_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe);
-Provenance read_hdf5_stage(const InputFile& file, const FormatVersion& version, const Describe& describe);
-
-std::string json_stage_bytes(const FormatVersion& version, const Provenance& provenance, const Describe& describe);
-Provenance read_json_stage(const InputFile& file, const FormatVersion& version, const Describe& describe);
+std::string described_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe);
+/// `provenance` is read before `describe` runs.
+void read_described(const InputFile& file, const StageFormat& format, Provenance& provenance, const Describe& describe);
 
 }  // namespace quadrille::io

@@ -1,14 +1,11 @@
 #include "io/tri_mesh_io.hpp"
 
 #include "io/cad_face_io.hpp"
-#include "io/stage_files.hpp"
-#include "io/stage_io.hpp"
+#include "io/instantiate_io.hpp"
 
 namespace quadrille::io {
 
 namespace {
-constexpr FormatVersion tri_mesh_version{"tri-mesh", 1, 4};
-
 // Not in the files of later stages, which hold the mesh as a group.
 void describe_repairs(Archive& archive, std::vector<Repair>& repairs) {
   if (!archive.has("repairs")) return;
@@ -41,21 +38,12 @@ void describe_tri_mesh(Archive& archive, TriMesh& mesh) {
     archive.field("region_elems", mesh.region_elems, {"", "region r holds elements region_elems[r] to [r+1]-1"});
 }
 
-TriMesh read_tri_mesh(const InputFile& file) {
-  TriMesh mesh;
-  mesh.provenance = read_hdf5_stage(file, tri_mesh_version, [&](Archive& a) {
-    describe_tri_mesh(a, mesh);
-    describe_repairs(a, mesh.repairs);
-  });
-  return mesh;
+void describe(Archive& archive, TriMesh& mesh) {
+  describe_tri_mesh(archive, mesh);
+  describe_repairs(archive, mesh.repairs);
 }
 
-std::string stage_bytes(const TriMesh& mesh) {
-  TriMesh copy = mesh;  // a description needs a mutable object, since it may also read
-  return hdf5_stage_bytes(tri_mesh_version, mesh.provenance, [&](Archive& a) {
-    describe_tri_mesh(a, copy);
-    describe_repairs(a, copy.repairs);
-  });
-}
+template TriMesh read_stage(const InputFile&);
+template std::string stage_bytes(const TriMesh&);
 
 }  // namespace quadrille::io

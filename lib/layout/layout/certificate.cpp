@@ -15,7 +15,6 @@ namespace {
 constexpr int samples_of_arc = 8;
 
 void report_certificate(const LayoutCertificate& certificate, Report& report) {
-  report.set("certificate.way", enum_name(*certificate.method));
   report.set("certificate.method", enum_name(*certificate.method));
   report.set("certificate.index_sum", certificate.index_sum);
   for (const FaceCount& count : certificate.face_valence_histogram)
@@ -23,9 +22,7 @@ void report_certificate(const LayoutCertificate& certificate, Report& report) {
   report.set("certificate.t_junctions", certificate.t_junctions);
   report.set("certificate.merged_lines", certificate.merged_lines);
   report.set("certificate.collapsed_chords", certificate.collapsed_chords);
-  report.set("certificate.laps_cut", certificate.shortened_spirals);
   report.set("certificate.shortened_spirals", certificate.shortened_spirals);
-  report.set("certificate.largest_turn_degrees", certificate.largest_deviation_degrees);
   report.set("certificate.largest_deviation_degrees", certificate.largest_deviation_degrees);
 }
 

@@ -20,7 +20,6 @@ constexpr double many_blocks = 1.2;
 constexpr double equal_scaled_jacobian = 1e-6;
 
 void report_choice(LayoutMethod method, const std::string& reason, Report& report) {
-  report.set("layout.way", enum_name(method));
   report.set("layout.method", enum_name(method));
   if (!reason.empty()) report.set("layout.reason", reason);
 }

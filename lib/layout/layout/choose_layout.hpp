@@ -50,8 +50,8 @@ struct ChosenLayout {
 /// The text of the warning that a midpoint division was computed because of `reason`.
 std::string midpoint_warning(const std::string& reason);
 
-/// Chooses by the table above and computes only the layouts that it needs. Reports layout.way, layout.method and
-/// layout.reason. Throws ComputeError with the reason if there is no computation of a midpoint division where it would
+/// Chooses by the table above and computes only the layouts that it needs. Reports layout.method and layout.reason.
+/// Throws ComputeError with the reason if there is no computation of a midpoint division where it would
 /// be taken.
 ChosenLayout choose_layout(int num_separatrices, const LayoutComputations& compute, Report& report);
 

@@ -50,7 +50,6 @@ graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, 
       tracer.trace(report), quantize::PeriodicSides::separate, without_merges, report.progress());
   graph::CandidateLayout layout = std::move(extended.layout);
   report.set("quantize.rejected_merges", num_rejected);
-  report.set("quantize.merges_given_up", num_rejected);  // former name
   report.set("quantize.longest_arc", extended.longest_arc);
   report.set("quantize.faces", layout.subdivision.num_faces());
   if (options.simplify != SimplifyLevel::none)

@@ -94,7 +94,6 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
   report.set("trace.launched", tracer.lines().size());
   report.set("trace.merged", found->num_merged);
   report.set("trace.largest_merge_deviation_degrees", degrees(found->largest_deviation));
-  report.set("trace.largest_merge_turn_degrees", degrees(found->largest_deviation));  // former name
   layout.certificate.merged_lines = static_cast<int>(found->num_merged);
   layout.certificate.largest_deviation_degrees = degrees(found->largest_deviation);
 

@@ -182,9 +182,7 @@ class Simplifier {
 
 void report_steps(const Simplifier& simplifier, Report& report) {
   report.set("simplify.collapsed", simplifier.num_collapsed());
-  report.set("simplify.laps_cut", simplifier.num_shortened());
   report.set("simplify.shortened_spirals", simplifier.num_shortened());
-  report.set("simplify.largest_turn_degrees", degrees(simplifier.deviation()));
   report.set("simplify.largest_deviation_degrees", degrees(simplifier.deviation()));
 }
 

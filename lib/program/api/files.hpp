@@ -11,34 +11,24 @@
 #include <string>
 #include <vector>
 
-#include "model/block_layout.hpp"
-#include "model/critical_points.hpp"
-#include "model/field.hpp"
-#include "model/quad_mesh.hpp"
-#include "model/separatrix_graph.hpp"
-#include "model/tri_mesh.hpp"
+#include "model/stage_formats.hpp"
 
 namespace quadrille::api {
 
-/// The format that the file states: "tri-mesh", "field", "critical-points", "separatrix-graph", "block-layout" or
-/// "quad-mesh". Throws FormatError for anything else.
-std::string format_of(const std::string& path);
+/// Reads one file of any format and checks the rules without which it could not be used, as the tools do.
+StageModel read_stage(const std::string& path);
 
-/// Each reads one file and checks the rules without which it could not be used, as the tools do.
-TriMesh read_tri_mesh(const std::string& path);
-Field read_field(const std::string& path);
-CriticalPoints read_critical_points(const std::string& path);
-SeparatrixGraph read_separatrix_graph(const std::string& path);
-BlockLayout read_block_layout(const std::string& path);
-QuadMesh read_quad_mesh(const std::string& path);
+/// The same if the file is of `format`, "quad-mesh"; throws FormatError for any other.
+StageModel read_stage(const std::string& path, const std::string& format);
 
-/// Each writes one file, completely or not at all.
-void write(const std::string& path, const TriMesh& mesh);
-void write(const std::string& path, const Field& field);
-void write(const std::string& path, const CriticalPoints& points);
-void write(const std::string& path, const SeparatrixGraph& graph);
-void write(const std::string& path, const BlockLayout& layout);
-void write(const std::string& path, const QuadMesh& mesh);
+/// The same as the struct that is in the file: read<QuadMesh>(path).
+template <typename Model>
+Model read(const std::string& path) {
+  return std::get<Model>(read_stage(path, format_of<Model>().name));
+}
+
+/// Writes one file, completely or not at all.
+void write(const std::string& path, const StageModel& model);
 
 /// A numbered rule of a format that does not hold: its number ("TRI-R01"), what is wrong and where.
 struct BrokenRule {
@@ -46,11 +36,6 @@ struct BrokenRule {
 };
 
 /// All rules of the format, as stagecheck checks them; empty if they hold.
-std::vector<BrokenRule> broken_rules(const TriMesh& mesh);
-std::vector<BrokenRule> broken_rules(const Field& field);
-std::vector<BrokenRule> broken_rules(const CriticalPoints& points);
-std::vector<BrokenRule> broken_rules(const SeparatrixGraph& graph);
-std::vector<BrokenRule> broken_rules(const BlockLayout& layout);
-std::vector<BrokenRule> broken_rules(const QuadMesh& mesh);
+std::vector<BrokenRule> broken_rules(const StageModel& model);
 
 }  // namespace quadrille::api

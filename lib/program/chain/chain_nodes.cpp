@@ -24,7 +24,7 @@ void note_nodes(ChainState& chain, const CriticalPoints& nodes) {
 /// Nothing if there is no such file, or another one.
 std::optional<CriticalPoints> readable_nodes(const std::string& path) {
   try {
-    return io::read_critical_points(io::read_input(path));
+    return io::read_stage<CriticalPoints>(io::read_input(path));
   } catch (const FormatError&) {
     return std::nullopt;  // the stage that needs it says what is wrong
   }
@@ -151,7 +151,7 @@ void require_nodes(const io::InputFile& file) {
     throw FormatError(
         fmt::format("{}: expected a critical-points file (x.crit.json), found format {}", file.name, format));
   for (const check::Violation& violation :
-       check::check_critical_points(io::read_critical_points(file), check::CheckDepth::full))
+       check::check_stage(io::read_stage<CriticalPoints>(file), check::CheckDepth::full))
     if (violation.rule != "CRT-R07" && violation.rule != "CRT-R16")
       throw FormatError(fmt::format("{}: {}: {}", file.name, violation.rule, violation.text));
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/enum_names.hpp"
+#include "model/stage_formats.hpp"
 
 namespace quadrille::chain {
 
@@ -27,9 +28,6 @@ constexpr bool is_before(ChainStage stage, ChainStage other) {
 }
 
 /// "tri.h5" of SHAPE.tri.h5; nothing for quadexport.
-constexpr std::array<const char*, num_stages> stage_endings{"tri.h5",   "solve.h5",  "field.h5", "crit.json",
-                                                            "sep.json", "blocks.h5", "quad.h5",  ""};
-
-inline std::string ending_of(ChainStage stage) { return stage_endings.at(static_cast<std::size_t>(stage)); }
+inline std::string ending_of(ChainStage stage) { return std::string(find_stage_tool(enum_name(stage))->ending); }
 
 }  // namespace quadrille::chain

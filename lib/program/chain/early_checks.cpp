@@ -112,8 +112,8 @@ std::vector<std::string> needed_endings(const ChainOptions& options, const Stage
 }
 
 std::string maker_of(const std::string& ending) {
-  for (int i = 0; i < num_stages; ++i)
-    if (stage_endings[i] == ending) return enum_name(static_cast<ChainStage>(i));
+  for (const StageTool& tool : stage_tools)
+    if (tool.ending == ending) return std::string(tool.name);
   return {};
 }
 

@@ -6,7 +6,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "base/error.hpp"
@@ -19,21 +18,6 @@
 namespace quadrille::cli {
 
 namespace {
-
-/// The arguments with each old name, also in the form OLD=VALUE, replaced by the present one. Arguments after -- are
-/// kept.
-std::vector<std::string> with_present_names(int argc, char** argv,
-                                            const std::map<std::string, std::string>& old_names) {
-  std::vector<std::string> arguments(argv, argv + argc);
-  for (std::string& argument : arguments) {
-    if (argument == "--") break;
-    const std::size_t end = argument.find('=');
-    const auto found = old_names.find(argument.substr(0, end));
-    if (found != old_names.end())
-      argument = found->second + (end == std::string::npos ? std::string() : argument.substr(end));
-  }
-  return arguments;
-}
 
 /// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
 struct CallForOptionList {};
@@ -93,7 +77,6 @@ struct CommandLine::Impl {
   HelpPage page;
   CLI::App app;
   OptionRecord record;
-  std::map<std::string, std::string> old_names;  ///< old flag -> present flag
   int verbose = 0;
   bool quiet = false;
   CommonOptions* common = nullptr;
@@ -202,8 +185,6 @@ void CommandLine::flag(const std::string& flag, bool& value, const std::string& 
   impl_->record.flag(flag, value, help);
 }
 
-void CommandLine::formerly(const std::string& old_flag, const std::string& flag) { impl_->old_names[old_flag] = flag; }
-
 void CommandLine::add_common(CommonOptions& common) {
   impl_->common = &common;
   impl_->declared = impl_->app.get_options();
@@ -226,11 +207,8 @@ void CommandLine::add_common(CommonOptions& common) {
 }
 
 Request CommandLine::parse(int argc, char** argv) {
-  const std::vector<std::string> arguments = with_present_names(argc, argv, impl_->old_names);
-  std::vector<const char*> pointers;
-  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
   try {
-    impl_->app.parse(argc, pointers.data());
+    impl_->app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     return Request::show_help;
   } catch (const CLI::CallForVersion&) {
@@ -264,7 +242,6 @@ std::string CommandLine::option_list() const {
   for (const CLI::Option* option : impl_->declared)
     for (const std::string& name : option->get_lnames())
       if (!common.contains(name)) out += line("--" + name, option);
-  for (const auto& [old_flag, flag] : impl_->old_names) out += line(old_flag, impl_->app.get_option(flag));
   return out;
 }
 

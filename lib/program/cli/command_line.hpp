@@ -41,7 +41,6 @@ class CommandLine : public Options {
   void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
              const std::string& help, bool records_none) override;
   void flag(const std::string& flag, bool& value, const std::string& help) override;
-  void formerly(const std::string& old_flag, const std::string& flag) override;
 
   /// Adds the options of every command; called after the tool has declared its own.
   void add_common(CommonOptions& common);
@@ -49,8 +48,7 @@ class CommandLine : public Options {
   Request parse(int argc, char** argv);
   const HelpPage& page() const;
   bool writes_to_stdout() const;
-  /// The tool's own options without --output, old names included, for programs: a line "TOOL --OPTION value" or
-  /// "TOOL --OPTION flag" each.
+  /// The tool's own options without --output, for programs: a line "TOOL --OPTION value" or "TOOL --OPTION flag" each.
   std::string option_list() const;
   /// The recorded options after defaults, as a JSON object with sorted keys.
   std::string options_json() const;

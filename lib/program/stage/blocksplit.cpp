@@ -18,7 +18,7 @@ void declare(Options& o, BlocksplitOptions& blocksplit) {
 BlockLayout blocksplit(const Input<SeparatrixGraph>& graph, const std::optional<Input<std::vector<NameRule>>>& names,
                        const BlocksplitOptions& options, Run& run) {
   require_intervals(options);
-  check::require_valid(check::check_separatrix_graph(graph.model, check::CheckDepth::quick), graph.file.name);
+  check::require_sound(graph.model, graph.file.name);
   run.begin_phase("blocks");
   block::Blocks blocks = block::make_blocks(graph.model, run.report());
   std::vector<InputDigest> inputs{graph.file.digest("separatrix-graph")};

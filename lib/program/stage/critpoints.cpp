@@ -155,7 +155,7 @@ CriticalPoints critpoints(const Input<Field>& input, const CritpointsOptions& op
   require_intervals(options);
   choice::NodeOptions choosing = parsed(options);
   const Field& field = input.model;
-  check::require_valid(check::check_field(field, check::CheckDepth::quick), input.file.name);
+  check::require_sound(field, input.file.name);
   if (field.kind != FieldKind::harmonic)
     throw FormatError(input.file.name +
                       ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");

@@ -28,7 +28,7 @@ namespace {
 // Checks that a field on this mesh can have the nodes. Their element numbers may be those of another mesh.
 void require_nodes_of(const Input<CriticalPoints>& nodes, const Input<TriMesh>& mesh) {
   const CriticalPoints& points = nodes.model;
-  check::require_valid(check::check_critical_points(points, check::CheckDepth::quick), nodes.file.name);
+  check::require_sound(points, nodes.file.name);
   std::vector<check::Violation> violations = check::check_critical_points_of(points, mesh.model);
   std::erase_if(violations, [](const check::Violation& violation) { return violation.rule == "CRT-R09"; });
   if (!violations.empty()) check::require_same_origin(mesh.file, mesh.model.provenance, nodes.file, points.provenance);
@@ -129,7 +129,7 @@ Field fieldsolve(const FieldsolveInput& input, const FieldsolveOptions& options,
   require_intervals(options);
   options.validate();
   const TriMesh& mesh = input.mesh.model;
-  check::require_valid(check::check_tri_mesh(mesh, check::CheckDepth::quick), input.mesh.file.name);
+  check::require_sound(mesh, input.mesh.file.name);
   if (input.nodes) require_nodes_of(*input.nodes, input.mesh);
   std::vector<InputDigest> inputs{input.mesh.file.digest("tri-mesh")};
   if (input.orders) inputs.push_back(input.orders->file.digest(input.orders_format));

@@ -47,7 +47,7 @@ void declare(Options& o, PadaptOptions& padapt) {
 Field padapt(const Input<Field>& start, const PadaptOptions& options, Run& run) {
   require_intervals(options);
   options.validate();
-  check::require_valid(check::check_field(start.model, check::CheckDepth::quick), start.file.name);
+  check::require_sound(start.model, start.file.name);
   run.begin_phase("adapt");
   const std::vector<Field> starts = regions::split(start.model);
   std::vector<Field> parts = regions::map_regions<Field>(

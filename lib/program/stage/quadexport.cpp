@@ -165,7 +165,7 @@ std::vector<OutputFile> quadexport(QuadMesh mesh, const std::string& file, const
   require_intervals(options);
   const std::string format = format_of(output, options);
   if (format == step) throw UsageError("a STEP model is made from blocks, not from a quad mesh");
-  check::require_valid(check::check_quad_mesh(mesh, check::CheckDepth::quick), file);
+  check::require_sound(mesh, file);
   require_valid_mesh(mesh, options.allow_invalid, run);
   run.begin_phase("write");
   run.report().set("format", format);

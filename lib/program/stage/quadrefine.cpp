@@ -181,7 +181,7 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
   require_intervals(options);
   auto [refine, sizes] = parsed(options);
   const BlockLayout& layout = input.model;
-  check::require_valid(check::check_block_layout(layout, check::CheckDepth::quick), input.file.name);
+  check::require_sound(layout, input.file.name);
   std::vector<InputDigest> inputs{input.file.digest("block-layout")};
   if (sources) {
     sizes.sources = sources->model;

@@ -82,7 +82,7 @@ std::vector<CriticalPoints> points_of(const RegionFields& fields, const FileIden
                                       const Input<CriticalPoints>& points) {
   const Field& field = fields.whole;
   const Provenance& chain = points.model.provenance;
-  check::require_valid(check::check_critical_points(points.model, check::CheckDepth::quick), points.file.name);
+  check::require_sound(points.model, points.file.name);
   // A file of another field refers to elements and corners that this one does not have: then the origin is the cause. A
   // phase that was solved for other nodes of the same face does not have this file in its provenance either: the
   // message that states the remedy must be the first.
@@ -145,7 +145,6 @@ void declare(Options& o, SeparatrixOptions& options) {
       "stays acceptable and no separatrix deviates from the field by more than 45 degrees");
   o.number("--max-deviation", options.max_deviation, 0, 45, "degrees",
            "greatest deviation of a simplified line from the field");
-  o.formerly("--max-turn", "--max-deviation");
   o.choice(
       "--layout", options.layout,
       "traced: separatrices are traced to their ends; quantized: each stops at the first separatrix that crosses it "
@@ -175,7 +174,7 @@ void declare(Options& o, SeparatrixOptions& options) {
 SeparatrixGraph separatrix(const Input<Field>& field, const std::optional<Input<CriticalPoints>>& points,
                            const SeparatrixOptions& options, Run& run) {
   require_intervals(options);
-  check::require_valid(check::check_field(field.model, check::CheckDepth::quick), field.file.name);
+  check::require_sound(field.model, field.file.name);
   std::vector<InputDigest> inputs{field.file.digest("field")};
   SeparatrixGraph graph;
   if (options.layout == layout::LayoutChoice::midpoint) {
@@ -196,7 +195,7 @@ SeparatrixGraph separatrix(const Input<Field>& field, const std::optional<Input<
 
 SeparatrixGraph separatrix(const Input<TriMesh>& triangles, const SeparatrixOptions& options, Run& run) {
   require_intervals(options);
-  check::require_valid(check::check_tri_mesh(triangles.model, check::CheckDepth::quick), triangles.file.name);
+  check::require_sound(triangles.model, triangles.file.name);
   SeparatrixGraph graph = divided(triangles.model, options, run);
   graph.provenance = with_step(triangles.model.provenance, "separatrix", options, {triangles.file.digest("tri-mesh")});
   return graph;

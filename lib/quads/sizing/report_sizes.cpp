@@ -81,7 +81,6 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
   const std::vector<EdgeSizes> edges = edge_sizes(measured, divisions, sizes);
   const EdgeSizes& all = edges.back();
   report.set("sizes.prescribed", all.prescribed);
-  report.set("sizes.wanted", all.prescribed);  // former name
   report.set("sizes.mean_ratio", std::exp(all.mean_log));
   report.set("sizes.deviation", all.deviation);
   report.set("sizes.least_edge", all.least);
@@ -107,8 +106,7 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
                               p.chord, count[p.chord], p.count));
   report.set("sizes.chord.id", std::move(id));
   report.set("sizes.chord.count", std::move(count));
-  report.set("sizes.chord.prescribed", prescribed_length);
-  report.set("sizes.chord.wanted", std::move(prescribed_length));  // former name
+  report.set("sizes.chord.prescribed", std::move(prescribed_length));
   report.set("sizes.chord.mean_ratio", std::move(ratio));
   report.set("sizes.chord.deviation", std::move(deviation));
   report.set("sizes.chord.least_edge", std::move(least));

@@ -13,14 +13,6 @@ namespace {
 
 constexpr double margin = 36, row = 20;  // pixels
 
-std::string drawing_of(const SeparatrixGraph& graph, const DrawOptions& options) {
-  return draw_separatrix_graph(graph, options);
-}
-std::string drawing_of(const BlockLayout& layout, const DrawOptions& options) {
-  return draw_block_layout(layout, options);
-}
-std::string drawing_of(const QuadMesh& mesh, const DrawOptions& options) { return draw_quad_mesh(mesh, options); }
-
 /// In the coordinates of the file.
 void include_face(PictureBox& box, const CadFace& face) {
   const PictureBox own = bounding_box(face);
@@ -103,7 +95,7 @@ std::string table(const std::vector<std::array<std::string, 3>>& rows, double to
 
 }  // namespace
 
-template <typename Stage>
+template <Comparable Stage>
 std::string draw_comparison(const std::array<const Stage*, 2>& pair, const std::array<std::string, 2>& files,
                             const DrawOptions& options) {
   PictureBox box = empty_box();
@@ -117,7 +109,7 @@ std::string draw_comparison(const std::array<const Stage*, 2>& pair, const std::
     own.file = files[k];
     own.title_prefix = k == 0 ? "A: " : "B: ";
     if (!box.empty() && !own.window) own.window = Window{box.lower, box.upper};
-    const std::string svg = drawing_of(*pair[k], own);
+    const std::string svg = draw_stage(*pair[k], own);
     height = std::max(height, height_of(svg));
     parts[k] = embedded(svg, k == 0 ? "a-" : "b-", k * own.width);
   }

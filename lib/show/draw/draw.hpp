@@ -5,12 +5,7 @@
 #include <string>
 
 #include "base/vec2.hpp"
-#include "model/block_layout.hpp"
-#include "model/critical_points.hpp"
-#include "model/field.hpp"
-#include "model/quad_mesh.hpp"
-#include "model/separatrix_graph.hpp"
-#include "model/tri_mesh.hpp"
+#include "model/stage_formats.hpp"
 
 namespace quadrille::draw {
 
@@ -29,14 +24,13 @@ struct DrawOptions {
   std::optional<Window> window;                   ///< none: everything
   std::string file;          ///< name of the file without folders, written beside the title; empty: none
   std::string title_prefix;  ///< "A: " in a comparison
+  /// Drawn under critical points. Without it, the outline of the face, if the points have it, is all that is drawn of
+  /// the rest.
+  const Field* field = nullptr;
 };
 
-std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options);
-std::string draw_field(const Field& field, const DrawOptions& options);
-/// `field` may be null: then the outline of the face, if the points have it, is all that is drawn of the rest.
-std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options);
-std::string draw_separatrix_graph(const SeparatrixGraph& graph, const DrawOptions& options);
-std::string draw_block_layout(const BlockLayout& layout, const DrawOptions& options);
-std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options);
+/// The picture of a struct of StageModel.
+template <typename Model>
+std::string draw_stage(const Model& model, const DrawOptions& options);
 
 }  // namespace quadrille::draw

@@ -6,6 +6,7 @@
 #include "base/angle.hpp"
 #include "draw/curve_labels.hpp"
 #include "draw/field_cells.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "draw/node_history.hpp"
 
@@ -144,7 +145,8 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
 
 }  // namespace
 
-std::string draw_critical_points(const CriticalPoints& points, const Field* field, const DrawOptions& options) {
+std::string picture_of(const CriticalPoints& points, const DrawOptions& options) {
+  const Field* field = options.field;
   const CadFace* face = field ? &field->mesh.face : points.face.curves.empty() ? nullptr : &points.face;
   const bool is_phase = points.form == NodeForm::phase;
   Picture picture(shown_box(face ? bounding_box(*face) : box_of(points), points.origin, options), options,
@@ -164,5 +166,7 @@ std::string draw_critical_points(const CriticalPoints& points, const Field* fiel
   face ? legend_scale(picture, *face) : picture.legend_scale("");
   return picture.str();
 }
+
+template std::string draw_stage(const CriticalPoints&, const DrawOptions&);
 
 }  // namespace quadrille::draw

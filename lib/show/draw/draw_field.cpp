@@ -12,6 +12,7 @@
 #include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 
@@ -151,7 +152,7 @@ void draw_nodes_asked(Picture& picture, const std::vector<Field>& regions) {
 
 }  // namespace
 
-std::string draw_field(const Field& field, const DrawOptions& options) {
+std::string picture_of(const Field& field, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(field.mesh.face), field.mesh.face.origin, options), options,
                   title(field, options.show), caption(field));
   const RegionFields regions(field);
@@ -170,5 +171,7 @@ std::string draw_field(const Field& field, const DrawOptions& options) {
   legend_scale(picture, field.mesh.face);
   return picture.str();
 }
+
+template std::string draw_stage(const Field&, const DrawOptions&);
 
 }  // namespace quadrille::draw

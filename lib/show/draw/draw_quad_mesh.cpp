@@ -8,6 +8,7 @@
 
 #include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 
@@ -88,7 +89,7 @@ std::string caption(const QuadMesh& mesh) {
 
 }  // namespace
 
-std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
+std::string picture_of(const QuadMesh& mesh, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Quad mesh", caption(mesh));
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
@@ -121,5 +122,7 @@ std::string draw_quad_mesh(const QuadMesh& mesh, const DrawOptions& options) {
   legend_scale(picture, mesh.face);
   return picture.str();
 }
+
+template std::string draw_stage(const QuadMesh&, const DrawOptions&);
 
 }  // namespace quadrille::draw

@@ -6,6 +6,7 @@
 
 #include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
+#include "draw/instantiate_picture.hpp"
 #include "draw/marks.hpp"
 
 namespace quadrille::draw {
@@ -19,7 +20,7 @@ const Ramp& layer_ramp() {
 
 }  // namespace
 
-std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
+std::string picture_of(const TriMesh& mesh, const DrawOptions& options) {
   const int num_curved = static_cast<int>(mesh.curved_elems.size());
   Picture picture(
       shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Triangle mesh",
@@ -58,5 +59,7 @@ std::string draw_tri_mesh(const TriMesh& mesh, const DrawOptions& options) {
   legend_scale(picture, mesh.face);
   return picture.str();
 }
+
+template std::string draw_stage(const TriMesh&, const DrawOptions&);
 
 }  // namespace quadrille::draw

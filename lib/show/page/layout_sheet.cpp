@@ -7,7 +7,7 @@
 
 #include "base/enum_names.hpp"
 #include "model/interfaces.hpp"
-#include "page/sheet.hpp"
+#include "page/instantiate_sheet.hpp"
 
 namespace quadrille::page {
 
@@ -112,5 +112,8 @@ Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame) {
   sheet.layers.push_back(marks_of(layout, frame, false).layer("nodes", "irregular nodes"));
   return sheet;
 }
+
+template Sheet stage_sheet(const SeparatrixGraph&, const PageFrame&);
+template Sheet stage_sheet(const BlockLayout&, const PageFrame&);
 
 }  // namespace quadrille::page

@@ -10,7 +10,7 @@ namespace quadrille::page {
 
 namespace {
 
-const CadFace* face_of(const Stage& stage) {
+const CadFace* face_of(const StageModel& stage) {
   return std::visit(
       [](const auto& model) -> const CadFace* {
         using Model = std::decay_t<decltype(model)>;
@@ -25,8 +25,8 @@ const CadFace* face_of(const Stage& stage) {
 }
 
 /// The first face of the stages; nullptr if only critical points are shown.
-const CadFace* first_face(const std::vector<Stage>& stages) {
-  for (const Stage& stage : stages)
+const CadFace* first_face(const std::vector<StageModel>& stages) {
+  for (const StageModel& stage : stages)
     if (const CadFace* face = face_of(stage)) return face;
   return nullptr;
 }
@@ -40,15 +40,15 @@ draw::PictureBox box_of(const CriticalPoints& points) {
 }
 
 /// Where the positions of a stage count from.
-Vec2 origin_of(const Stage& stage) {
+Vec2 origin_of(const StageModel& stage) {
   const CadFace* face = face_of(stage);
   return face ? face->origin : std::get<CriticalPoints>(stage).origin;
 }
 
 /// In the coordinates of the CAD file, origins included.
-draw::PictureBox box_of(const std::vector<Stage>& stages) {
+draw::PictureBox box_of(const std::vector<StageModel>& stages) {
   draw::PictureBox box = draw::empty_box();
-  for (const Stage& stage : stages) {
+  for (const StageModel& stage : stages) {
     const CadFace* face = face_of(stage);
     const draw::PictureBox own = face ? draw::bounding_box(*face) : box_of(std::get<CriticalPoints>(stage));
     if (own.empty()) continue;
@@ -58,7 +58,7 @@ draw::PictureBox box_of(const std::vector<Stage>& stages) {
   return box;
 }
 
-const Provenance& provenance_of(const Stage& stage) {
+const Provenance& provenance_of(const StageModel& stage) {
   return std::visit(
       [](const auto& model) -> const Provenance& {
         if constexpr (std::is_same_v<std::decay_t<decltype(model)>, Field>)
@@ -82,8 +82,8 @@ std::string steps_json(const Provenance& provenance) {
   return json_list(steps);
 }
 
-std::string sheet_json(const Stage& stage, const PageFrame& frame) {
-  const Sheet sheet = std::visit([&](const auto& model) { return sheet_of(model, frame); }, stage);
+std::string sheet_json(const StageModel& stage, const PageFrame& frame) {
+  const Sheet sheet = std::visit([&](const auto& model) { return stage_sheet(model, frame); }, stage);
   std::vector<std::string> layers;
   for (const JsonObject& layer : sheet.layers) layers.push_back(layer.str());
   JsonObject object;
@@ -93,18 +93,18 @@ std::string sheet_json(const Stage& stage, const PageFrame& frame) {
   return object.json("layers", json_list(layers)).str();
 }
 
-std::string title_of(const std::vector<Stage>& stages) {
+std::string title_of(const std::vector<StageModel>& stages) {
   const CadFace* face = first_face(stages);
   return face && !face->name.empty() ? face->name : "Quadrille";
 }
 
-std::string data_json(const std::vector<Stage>& stages, bool is_comparison, const RunRecord& run) {
+std::string data_json(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = page_frame(box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
   const CadFace* face = first_face(stages);
   std::vector<std::string> sheets;
-  for (const Stage& stage : stages) {
+  for (const StageModel& stage : stages) {
     PageFrame own = frame;
     own.centre -= origin_of(stage);
     sheets.push_back(sheet_json(stage, own));
@@ -118,7 +118,7 @@ std::string data_json(const std::vector<Stage>& stages, bool is_comparison, cons
   return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
 }
 
-std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const RunRecord& run) {
+std::string page_of(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -131,8 +131,10 @@ std::string page_of(const std::vector<Stage>& stages, bool is_comparison, const 
 
 }  // namespace
 
-std::string html_page(const std::vector<Stage>& stages, const RunRecord& run) { return page_of(stages, false, run); }
+std::string html_page(const std::vector<StageModel>& stages, const RunRecord& run) {
+  return page_of(stages, false, run);
+}
 
-std::string comparison_page(const Stage& a, const Stage& b) { return page_of({a, b}, true, {}); }
+std::string comparison_page(const StageModel& a, const StageModel& b) { return page_of({a, b}, true, {}); }
 
 }  // namespace quadrille::page

@@ -6,19 +6,11 @@
 // (lines, blocks), marks (nodes) and samples (the field).
 
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "model/block_layout.hpp"
-#include "model/critical_points.hpp"
-#include "model/field.hpp"
-#include "model/quad_mesh.hpp"
-#include "model/separatrix_graph.hpp"
-#include "model/tri_mesh.hpp"
+#include "model/stage_formats.hpp"
 
 namespace quadrille::page {
-
-using Stage = std::variant<TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh>;
 
 /// What is known of the run that made the stages; a further tab shows it, with histograms of the last mesh.
 struct RunRecord {
@@ -27,10 +19,10 @@ struct RunRecord {
 };
 
 /// The page of the stages, a tab each, in this order. Equal stages give equal bytes. About 110 bytes for each quad.
-std::string html_page(const std::vector<Stage>& stages, const RunRecord& run = {});
+std::string html_page(const std::vector<StageModel>& stages, const RunRecord& run = {});
 
 /// The page of two layouts or meshes, of one chain or not, tabs A and B: the lines of the other one are drawn over
 /// each, and a table has the counts and qualities of both.
-std::string comparison_page(const Stage& a, const Stage& b);
+std::string comparison_page(const StageModel& a, const StageModel& b);
 
 }  // namespace quadrille::page

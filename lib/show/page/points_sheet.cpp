@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/enum_names.hpp"
+#include "page/instantiate_sheet.hpp"
 #include "page/node_layers.hpp"
-#include "page/sheet.hpp"
 
 namespace quadrille::page {
 
@@ -81,5 +81,7 @@ Sheet sheet_of(const CriticalPoints& points, const PageFrame& frame) {
   sheet.layers.push_back(nodes_of(points, frame).layer("nodes", "nodes"));
   return sheet;
 }
+
+template Sheet stage_sheet(const CriticalPoints&, const PageFrame&);
 
 }  // namespace quadrille::page

@@ -10,7 +10,7 @@
 
 #include "base/angle.hpp"
 #include "model/quad_sides.hpp"
-#include "page/sheet.hpp"
+#include "page/instantiate_sheet.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -142,5 +142,7 @@ Sheet sheet_of(const QuadMesh& mesh, const PageFrame& frame) {
   sheet.layers.push_back(cells_layer(mesh, cells));
   return sheet;
 }
+
+template Sheet stage_sheet(const QuadMesh&, const PageFrame&);
 
 }  // namespace quadrille::page

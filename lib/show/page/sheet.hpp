@@ -5,12 +5,7 @@
 #include <vector>
 
 #include "draw/figures.hpp"
-#include "model/block_layout.hpp"
-#include "model/critical_points.hpp"
-#include "model/field.hpp"
-#include "model/quad_mesh.hpp"
-#include "model/separatrix_graph.hpp"
-#include "model/tri_mesh.hpp"
+#include "model/stage_formats.hpp"
 #include "page/bends.hpp"
 #include "page/page_data.hpp"
 
@@ -22,12 +17,9 @@ struct Sheet {
   std::vector<JsonObject> layers;  ///< drawn in this order
 };
 
-Sheet sheet_of(const TriMesh& mesh, const PageFrame& frame);
-Sheet sheet_of(const Field& field, const PageFrame& frame);
-Sheet sheet_of(const CriticalPoints& points, const PageFrame& frame);
-Sheet sheet_of(const SeparatrixGraph& graph, const PageFrame& frame);
-Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame);
-Sheet sheet_of(const QuadMesh& mesh, const PageFrame& frame);
+/// The tab of a struct of StageModel.
+template <typename Model>
+Sheet stage_sheet(const Model& model, const PageFrame& frame);
 
 /// The boundary of the face with the names of its curves, in every tab.
 JsonObject boundary_layer(const CadFace& face, const PageFrame& frame);

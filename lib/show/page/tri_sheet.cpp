@@ -11,7 +11,7 @@
 #include "draw/marks.hpp"
 #include "draw/region_fields.hpp"
 #include "field/evaluate.hpp"
-#include "page/sheet.hpp"
+#include "page/instantiate_sheet.hpp"
 
 namespace quadrille::page {
 
@@ -158,5 +158,8 @@ Sheet sheet_of(const Field& field, const PageFrame& frame) {
     sheet.layers.push_back(nodes.layer("nodes", "prescribed nodes"));
   return sheet;
 }
+
+template Sheet stage_sheet(const TriMesh&, const PageFrame&);
+template Sheet stage_sheet(const Field&, const PageFrame&);
 
 }  // namespace quadrille::page

@@ -29,6 +29,8 @@ def read(source):
     """The object that a stage file holds. `source`: a path, or the bytes of the file. The object's members `producer`
     and `provenance` say how the file was made. Raises StageFileError for what is no stage file."""
     content = load(source)
+    if content["format"] not in TYPES:
+        raise StageFileError(f"{content['format']} files have no class here: load gives their content as a dict")
     made = TYPES[content["format"]](content)
     made.producer, made.provenance = content.get("producer"), content.get("provenance")
     return made

@@ -9,24 +9,10 @@ import os
 
 import numpy as np
 
-# The major version that is written today; a reader takes it and the one before it.
+# The major version that is read, of each format of `stagecheck --list-formats`.
 MAJOR_VERSIONS = {"tri-mesh": 1, "field": 2, "critical-points": 2, "separatrix-graph": 2, "block-layout": 2,
                   "quad-mesh": 2}
 HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
-# Names of the previous major version: place in the file, name today, former name.
-RENAMED = {
-    "critical-points": [((), "hole_winding_offsets", "twist_offsets")],
-    "separatrix-graph": [(("certificate",), "method", "way"),
-                         (("certificate",), "face_valence_histogram", "census"),
-                         (("certificate",), "shortened_spirals", "laps_cut"),
-                         (("certificate",), "largest_deviation_degrees", "largest_turn_degrees")],
-    "field": [(("phase",), "prescribed", "asked"),
-              (("phase",), "hole_winding_offsets", "twist_offsets"),
-              (("phase",), "best_hole_winding", "best_twists"),
-              (("phase",), "hole_winding", "twists"),
-              (("phase",), "hole_periods", "periods"),
-              (("phase",), "hole_winding_energy", "twist_energy")],
-}
 
 
 class StageFileError(ValueError):
@@ -95,20 +81,9 @@ def _check_version(content, name):
     if stage_format not in MAJOR_VERSIONS:
         raise StageFileError(f"{name}: no stage file: its format is {stage_format!r}")
     major, present = int(content["version"][0]), MAJOR_VERSIONS[stage_format]
-    if not max(1, present - 1) <= major <= present:
-        raise StageFileError(f"{name}: {stage_format} {major}.{int(content['version'][1])}: this module reads versions "
-                             f"{max(1, present - 1)} and {present}")
-    if major < present:
-        _rename(content, RENAMED.get(stage_format, []))
-
-
-def _rename(content, table):
-    for place, present, former in table:
-        part = content
-        for key in place:
-            part = part.get(key, {})
-        if former in part:
-            part[present] = part.pop(former)
+    if major != present:
+        raise StageFileError(f"{name}: {stage_format} {major}.{int(content['version'][1])}: this module reads version "
+                             f"{present}")
 
 
 def split(values, offsets):

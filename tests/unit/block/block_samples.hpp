@@ -46,7 +46,7 @@ inline SeparatrixGraph dart() {
 /// The broken rules of the format, one on each line; empty for a sound layout.
 inline std::string faults(const BlockLayout& layout) {
   std::string all;
-  for (const check::Violation& v : check::check_block_layout(layout, check::CheckDepth::full))
+  for (const check::Violation& v : check::check_stage(layout, check::CheckDepth::full))
     all += v.rule + ": " + v.text + "\n";
   return all;
 }

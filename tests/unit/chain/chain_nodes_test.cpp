@@ -36,7 +36,7 @@ class MakeNodes : public testing::Test {
     points.critical_points.push_back(node);
     return points;
   }
-  CriticalPoints present() { return io::read_critical_points(io::read_input(files().nodes.path())); }
+  CriticalPoints present() { return io::read_stage<CriticalPoints>(io::read_input(files().nodes.path())); }
 
   SampleChain run_;
   ChainState& chain_ = run_.chain;

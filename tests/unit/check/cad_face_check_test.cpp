@@ -12,7 +12,7 @@ namespace {
 /// The rules that the square breaks once `damage` has been done to it.
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  return broken_rules(samples::face(), check_cad_face, damage);
+  return broken_rules(samples::face(), damage);
 }
 
 TEST(CadFaceCheck, TheSampleIsValid) {
@@ -94,11 +94,11 @@ TEST(CadFaceCheck, FacR10TangentsAreTheCurvesOwn) {
 
 template <typename Damage>
 Rules broken_regions(const Damage& damage) {
-  return broken_rules(samples::two_regions_face(), check_cad_face, damage);
+  return broken_rules(samples::two_regions_face(), damage);
 }
 template <typename Damage>
 Rules broken_slit(const Damage& damage) {
-  return broken_rules(samples::slit_face(), check_cad_face, damage);
+  return broken_rules(samples::slit_face(), damage);
 }
 
 TEST(CadFaceCheck, RegionsAndSlitsAreValid) {

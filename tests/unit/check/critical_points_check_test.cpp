@@ -13,7 +13,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  return broken_rules(samples::critical_points(), check_critical_points, damage);
+  return broken_rules(samples::critical_points(), damage);
 }
 
 TEST(CriticalPointsCheck, TheSampleIsValid) {
@@ -97,7 +97,7 @@ template <typename Damage>
 Rules broken_resolved(const Damage& damage) {
   CriticalPoints points = samples::resolved_points();
   damage(points);
-  return rules_of(check_critical_points(points, CheckDepth::full));
+  return rules_of(check_stage(points, CheckDepth::full));
 }
 
 template <typename Damage>
@@ -171,7 +171,7 @@ TEST(CriticalPointsCheck, CrtR16ChangesKeepTheIndexSum) {
 
 template <typename Damage>
 Rules broken_regions(const Damage& damage) {
-  return broken_rules(samples::two_regions_points(), check_critical_points, damage);
+  return broken_rules(samples::two_regions_points(), damage);
 }
 
 TEST(CriticalPointsCheck, PointsOfRegionsAreValid) {
@@ -197,7 +197,7 @@ TEST(CriticalPointsCheck, CrtR04ASlitEndsInACornerOf360Degrees) {
     points.corners.push_back(
         {j, joint.position, is_tip ? 360.0 : 90.0, is_tip ? 4 : 1, {points.face.previous_in_loop(j), j}});
   }
-  const auto check = [&](auto&& damage) { return broken_rules(points, check_critical_points, damage); };
+  const auto check = [&](auto&& damage) { return broken_rules(points, damage); };
   EXPECT_EQ(check([](auto&) {}), Rules{});
   EXPECT_EQ(check([](auto& c) { c.corners[0].angle_degrees = 360; }), Rules{"CRT-R04"});
   EXPECT_EQ(check([](auto& c) { c.corners[5].joint = 6; }), Rules{"CRT-R04"}) << "no such joint";

@@ -15,7 +15,7 @@ template <typename Damage>
 Rules broken(const Damage& damage) {
   Field field = samples::field();
   field.liftings = {{0, {0, 0}, {-1, -1}, {1, 0}}};
-  return broken_rules(field, check_field, damage);
+  return broken_rules(field, damage);
 }
 
 TEST(FieldCheck, TheSampleIsValid) {
@@ -61,7 +61,7 @@ TEST(FieldCheck, FldR08ErrorsAreNotNegative) {
 
 template <typename Damage>
 Rules broken_phase(const Damage& damage) {
-  return broken_rules(samples::phase_field(), check_field, damage);
+  return broken_rules(samples::phase_field(), damage);
 }
 
 TEST(FieldCheck, ThePhaseSampleIsValid) {
@@ -119,12 +119,12 @@ TEST(FieldCheck, FldR10TermsAreThoseAskedFor) {
 }
 
 TEST(FieldCheck, FieldsOfRegionsAreValid) {
-  EXPECT_EQ(broken_rules(samples::two_regions_field(), check_field, [](Field&) {}), Rules{});
+  EXPECT_EQ(broken_rules(samples::two_regions_field(), [](Field&) {}), Rules{});
 }
 
 template <typename Damage>
 Rules broken_phases(const Damage& damage) {
-  return broken_rules(samples::two_regions_phase_field(), check_field, damage);
+  return broken_rules(samples::two_regions_phase_field(), damage);
 }
 
 TEST(FieldCheck, PhasesOfRegionsHaveNumbersOfTheirOwn) {

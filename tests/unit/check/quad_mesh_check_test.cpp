@@ -10,7 +10,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  return broken_rules(samples::quad_mesh(), check_quad_mesh, damage);
+  return broken_rules(samples::quad_mesh(), damage);
 }
 
 TEST(QuadMeshCheck, TheSampleIsValid) {
@@ -77,7 +77,7 @@ TEST(QuadMeshCheck, QuaR11SizesAreInRange) {
 
 template <typename Damage>
 Rules broken_regions(const Damage& damage) {
-  return broken_rules(samples::two_regions_quads(), check_quad_mesh, damage);
+  return broken_rules(samples::two_regions_quads(), damage);
 }
 
 TEST(QuadMeshCheck, QuaR12InterfacesAreNamedFromBothSides) {
@@ -93,9 +93,7 @@ TEST(QuadMeshCheck, QuaR13BlocksLieInOneRegion) {
 }
 
 TEST(QuadMeshCheck, QuaR14InterfacesThatAreNotOpenAreShared) {
-  const auto broken_open = [](const auto& damage) {
-    return broken_rules(samples::open_regions_quads(), check_quad_mesh, damage);
-  };
+  const auto broken_open = [](const auto& damage) { return broken_rules(samples::open_regions_quads(), damage); };
   EXPECT_EQ(broken_open([](auto&) {}), Rules{});
   EXPECT_EQ(broken_open([](auto& m) { m.open_curves.clear(); }), Rules{"QUA-R14"}) << "two nodes in one place";
   EXPECT_EQ(broken_open([](auto& m) { m.open_curves = {1}; }), Rules{"QUA-R14"}) << "the other side is missing";

@@ -15,7 +15,7 @@ using region_graphs::disc_in_square, region_graphs::slit_plate, region_graphs::t
 
 template <typename Damage>
 Rules broken(SeparatrixGraph graph, const Damage& damage) {
-  return broken_rules(std::move(graph), check_separatrix_graph, damage);
+  return broken_rules(std::move(graph), damage);
 }
 
 BlockLayout layout_of(const SeparatrixGraph& graph) {
@@ -25,12 +25,12 @@ BlockLayout layout_of(const SeparatrixGraph& graph) {
 
 template <typename Damage>
 Rules broken_layout(const SeparatrixGraph& graph, const Damage& damage) {
-  return broken_rules(layout_of(graph), check_block_layout, damage);
+  return broken_rules(layout_of(graph), damage);
 }
 
 template <typename Damage>
 Rules broken_mesh(const SeparatrixGraph& graph, const Damage& damage) {
-  return broken_rules(refined(graph, {.size = 0.5, .order = 3}), check_quad_mesh, damage);
+  return broken_rules(refined(graph, {.size = 0.5, .order = 3}), damage);
 }
 
 const auto nothing = [](auto&) {};

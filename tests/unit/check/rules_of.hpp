@@ -19,9 +19,9 @@ using Rules = std::set<std::string>;
 
 /// The rules that `stage` breaks after `damage` has changed it.
 template <typename Stage, typename Damage>
-Rules broken_rules(Stage stage, std::vector<Violation> (*check)(const Stage&, CheckDepth), const Damage& damage) {
+Rules broken_rules(Stage stage, const Damage& damage) {
   damage(stage);
-  return rules_of(check(stage, CheckDepth::full));
+  return rules_of(check_stage(stage, CheckDepth::full));
 }
 
 }  // namespace quadrille::check

@@ -8,7 +8,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  return broken_rules(samples::separatrix_graph(), check_separatrix_graph, damage);
+  return broken_rules(samples::separatrix_graph(), damage);
 }
 
 TEST(SeparatrixGraphCheck, TheSampleIsValid) {

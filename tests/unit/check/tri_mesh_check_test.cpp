@@ -10,7 +10,7 @@ namespace {
 
 template <typename Damage>
 Rules broken(const Damage& damage) {
-  return broken_rules(samples::tri_mesh(), check_tri_mesh, damage);
+  return broken_rules(samples::tri_mesh(), damage);
 }
 
 TEST(TriMeshCheck, TheSampleIsValid) {
@@ -81,17 +81,17 @@ TEST(TriMeshCheck, TriR13JacobiansArePositive) {
 TEST(TriMeshCheck, QuickDepthLeavesTheProofsOut) {
   TriMesh mesh = samples::tri_mesh();
   mesh.curved_nodes[3] = {0.5, 0.6};
-  EXPECT_TRUE(check_tri_mesh(mesh, CheckDepth::quick).empty());
+  EXPECT_TRUE(check_stage(mesh, CheckDepth::quick).empty());
 }
 
 template <typename Damage>
 Rules broken_regions(const Damage& damage) {
-  return broken_rules(samples::two_regions_mesh(), check_tri_mesh, damage);
+  return broken_rules(samples::two_regions_mesh(), damage);
 }
 
 TEST(TriMeshCheck, RegionsAndSlitsAreValid) {
   EXPECT_EQ(broken_regions([](TriMesh&) {}), Rules{});
-  EXPECT_EQ(rules_of(check_tri_mesh(samples::slit_mesh(), CheckDepth::full)), Rules{});
+  EXPECT_EQ(rules_of(check_stage(samples::slit_mesh(), CheckDepth::full)), Rules{});
 }
 TEST(TriMeshCheck, TriR01ElementsOfEachRegion) {
   for (const std::vector<int>& wrong : std::vector<std::vector<int>>{{}, {0, 8}, {0, 4, 7}, {0, 8, 8}, {1, 4, 8}})
@@ -120,7 +120,7 @@ TEST(TriMeshCheck, TriR10BothSidesOfASlitHaveVerticesOfTheirOwn) {
   TriMesh mesh = samples::slit_mesh();
   for (auto& triangle : mesh.elem2vertices)
     for (int& v : triangle) v = v == 7 ? 6 : v;
-  const Rules rules = rules_of(check_tri_mesh(mesh, CheckDepth::full));
+  const Rules rules = rules_of(check_stage(mesh, CheckDepth::full));
   EXPECT_EQ(rules, (Rules{"TRI-R10", "TRI-R11"}));
 }
 

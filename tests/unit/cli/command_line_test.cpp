@@ -13,15 +13,13 @@ constexpr auto enum_names(Speed) {
   return std::to_array<EnumName<Speed>>({{Speed::slow, "slow"}, {Speed::fast, "very-fast"}});
 }
 
-/// A command line with an option by enum and a number that had another name before.
+/// A command line with an option by enum, a number and a flag.
 class CommandLineTest : public testing::Test {
  protected:
   CommandLineTest() {
     line.choice("--speed", speed, "how fast");
     line.number("--max-deviation", deviation, 0, 45, "degrees", "the greatest deviation");
     line.flag("--loud", is_loud, "be loud");
-    line.formerly("--max-turn", "--max-deviation");
-    line.formerly("--noisy", "--loud");
     line.input("IN", input, "what is read", false);
     line.add_common(common);
   }
@@ -62,38 +60,14 @@ TEST_F(CommandLineTest, AnotherNameIsRefusedWithThoseThatAreAllowed) {
   EXPECT_EQ(speed, Speed::slow);
 }
 
-TEST_F(CommandLineTest, ProgramsGetAListOfOptionsWithTheirOldNames) {
-  EXPECT_EQ(line.option_list(),
-            "sample --speed value\nsample --max-deviation value\nsample --loud flag\nsample --max-turn value\n"
-            "sample --noisy flag\n");
+TEST_F(CommandLineTest, ProgramsGetAListOfOptions) {
+  EXPECT_EQ(line.option_list(), "sample --speed value\nsample --max-deviation value\nsample --loud flag\n");
 }
 
-TEST_F(CommandLineTest, AnOldNameIsAcceptedInEveryForm) {
-  parse({"--max-turn", "10"});
-  EXPECT_EQ(deviation, 10);
-  parse({"--max-turn=20", "--noisy"});
-  EXPECT_EQ(deviation, 20);
-  EXPECT_TRUE(is_loud);
-}
-
-TEST_F(CommandLineTest, OfOldAndPresentNameTheLastCounts) {
-  parse({"--max-deviation", "10", "--max-turn=20"});
-  EXPECT_EQ(deviation, 20);
-  parse({"--max-turn", "20", "--max-deviation=10"});
-  EXPECT_EQ(deviation, 10);
-}
-
-TEST_F(CommandLineTest, AnOldNameIsRecordedAndRefusedByItsPresentOneAndNotInTheHelp) {
-  parse({"--max-turn", "10"});
-  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":10,"speed":"slow"})");
-  EXPECT_EQ(error_of({"--max-turn=50"}), "--max-deviation: 50 is outside its interval (0 to 45)");
-  EXPECT_EQ(help_text(line.page()).find("max-turn"), std::string::npos);
-}
-
-TEST_F(CommandLineTest, WhatOnlyBeginsLikeAnOldNameOrFollowsDashesIsNoOldName) {
-  EXPECT_NE(error_of({"--max-turns", "10"}), "");
-  parse({"--", "--max-turn"});
-  EXPECT_EQ(input, "--max-turn");
+TEST_F(CommandLineTest, WhatOnlyBeginsLikeAnOptionIsRefusedAndWhatFollowsDashesIsNone) {
+  EXPECT_NE(error_of({"--max-deviations", "10"}), "");
+  parse({"--", "--max-deviation"});
+  EXPECT_EQ(input, "--max-deviation");
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ void expect_sound(const std::string& svg) {
   EXPECT_EQ(count(svg, "http"), 1) << "only the name space";
 }
 
+/// `field` may be null.
+std::string draw_points(const CriticalPoints& points, const Field* field, DrawOptions options) {
+  options.field = field;
+  return draw_stage(points, options);
+}
+
 /// The unit square as a face; its curve 1 is called "out < let".
 CadFace square() {
   CadFace face;
@@ -70,7 +76,7 @@ Field linear_field() {
 }
 
 TEST(Draw, InterfacesAndSlitsAreDrawnOnce) {
-  const std::string regions = draw_tri_mesh(samples::two_regions_mesh(), {});
+  const std::string regions = draw_stage(samples::two_regions_mesh(), {});
   expect_sound(regions);
   EXPECT_EQ(count(regions, "<title>boundary curve"), 6);
   EXPECT_EQ(count(regions, "<title>interface, curves 1 and 7: fluid-solid"), 1);
@@ -79,7 +85,7 @@ TEST(Draw, InterfacesAndSlitsAreDrawnOnce) {
   EXPECT_EQ(count(regions, ">fluid<"), 1);
   EXPECT_EQ(count(regions, ">solid<"), 1);
   EXPECT_EQ(count(regions, ", 2 regions"), 1);
-  const std::string slit = draw_tri_mesh(samples::slit_mesh(), {});
+  const std::string slit = draw_stage(samples::slit_mesh(), {});
   EXPECT_EQ(count(slit, "<title>slit, curves 4 and 5: crack"), 1);
   EXPECT_EQ(count(slit, "class=\"slit\""), 2);
   EXPECT_EQ(count(slit, "class=\"interface\""), 0);
@@ -91,52 +97,52 @@ TEST(Draw, FieldsAndPointsOfRegions) {
   for (const std::string show : {"psi", "u", "order"}) {
     DrawOptions options;
     options.show = show;
-    for (const std::string& svg : {draw_field(field, options), draw_field(phase, options)}) {
+    for (const std::string& svg : {draw_stage(field, options), draw_stage(phase, options)}) {
       expect_sound(svg);
       EXPECT_EQ(count(svg, "class=\"interface\""), 2);
       EXPECT_EQ(count(svg, ", 2 regions"), 1);
     }
   }
-  EXPECT_EQ(count(draw_field(phase, {}), "24 coefficients, 1 node asked for, 8 corner valences"), 1);
-  const std::string points = draw_critical_points(samples::two_regions_points(), &field, {});
+  EXPECT_EQ(count(draw_stage(phase, {}), "24 coefficients, 1 node asked for, 8 corner valences"), 1);
+  const std::string points = draw_points(samples::two_regions_points(), &field, {});
   expect_sound(points);
   EXPECT_EQ(count(points, "class=\"corner\""), 9) << "8 and the legend";
   EXPECT_EQ(count(points, "class=\"interface\""), 2);
 }
 
 TEST(Draw, TriMeshShowsEveryElement) {
-  const std::string svg = draw_tri_mesh(two_triangles(), {});
+  const std::string svg = draw_stage(two_triangles(), {});
   expect_sound(svg);
   EXPECT_EQ(count(svg, "id=\"elem-"), 2);
   EXPECT_EQ(count(svg, "<title>boundary curve"), 4);
   EXPECT_EQ(count(svg, "<title>corner at"), 4);
   EXPECT_EQ(count(svg, "boundary curve 1: out &lt; let"), 1);
-  EXPECT_EQ(svg, draw_tri_mesh(two_triangles(), {}));
+  EXPECT_EQ(svg, draw_stage(two_triangles(), {}));
 }
 
 TEST(Draw, WidthIsThatOfTheOptions) {
   DrawOptions options;
   options.width = 640;
-  EXPECT_EQ(count(draw_tri_mesh(two_triangles(), options), "width=\"640\""), 1);
+  EXPECT_EQ(count(draw_stage(two_triangles(), options), "width=\"640\""), 1);
 }
 
 TEST(Draw, FieldShowsCellsAndBothZeroContours) {
   for (const char* show : {"psi", "u", "v"}) {
     DrawOptions options;
     options.show = show;
-    const std::string svg = draw_field(linear_field(), options);
+    const std::string svg = draw_stage(linear_field(), options);
     expect_sound(svg);
     EXPECT_GT(count(svg, "<path fill="), 10) << show;
     EXPECT_GE(count(svg, "class=\"zero-u\""), 1) << show;
     EXPECT_GE(count(svg, "class=\"zero-v\""), 1) << show;
-    EXPECT_EQ(svg, draw_field(linear_field(), options));
+    EXPECT_EQ(svg, draw_stage(linear_field(), options));
   }
 }
 
 TEST(Draw, OrderMapShowsEveryElement) {
   DrawOptions options;
   options.show = "order";
-  const std::string svg = draw_field(linear_field(), options);
+  const std::string svg = draw_stage(linear_field(), options);
   expect_sound(svg);
   EXPECT_EQ(count(svg, "id=\"elem-"), 2);
 }
@@ -144,19 +150,19 @@ TEST(Draw, OrderMapShowsEveryElement) {
 TEST(Draw, UnknownQuantityIsAUsageError) {
   DrawOptions options;
   options.show = "w";
-  EXPECT_THROW(draw_field(linear_field(), options), UsageError);
+  EXPECT_THROW(draw_stage(linear_field(), options), UsageError);
 }
 
 TEST(Draw, CriticalPointsShowValences) {
   CriticalPoints points;
   points.critical_points = {{{0.5, 0.5}, 1, 3, 0, {}, {}}, {{0.25, 0.5}, -1, 5, 0, {}, {}}};
   points.corners = {{0, {0, 0}, 90, 1, {3, 0}}};
-  const std::string alone = draw_critical_points(points, nullptr, {});
+  const std::string alone = draw_points(points, nullptr, {});
   expect_sound(alone);
   EXPECT_EQ(count(alone, "<title>critical point of valence 3"), 1);
   EXPECT_EQ(count(alone, "<title>critical point of valence 5"), 1);
   const Field field = linear_field();
-  const std::string with_field = draw_critical_points(points, &field, {});
+  const std::string with_field = draw_points(points, &field, {});
   expect_sound(with_field);
   EXPECT_EQ(count(with_field, "<title>boundary curve"), 4);
 }
@@ -196,18 +202,18 @@ DrawOptions thousand_pixels_a_unit() {
 TEST(Draw, ErrorBarsAreCirclesWhereTheyCanBeSeen) {
   const Field field = linear_field();
   CriticalPoints points = resolved_points();
-  EXPECT_EQ(count(draw_critical_points(points, &field, thousand_pixels_a_unit()),
+  EXPECT_EQ(count(draw_points(points, &field, thousand_pixels_a_unit()),
                   "<circle class=\"error\" cx=\"700\" cy=\"300\" r=\"50\">"),
             1);
   points.critical_points[2].error = 1e-9;
-  const std::string svg = draw_critical_points(points, &field, thousand_pixels_a_unit());
+  const std::string svg = draw_points(points, &field, thousand_pixels_a_unit());
   EXPECT_EQ(count(svg, "class=\"error\""), 0) << "no legend either";
   EXPECT_EQ(count(svg, "valence 5 at (0.7, 0.3) ± 1e-09<"), 1);
 }
 
 TEST(Draw, CertificateShowsCellsAndDiscsInsideTheFace) {
   const Field field = linear_field();
-  const std::string svg = draw_critical_points(resolved_points(), &field, thousand_pixels_a_unit());
+  const std::string svg = draw_points(resolved_points(), &field, thousand_pixels_a_unit());
   expect_counts(svg, {{"<path class=\"cell-zero\" d=\"M700 200L800 300L600 300z\">", 1},
                       {"<title>cell in element 1: holds exactly one zero<", 1},
                       {"<title>cell in element 0: could not be decided<", 1},
@@ -219,12 +225,12 @@ TEST(Draw, CertificateShowsCellsAndDiscsInsideTheFace) {
 TEST(Draw, ClustersAreDashedCirclesWithTheirIndex) {
   const Field field = linear_field();
   CriticalPoints points = resolved_points();
-  std::string svg = draw_critical_points(points, &field, thousand_pixels_a_unit());
+  std::string svg = draw_points(points, &field, thousand_pixels_a_unit());
   EXPECT_EQ(count(svg, "<circle class=\"cluster\" cx=\"300\" cy=\"500\" r=\"40\">"), 1);
   EXPECT_EQ(count(svg, ">+2</text>"), 1);
   EXPECT_EQ(count(svg, "class=\"member\""), 2);
   points.clusters[0].radius = 1e-12;
-  svg = draw_critical_points(points, &field, thousand_pixels_a_unit());
+  svg = draw_points(points, &field, thousand_pixels_a_unit());
   EXPECT_EQ(count(svg, "<circle class=\"cluster\" cx=\"300\" cy=\"500\" r=\"17\">"), 1) << "never smaller than a mark";
 }
 
@@ -234,7 +240,7 @@ TEST(Draw, ChangesAreArrowsFromBeforeToAfterWithTheirReason) {
   const auto changes = points.changes;
   const auto heads = [&](std::size_t i) {  // without that of the legend
     points.changes = {changes[i]};
-    return count(draw_critical_points(points, &field, thousand_pixels_a_unit()), "class=\"head\"") - 1;
+    return count(draw_points(points, &field, thousand_pixels_a_unit()), "class=\"head\"") - 1;
   };
   EXPECT_EQ(heads(0), 2) << "one cluster, two nodes";
   EXPECT_EQ(heads(1), 1) << "from the absorbed node; the corner stays";
@@ -242,8 +248,8 @@ TEST(Draw, ChangesAreArrowsFromBeforeToAfterWithTheirReason) {
   EXPECT_EQ(heads(3), 0) << "no room: a ring";
   EXPECT_EQ(heads(4), 0) << "nothing was before: a ring";
   points.changes = {changes[3]};
-  EXPECT_EQ(count(draw_critical_points(points, &field, thousand_pixels_a_unit()), "<circle class=\"change\""), 1);
-  const std::string svg = draw_critical_points(resolved_points(), &field, thousand_pixels_a_unit());
+  EXPECT_EQ(count(draw_points(points, &field, thousand_pixels_a_unit()), "<circle class=\"change\""), 1);
+  const std::string svg = draw_points(resolved_points(), &field, thousand_pixels_a_unit());
   expect_sound(svg);
   EXPECT_EQ(count(svg, "<g><title>cluster: two &lt; four</title>"), 1);
   EXPECT_EQ(count(svg, "<g><title>absorb: near</title>"), 1);
@@ -252,7 +258,7 @@ TEST(Draw, ChangesAreArrowsFromBeforeToAfterWithTheirReason) {
 
 TEST(Draw, AbsorbedCornersAndBoundaryNodesAreMarked) {
   const Field field = linear_field();
-  const std::string svg = draw_critical_points(resolved_points(), &field, {});
+  const std::string svg = draw_points(resolved_points(), &field, {});
   EXPECT_EQ(count(svg, "class=\"taker\""), 2) << "the corner and its legend";
   EXPECT_EQ(count(svg, "90 degrees, valence 2, source: absorb<"), 1);
   EXPECT_EQ(count(svg, "90 degrees, valence 0, degenerate<"), 1);
@@ -269,20 +275,20 @@ TEST(Draw, LegendsAreForWhatOccurs) {
   points.boundary_nodes.clear();
   points.certificate = {};
   points.corners[0].source = NodeSource::angle;
-  const std::string svg = draw_critical_points(points, nullptr, {});
+  const std::string svg = draw_points(points, nullptr, {});
   expect_sound(svg);
   for (const char* label :
        {">cluster and its index<", ">change<", ">cancelled<", ">node before a change<", ">node on the boundary<",
         ">undecided cell<", ">cell with one zero<", ">left to the corner<", ">corner that absorbed a node<"}) {
     EXPECT_EQ(count(svg, label), 0) << label;
-    EXPECT_EQ(count(draw_critical_points(resolved_points(), nullptr, {}), label), 1) << label;
+    EXPECT_EQ(count(draw_points(resolved_points(), nullptr, {}), label), 1) << label;
   }
 }
 
 TEST(Draw, OnePointAloneHasRoomAroundIt) {
   CriticalPoints points;
   points.critical_points = {{{7, 7}, 1, 3, 0, {}, {}, 0.5}};
-  const std::string svg = draw_critical_points(points, nullptr, {});
+  const std::string svg = draw_points(points, nullptr, {});
   expect_sound(svg);
   EXPECT_LT(svg.size(), 10000u);
 }
@@ -304,7 +310,7 @@ TEST(Draw, PhaseFormShowsTheNodesAskedForAndNoZeroContours) {
   for (const char* show : {"psi", "u", "v", "order"}) {
     DrawOptions options = thousand_pixels_a_unit();
     options.show = show;
-    const std::string svg = draw_field(phase_field(), options);
+    const std::string svg = draw_stage(phase_field(), options);
     expect_sound(svg);
     EXPECT_EQ(count(svg, ">Phase form: "), 2) << "the title and what is seen of it; " << show;
     EXPECT_EQ(count(svg, "class=\"zero-"), 0);
@@ -313,12 +319,12 @@ TEST(Draw, PhaseFormShowsTheNodesAskedForAndNoZeroContours) {
     EXPECT_EQ(count(svg, "<title>boundary node of valence 3 asked for on curve 1<"), 1);
   }
   const Field field = phase_field();
-  const std::string svg = draw_critical_points(resolved_points(), &field, {});
+  const std::string svg = draw_points(resolved_points(), &field, {});
   EXPECT_EQ(count(svg, "class=\"zero-"), 0);
   EXPECT_EQ(count(svg, "class=\"cross\""), 1);
 }
 
-TEST(Draw, NoCriticalPointsAtAllIsAPictureToo) { expect_sound(draw_critical_points({}, nullptr, {})); }
+TEST(Draw, NoCriticalPointsAtAllIsAPictureToo) { expect_sound(draw_points({}, nullptr, {})); }
 
 SeparatrixGraph halved_square() {
   SeparatrixGraph graph;
@@ -335,7 +341,7 @@ SeparatrixGraph halved_square() {
 }
 
 TEST(Draw, SeparatricesShowLinesAndNodes) {
-  const std::string svg = draw_separatrix_graph(halved_square(), {});
+  const std::string svg = draw_stage(halved_square(), {});
   expect_sound(svg);
   EXPECT_EQ(count(svg, "id=\"line-"), 1);
   EXPECT_EQ(count(svg, "<title>node "), 6);
@@ -343,19 +349,18 @@ TEST(Draw, SeparatricesShowLinesAndNodes) {
 
 TEST(Draw, SeparatricesTellTheirCertificate) {
   SeparatrixGraph graph = halved_square();
-  EXPECT_EQ(count(draw_separatrix_graph(graph, {}), "index sum"), 0);
+  EXPECT_EQ(count(draw_stage(graph, {}), "index sum"), 0);
   graph.certificate.method = LayoutMethod::traced;
   graph.certificate.index_sum = 4;
   graph.certificate.face_valence_histogram = {{4, 2}};
   graph.certificate.largest_deviation_degrees = 2.34;
-  EXPECT_EQ(
-      count(draw_separatrix_graph(graph, {}), "traced: 2 faces of 4 corners, index sum 4, turned by 2.3° at most"), 1);
+  EXPECT_EQ(count(draw_stage(graph, {}), "traced: 2 faces of 4 corners, index sum 4, turned by 2.3° at most"), 1);
 }
 
 TEST(Draw, ArcsOfNoLineAreDrawnAllTheSame) {
   SeparatrixGraph graph = halved_square();
   graph.lines.clear();
-  EXPECT_EQ(count(draw_separatrix_graph(graph, {}), "<title>arc 6<"), 1);
+  EXPECT_EQ(count(draw_stage(graph, {}), "<title>arc 6<"), 1);
 }
 
 TEST(Draw, BlocksShowNumbersInTheirMiddle) {
@@ -371,7 +376,7 @@ TEST(Draw, BlocksShowNumbersInTheirMiddle) {
   layout.block_names = {"inlet block", ""};
   DrawOptions options;
   options.width = 1072;  // 1000 pixels a unit
-  const std::string svg = draw_block_layout(layout, options);
+  const std::string svg = draw_stage(layout, options);
   expect_sound(svg);
   EXPECT_EQ(count(svg, "id=\"block-"), 2);
   EXPECT_EQ(count(svg, "<title>block 0: inlet block<"), 1);
@@ -383,7 +388,7 @@ TEST(Draw, BlocksShowNumbersInTheirMiddle) {
   layout.block_scaled_jacobian = {0.25, 0.75};
   layout.nodes[4].valence = 3;
   layout.nodes[4].kind = NodeKind::boundary;
-  const std::string measured = draw_block_layout(layout, options);
+  const std::string measured = draw_stage(layout, options);
   expect_sound(measured);
   EXPECT_EQ(count(measured, "<title>block 0, scaled Jacobian 0.25<"), 1);
   EXPECT_EQ(count(measured, "class=\"worst\""), 2) << "block 0 and the legend";
@@ -392,9 +397,9 @@ TEST(Draw, BlocksShowNumbersInTheirMiddle) {
   EXPECT_EQ(count(measured, "1 irregular node"), 1);
 
   layout.block_scaled_jacobian = {0.25, 0.25};
-  EXPECT_EQ(count(draw_block_layout(layout, options), "class=\"worst\""), 2) << "one mark for the worst";
+  EXPECT_EQ(count(draw_stage(layout, options), "class=\"worst\""), 2) << "one mark for the worst";
   layout.block_scaled_jacobian = {1, 0.5};
-  EXPECT_EQ(count(draw_block_layout(layout, options), "class=\"worst\""), 0) << "nothing to complain of";
+  EXPECT_EQ(count(draw_stage(layout, options), "class=\"worst\""), 0) << "nothing to complain of";
 }
 
 /// Two quads of order N side by side in the unit square, the right one with the given quality.
@@ -419,7 +424,7 @@ QuadMesh two_quads(int order, double quality) {
 }
 
 TEST(Draw, QuadsAreColouredAndTheWorstIsRinged) {
-  const std::string svg = draw_quad_mesh(two_quads(3, 0.25), {});
+  const std::string svg = draw_stage(two_quads(3, 0.25), {});
   expect_sound(svg);
   EXPECT_EQ(count(svg, "id=\"elem-"), 2);
   EXPECT_EQ(count(svg, "<title>quad 1 at (0.75, 0.5): scaled Jacobian 0.250<"), 1);
@@ -429,10 +434,10 @@ TEST(Draw, QuadsAreColouredAndTheWorstIsRinged) {
 
 TEST(Draw, QuadsThatAreNotProvedAreOutlinedAndSaid) {
   QuadMesh mesh = two_quads(2, -1);
-  EXPECT_EQ(count(draw_quad_mesh(mesh, {}), "class=\"worst\""), 0);
+  EXPECT_EQ(count(draw_stage(mesh, {}), "class=\"worst\""), 0);
   mesh.elem_jacobian_bound[1] = -0.2;
   mesh.is_valid = false;
-  const std::string svg = draw_quad_mesh(mesh, {});
+  const std::string svg = draw_stage(mesh, {});
   expect_sound(svg);
   EXPECT_EQ(count(svg, "class=\"worst\""), 2) << "the quad and the legend";
   EXPECT_EQ(count(svg, "not proved valid (1)<"), 1);
@@ -441,13 +446,13 @@ TEST(Draw, QuadsThatAreNotProvedAreOutlinedAndSaid) {
 
 TEST(Draw, LengthsOfQuadsAreInTheCaptionIfTheFileHasThem) {
   QuadMesh mesh = two_quads(2, 0.5);
-  EXPECT_EQ(count(draw_quad_mesh(mesh, {}), "edge ratio"), 0);
+  EXPECT_EQ(count(draw_stage(mesh, {}), "edge ratio"), 0);
   mesh.elem_edge_ratio = {1, 2.5};
   mesh.elem_area_jump = {3, 3};
   mesh.elem_node_distance = {0.25, 0.125};
   DrawOptions wide;  // enough for a caption of one line
   wide.width = 1500;
-  const std::string svg = draw_quad_mesh(mesh, wide);
+  const std::string svg = draw_stage(mesh, wide);
   EXPECT_EQ(count(svg, "greatest edge ratio 2.5, greatest area jump 3, least node distance 0.125<"), 1);
   EXPECT_EQ(count(svg, "scaled Jacobian 0.500, edge ratio 2.5<"), 1);
 }
@@ -455,9 +460,9 @@ TEST(Draw, LengthsOfQuadsAreInTheCaptionIfTheFileHasThem) {
 TEST(Draw, OnlyTheWorstIsRingedAndOnlyIfItIsPoor) {
   QuadMesh mesh = two_quads(1, 0.49);
   mesh.elem_scaled_jacobian[0] = 0.49;
-  EXPECT_EQ(count(draw_quad_mesh(mesh, {}), "<circle class=\"ring\""), 2) << "the ring and its legend";
+  EXPECT_EQ(count(draw_stage(mesh, {}), "<circle class=\"ring\""), 2) << "the ring and its legend";
   for (const double quality : {0.5, 1.0})
-    EXPECT_EQ(count(draw_quad_mesh(two_quads(1, quality), {}), "class=\"ring\""), 0) << quality;
+    EXPECT_EQ(count(draw_stage(two_quads(1, quality), {}), "class=\"ring\""), 0) << quality;
 }
 
 }  // namespace

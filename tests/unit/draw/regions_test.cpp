@@ -26,8 +26,8 @@ BlockLayout layout_of(const SeparatrixGraph& graph) {
 }
 
 TEST(DrawRegions, EachInterfaceIsDrawnOnceInItsOwnStroke) {
-  for (const std::string& svg : {draw_separatrix_graph(disc(), {}), draw_block_layout(layout_of(disc()), {}),
-                                 draw_quad_mesh(refined(disc(), {.size = 0.5}), {})}) {
+  for (const std::string& svg :
+       {draw_stage(disc(), {}), draw_stage(layout_of(disc()), {}), draw_stage(refined(disc(), {.size = 0.5}), {})}) {
     EXPECT_EQ(count(svg, "interface, curves 4 and 5: skin"), 1);
     EXPECT_EQ(count(svg, "boundary curve "), 4);
     EXPECT_EQ(count(svg, ">skin</text>"), 1) << "one label for both sides";
@@ -39,9 +39,9 @@ TEST(DrawRegions, EachInterfaceIsDrawnOnceInItsOwnStroke) {
 }
 
 TEST(DrawRegions, RegionsHaveTints) {
-  const std::string graph = draw_separatrix_graph(disc(), {});
+  const std::string graph = draw_stage(disc(), {});
   for (const int region : {0, 1}) EXPECT_GE(count(graph, region_colour(region)), 2) << "the area and the legend";
-  const std::string blocks = draw_block_layout(layout_of(disc()), {});
+  const std::string blocks = draw_stage(layout_of(disc()), {});
   int num_blocks = 0;
   for (const int region : {0, 1})
     for (const int shade : {0, 1, 2}) num_blocks += count(blocks, "fill=\"" + region_colour(region, shade) + "\"");
@@ -53,7 +53,7 @@ TEST(DrawRegions, RegionsOfOneNameAreOneInTheLegend) {
   graph.face.region_names = {"air", "air"};
   DrawOptions options;
   options.curve_labels = CurveLabels::none;
-  const std::string svg = draw_separatrix_graph(graph, options);
+  const std::string svg = draw_stage(graph, options);
   EXPECT_EQ(count(svg, ">air</text>"), 1);
   EXPECT_EQ(count(svg, region_colour(0)), 3) << "both areas and the legend";
 }
@@ -67,7 +67,7 @@ TEST(DrawRegions, TintsDiffer) {
 
 TEST(DrawRegions, OneRegionHasNoTints) {
   const SeparatrixGraph square = hand_made::unit_square();
-  for (const std::string& svg : {draw_separatrix_graph(square, {}), draw_block_layout(layout_of(square), {})}) {
+  for (const std::string& svg : {draw_stage(square, {}), draw_stage(layout_of(square), {})}) {
     EXPECT_EQ(count(svg, " region"), 0);
     EXPECT_EQ(count(svg, region_colour(0)), 0);
   }
@@ -85,7 +85,7 @@ TEST(DrawRegions, TheLegendOfManyRegionsEnds) {
   graph.face = region_graphs::face(regions, 30);
   DrawOptions options;
   options.curve_labels = CurveLabels::none;
-  const std::string svg = draw_separatrix_graph(graph, options);
+  const std::string svg = draw_stage(graph, options);
   EXPECT_EQ(count(svg, ">region_11</text>"), 1);
   EXPECT_EQ(count(svg, ">region_12</text>"), 0);
   EXPECT_EQ(count(svg, "and 3 more regions"), 1);

@@ -23,7 +23,7 @@ SeparatrixGraph opened(SeparatrixGraph graph) {
 
 std::string faults(const SeparatrixGraph& graph) {
   std::string all;
-  for (const check::Violation& v : check::check_separatrix_graph(graph, check::CheckDepth::full))
+  for (const check::Violation& v : check::check_stage(graph, check::CheckDepth::full))
     all += v.rule + ": " + v.text + "\n";
   return all;
 }

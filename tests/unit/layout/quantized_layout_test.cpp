@@ -39,7 +39,7 @@ TEST_F(QuantizedHall, ReportsItsLengths) {
   // A tenth of the diameter is one: the hall is two wide.
   quantized(0.1, SimplifyLevel::none);
   EXPECT_EQ(reported("quantize.faces"), 6);
-  EXPECT_EQ(reported("quantize.merges_given_up"), 0);
+  EXPECT_EQ(reported("quantize.rejected_merges"), 0);
   const double unit = 0.1 * std::sqrt(20.0);
   EXPECT_NEAR(static_cast<double>(reported("quantize.longest_arc")), 2 / unit, 1);
 }

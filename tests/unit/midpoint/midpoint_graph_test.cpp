@@ -36,7 +36,7 @@ TEST(MidpointGraph, KeepsTheRulesOfItsFormat) {
   for (const CadFace& face : {testing_faces::square(), testing_faces::half_disc(), testing_faces::annulus(),
                               testing_faces::l_shape(), testing_faces::stadium()}) {
     const SeparatrixGraph graph = divided(triangulated(face)).graph;
-    const std::vector<check::Violation> broken = check::check_separatrix_graph(graph, check::CheckDepth::full);
+    const std::vector<check::Violation> broken = check::check_stage(graph, check::CheckDepth::full);
     EXPECT_TRUE(broken.empty()) << broken.front().text;
     EXPECT_EQ(index_sum_of(graph), 4 * face.euler_characteristic());
   }

@@ -10,7 +10,7 @@
 namespace quadrille::page {
 namespace {
 
-std::vector<Stage> all_stages() {
+std::vector<StageModel> all_stages() {
   return {samples::tri_mesh(),         samples::field(),        samples::critical_points(),
           samples::separatrix_graph(), samples::block_layout(), samples::quad_mesh()};
 }

@@ -43,7 +43,7 @@ TEST_F(Cad2tri, RegionsAreMeshedWithTheSameEdgesOnTheirCommonCurve) {
   const TriMesh mesh = triangulate_face(shape.face, options.elements, run);
   ASSERT_EQ(mesh.face.num_regions(), 2);
   EXPECT_EQ(mesh.region_elems.back(), mesh.num_elems());
-  EXPECT_TRUE(check::check_tri_mesh(mesh, check::CheckDepth::full).empty());
+  EXPECT_TRUE(check::check_stage(mesh, check::CheckDepth::full).empty());
 }
 
 TEST_F(Cad2tri, OptionsNameCurvesBeforeAFileOfNamesDoes) {

@@ -1,0 +1,24 @@
+#pragma once
+// What the discretisations ask of a solver of the condensed system (make_sparse_solver.hpp).
+
+#include <Eigen/Dense>
+
+#include "base/progress.hpp"
+#include "galerkin/condensed_system.hpp"
+
+namespace quadrille::galerkin {
+
+/// The sparse symmetric positive definite system of the condensed elements: the sum of their Schur complements over the
+/// free dofs.
+class SparseSolver {
+ public:
+  virtual ~SparseSolver() = default;
+  /// Throws ComputeError if the sum is not positive definite.
+  virtual void factor(const CondensedElements& elements, Progress* progress = nullptr) = 0;
+  /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
+  virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) = 0;
+  /// b^T A^-1 b for the factored A and many sparse columns b. Requires factor().
+  virtual Eigen::MatrixXd inverse_products(const SparseColumns& b) const = 0;
+};
+
+}  // namespace quadrille::galerkin
