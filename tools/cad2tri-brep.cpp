@@ -5,5 +5,5 @@
 
 int main() {
   using namespace quadrille;
-  answer_parent([](const std::string& request) { return occ::answer(occ::brep_format(), request); });
+  answer_parent([](const std::string& request) { return occ::answer_request(occ::brep_format(), request); });
 }

@@ -6,5 +6,5 @@
 
 int main() {
   using namespace quadrille;
-  answer_parent([](const std::string& request) { return occ::answer(occ::step_format(), request); });
+  answer_parent([](const std::string& request) { return occ::answer_request(occ::step_format(), request); });
 }

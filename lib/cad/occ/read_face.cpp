@@ -70,7 +70,7 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
   });
 }
 
-std::string answer(const KernelFormat& format, const std::string& request) {
+std::string answer_request(const KernelFormat& format, const std::string& request) {
   const cad::CadRequest r = cad::request_from_bytes(request);
   if (r.task == cad::CadTask::write) {
     if (format.write == nullptr) throw Defect("no face is written as " + cad::format_name(format.format));

@@ -19,6 +19,6 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
 
 /// The main function of the program of one format (cad/load_face.hpp), without its input and output: does what
 /// cad::to_bytes(CadRequest) asks for and returns the face and its report, the list of faces, or the bytes of a file.
-std::string answer(const KernelFormat& format, const std::string& request);
+std::string answer_request(const KernelFormat& format, const std::string& request);
 
 }  // namespace quadrille::occ

@@ -6,9 +6,9 @@
 #include <iterator>
 
 #include "export/cyclic_patches.hpp"
-#include "export/hex_blocks.hpp"
 #include "export/names_table.hpp"
 #include "export/plain_names.hpp"
+#include "export/plate_blocks.hpp"
 #include "export/transfinite_loss.hpp"
 
 namespace quadrille::exports {
@@ -20,8 +20,8 @@ constexpr const char* front_and_back = "frontAndBack";
 
 class Writer {
  public:
-  Writer(const QuadMesh& mesh, const Frame& frame, const HexBlocks& hexes)
-      : mesh_(mesh), frame_(frame), hexes_(hexes), above_(static_cast<int>(hexes.vertices.size())) {}
+  Writer(const QuadMesh& mesh, const Frame& frame, const PlateBlocks& plates)
+      : mesh_(mesh), frame_(frame), plates_(plates), above_(static_cast<int>(plates.vertices.size())) {}
 
   std::string text(const std::vector<std::string>& patches, const std::vector<std::string>& types,
                    const std::vector<CyclicPatch>& cyclic, const std::vector<std::string>& zones) {
@@ -57,7 +57,7 @@ class Writer {
   void write_vertices() {
     print("vertices\n(\n");
     for (const bool is_above : {false, true})
-      for (const int node : hexes_.vertices) {
+      for (const int node : plates_.vertices) {
         print("    ");
         write_point(mesh_.nodes[node], is_above);
         print("\n");
@@ -67,7 +67,7 @@ class Writer {
 
   void write_splines() {
     print("edges\n(\n");
-    for (const HexSpline& spline : hexes_.splines)
+    for (const PlateSpline& spline : plates_.splines)
       for (const bool is_above : {false, true}) {
         const int shift = is_above ? above_ : 0;
         print("    spline {} {}\n    (\n", spline.from + shift, spline.to + shift);
@@ -83,7 +83,7 @@ class Writer {
 
   void write_blocks(const std::vector<std::string>& zones) {
     print("blocks\n(\n");
-    for (const HexBlock& block : hexes_.blocks) {
+    for (const PlateBlock& block : plates_.blocks) {
       const std::array<int, 4>& c = block.corners;
       print("    hex ({} {} {} {} {} {} {} {}) {} ({} {} 1) ", c[0], c[1], c[2], c[3], c[0] + above_, c[1] + above_,
             c[2] + above_, c[3] + above_, zones[block.region], block.edges[0].num_cells(), block.edges[1].num_cells());
@@ -93,7 +93,7 @@ class Writer {
   }
 
   /// blockMesh's twelve edges: four in each direction; those in the plane below, above it, above, below.
-  void write_grading(const HexBlock& block) {
+  void write_grading(const PlateBlock& block) {
     if (std::all_of(block.edges.begin(), block.edges.end(), is_even)) {
       print("simpleGrading (1 1 1)\n");
       return;
@@ -124,19 +124,19 @@ class Writer {
                      const std::vector<CyclicPatch>& cyclic) {
     print("boundary\n(\n");
     for (std::size_t p = 0; p < names.size(); ++p) {
-      if (hexes_.patches[p].empty()) continue;
+      if (plates_.patches[p].empty()) continue;
       const bool is_cyclic = cyclic[p].neighbour >= 0;
       print("    {}\n    {{\n        type {};\n", names[p], is_cyclic ? "cyclic" : types[p]);
       if (is_cyclic)
         print("        neighbourPatch {};\n{}", names[cyclic[p].neighbour],
               cyclic_transform(mesh_.face, cyclic[p], metres_));
       print("        faces\n        (\n");
-      for (const auto& [from, to] : hexes_.patches[p])
+      for (const auto& [from, to] : plates_.patches[p])
         print("            ({} {} {} {})\n", from, to, to + above_, from + above_);
       print("        );\n    }}\n");
     }
     print("    {}\n    {{\n        type empty;\n        faces\n        (\n", front_and_back);
-    for (const HexBlock& block : hexes_.blocks) {
+    for (const PlateBlock& block : plates_.blocks) {
       const std::array<int, 4>& c = block.corners;
       print("            ({} {} {} {})\n", c[0], c[3], c[2], c[1]);
       print("            ({} {} {} {})\n", c[0] + above_, c[1] + above_, c[2] + above_, c[3] + above_);
@@ -146,7 +146,7 @@ class Writer {
 
   const QuadMesh& mesh_;
   const Frame& frame_;
-  const HexBlocks& hexes_;
+  const PlateBlocks& plates_;
   int above_;          ///< number of a vertex in the upper plane less its number in the lower one
   double metres_ = 1;  ///< factor of all written lengths; `scale` has the rest
   fmt::memory_buffer out_;
@@ -163,14 +163,14 @@ double boundary_distance(const QuadMesh& mesh) {
   return largest;
 }
 
-void tell_losses(const QuadMesh& mesh, const HexBlocks& hexes, std::vector<std::string>& losses) {
+void report_losses(const QuadMesh& mesh, const PlateBlocks& plates, std::vector<std::string>& losses) {
   const double diameter = mesh.face.diameter, least = 1e-12 * diameter;
   if (const double moved = boundary_distance(mesh); moved > least)
     losses.push_back(
         fmt::format("cells have straight sides, which moves the boundary by up to {}", length_text(moved, diameter)));
-  if (hexes.moved > least)
+  if (plates.moved > least)
     losses.push_back(fmt::format("blockMesh places the points inside blocks itself, which moves them by up to {}",
-                                 length_text(hexes.moved, diameter)));
+                                 length_text(plates.moved, diameter)));
 }
 
 /// Single words for the groups' names, and a report of the loss.
@@ -192,12 +192,12 @@ struct Words {
 
 Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) {
   const Groups groups = mesh_groups(mesh);
-  HexBlocks hexes = hex_blocks(mesh, groups);
+  PlateBlocks plates = plate_blocks(mesh, groups);
   const std::vector<std::string> type_names = patch_types(mesh, groups, types);
   std::vector<CyclicPatch> cyclic = cyclic_patches(mesh, groups, types);
-  order_cyclic_blocks(mesh, groups, cyclic, hexes);
+  order_cyclic_blocks(mesh, groups, cyclic, plates);
   Exported exported;
-  tell_losses(mesh, hexes, exported.losses);
+  report_losses(mesh, plates, exported.losses);
   if (const std::string interfaces = interface_loss(groups); !interfaces.empty())
     exported.losses.push_back(interfaces +
                               " (blockMesh makes no face zones; splitMeshRegions -cellZones divides the mesh)");
@@ -206,7 +206,7 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::ve
                                        "--patch-type");
   if (!loss.empty()) exported.losses.push_back(loss);
   const Words words(groups, exported);
-  exported.bytes = Writer(mesh, frame, hexes).text(words.patches, type_names, cyclic, words.zones);
+  exported.bytes = Writer(mesh, frame, plates).text(words.patches, type_names, cyclic, words.zones);
   return exported;
 }
 

@@ -38,8 +38,8 @@ std::vector<CyclicPatch> cyclic_curves(const CadFace& face, const Groups& groups
 }
 
 // A block with another first corner.
-HexBlock turned(const HexBlock& block, int corner) {
-  HexBlock result = block;
+PlateBlock turned(const PlateBlock& block, int corner) {
+  PlateBlock result = block;
   for (int k = 0; k < 4; ++k) {
     const int from = (k + corner) % 4;
     result.corners[k] = block.corners[from];
@@ -58,21 +58,21 @@ Vec2 centre_of(const PeriodicPair& pair) {
 // it compares positions: sides of first patches become the lower or right ones of their blocks, where i and j rise
 // counter-clockwise, those of second patches the upper or left ones.
 // A block that has opposite sides on two first patches, or on two second ones, cannot: its patches are not cyclic then.
-void turn_blocks(std::vector<CyclicPatch>& cyclic, HexBlocks& hexes) {
+void turn_blocks(std::vector<CyclicPatch>& cyclic, PlateBlocks& plates) {
   std::map<std::array<int, 2>, int> patch_of;  // by the ends of a side
   for (std::size_t b = 0; b < cyclic.size(); ++b)
     if (cyclic[b].neighbour >= 0)
-      for (const std::array<int, 2>& side : hexes.patches[b]) patch_of[side] = static_cast<int>(b);
-  const auto patch_at = [&](const HexBlock& block, int k) {
+      for (const std::array<int, 2>& side : plates.patches[b]) patch_of[side] = static_cast<int>(b);
+  const auto patch_at = [&](const PlateBlock& block, int k) {
     const auto side = patch_of.find({block.corners[k], block.corners[(k + 1) % 4]});
     return side == patch_of.end() || cyclic[side->second].neighbour < 0 ? -1 : side->second;
   };
-  const auto fits = [&](const HexBlock& block) {
+  const auto fits = [&](const PlateBlock& block) {
     for (int k = 0; k < 4; ++k)
       if (const int patch = patch_at(block, k); patch >= 0 && cyclic[patch].is_first != (k < 2)) return false;
     return true;
   };
-  for (HexBlock& block : hexes.blocks) {
+  for (PlateBlock& block : plates.blocks) {
     int corner = 0;
     while (corner < 4 && !fits(turned(block, corner))) ++corner;
     if (corner < 4) {
@@ -113,8 +113,8 @@ std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& grou
 }
 
 void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, std::vector<CyclicPatch>& cyclic,
-                         HexBlocks& hexes) {
-  turn_blocks(cyclic, hexes);
+                         PlateBlocks& plates) {
+  turn_blocks(cyclic, plates);
   std::vector<std::map<int, int>> images(cyclic.size());  // by first patch: of nodes
   for (const PeriodicEdges& edges : periodic_edges(mesh)) {
     const QuadBoundaryEdge &first = mesh.boundary_edges[edges.first], &second = mesh.boundary_edges[edges.second];
@@ -123,13 +123,13 @@ void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, std::vector
     of_patch[side_node(mesh, first.elem, first.side, mesh.order)] = side_node(mesh, second.elem, second.side, 0);
   }
   std::vector<int> vertex_of_node(mesh.nodes.size(), -1);
-  for (std::size_t v = 0; v < hexes.vertices.size(); ++v) vertex_of_node[hexes.vertices[v]] = static_cast<int>(v);
+  for (std::size_t v = 0; v < plates.vertices.size(); ++v) vertex_of_node[plates.vertices[v]] = static_cast<int>(v);
   for (std::size_t b = 0; b < cyclic.size(); ++b) {
     if (cyclic[b].neighbour < 0 || !cyclic[b].is_first) continue;
-    const auto image = [&](int vertex) { return vertex_of_node[images[b].at(hexes.vertices[vertex])]; };
+    const auto image = [&](int vertex) { return vertex_of_node[images[b].at(plates.vertices[vertex])]; };
     std::vector<std::array<int, 2>> ordered;
-    for (const auto& [from, to] : hexes.patches[b]) ordered.push_back({image(to), image(from)});
-    hexes.patches[cyclic[b].neighbour] = std::move(ordered);
+    for (const auto& [from, to] : plates.patches[b]) ordered.push_back({image(to), image(from)});
+    plates.patches[cyclic[b].neighbour] = std::move(ordered);
   }
 }
 

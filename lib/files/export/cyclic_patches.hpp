@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "export/groups.hpp"
-#include "export/hex_blocks.hpp"
 #include "export/patch_types.hpp"
+#include "export/plate_blocks.hpp"
 
 namespace quadrille::exports {
 
@@ -26,7 +26,7 @@ std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& grou
 /// cells along them have the same order. Patches of a block that cannot be turned so are not cyclic afterwards: it has
 /// opposite sides on two first patches, or on two second ones.
 void order_cyclic_blocks(const QuadMesh& mesh, const Groups& groups, std::vector<CyclicPatch>& cyclic,
-                         HexBlocks& hexes);
+                         PlateBlocks& plates);
 
 /// The entries of a cyclic patch after its neighbour: the kind of motion and its numbers, lengths times `scale`, each
 /// line ending in a line feed and indented as in the dictionary.

@@ -131,9 +131,9 @@ std::string converted_picture(const std::string& svg, PictureFormat format, cons
   const bool is_done = succeeded(child);
   std::string bytes = output.content();
   if (is_done && !bytes.empty()) return bytes;
-  const std::string said = messages.content();
+  const std::string reason = messages.content();
   throw OutputError(
-      fmt::format("{}: cannot be written: {} failed: {}", path, program, said.substr(0, said.find('\n'))));
+      fmt::format("{}: cannot be written: {} failed: {}", path, program, reason.substr(0, reason.find('\n'))));
 }
 
 }  // namespace quadrille::io

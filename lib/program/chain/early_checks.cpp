@@ -207,6 +207,7 @@ void check_outputs(const ChainState& chain) {
 /// The face in the first file that this run has of it.
 std::optional<CadFace> known_face(ChainState& chain) {
   if (chain.files.triangles.is_in_memory()) return chain.files.triangles.model().face;
+  if (chain.options.is_dry_run && chain.options.first == ChainStage::cad2tri) return std::nullopt;
   std::string ending = "tri.h5";
   if (chain.options.first == ChainStage::blocksplit) ending = "sep.json";
   if (chain.options.first == ChainStage::quadrefine) ending = "blocks.h5";

@@ -81,15 +81,16 @@ void end_run(ChainState& chain) {
 }
 
 void end_failed_run(ChainState& chain, const ChainFailure& failure) {
-  if (!chain.options.report.empty() && !chain.options.is_dry_run) {
+  const std::string name = chain.options.report == "-" ? "standard output" : chain.options.report;
+  const bool is_writable = !failure.message.starts_with(name + ": cannot be written");
+  if (!chain.options.report.empty() && is_writable && !chain.options.is_dry_run) {
     io::ChainFacts facts = facts_of(chain);
     facts.exit_code = static_cast<int>(failure.code);
     facts.failed_stage = failure.stage;
     facts.error = failure.message;
     const cli::Outcome written = cli::outcome_of(
         [&] { io::write_output(chain.options.report, io::ChainReport(chain.runner.reports(), facts).text(), false); });
-    if (!written.is_success() && !failure.message.starts_with(chain.options.report + ": cannot be written"))
-      fmt::print(stderr, "{}", cli::error_text("quadmesh", written));
+    if (!written.is_success()) fmt::print(stderr, "{}", cli::error_text("quadmesh", written));
   }
   const bool may_be_the_shape = failure.code == ExitCode::no_result || failure.code == ExitCode::defect;
   if (may_be_the_shape && !chain.last.empty()) show_last_file(chain, failure.stage);

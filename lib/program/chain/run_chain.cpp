@@ -148,7 +148,6 @@ int run(ChainOptions options) {
     values = stage_options(options);
     check_command_line(options, values);
     options.shape = shape_of(options, values);
-    if (!options.is_dry_run) scratch = make_scratch();
     input = standard_input(options);
   });
   if (!checked.is_success()) {
@@ -173,7 +172,13 @@ int run(ChainOptions options) {
     }
     return run_to_the_end(chain);
   };
-  return options.is_dry_run ? work(false) : supervise(work, scratch);
+  if (options.is_dry_run) return work(false);
+  int code = 0;
+  const cli::Outcome outcome =
+      cli::outcome_of([&] { code = supervise(work, [&] { return scratch = make_scratch(); }); });
+  if (outcome.is_success()) return code;
+  fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
+  return static_cast<int>(outcome.code);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "chain/supervisor.hpp"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +12,7 @@
 
 #include "base/child_process.hpp"
 #include "chain/blocked_signals.hpp"
+#include "chain/process_tree.hpp"
 
 namespace quadrille::chain {
 namespace {
@@ -36,15 +39,31 @@ int status_of_work(const std::function<int()>& work, const BlockedSignals& signa
   return status;
 }
 
+// Ends what a killed copy left behind: descendants become children of a subreaper.
+void end_orphans(const BlockedSignals& signals) {
+  constexpr int most_waits = 50;  // of 20 ms, in which a process can remove its temporary files
+  ProcessTree tree(getpid());
+  for (int wait = 0; waitpid(-1, nullptr, WNOHANG) >= 0; ++wait) {
+    tree.update();
+    tree.erase(getpid());
+    tree.kill(wait < most_waits ? SIGTERM : SIGKILL);
+    signals.take();
+  }
+}
+
 }  // namespace
 
-int supervise(const std::function<int(bool is_second_try)>& work, const std::string& scratch_folder) {
+int supervise(const std::function<int(bool is_second_try)>& work, const std::function<std::string()>& make_scratch) {
   const BlockedSignals signals;
+  const std::string scratch_folder = make_scratch();
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
   int taken = 0;
   int status = status_of_work([&] { return work(false); }, signals, taken);
+  end_orphans(signals);
   if (taken == 0 && has_crashed(status)) {
     empty_folder(scratch_folder);
     status = status_of_work([&] { return work(true); }, signals, taken);
+    end_orphans(signals);
   }
   std::error_code error;
   std::filesystem::remove_all(scratch_folder, error);

@@ -24,8 +24,8 @@ bool ends_with(const std::string& text, const std::string& ending) {
 }
 
 // The name of the format, of the name of a file if none is asked for.
-std::string chosen_format(const std::string& output, const std::string& wish) {
-  if (wish != "auto") return wish;
+std::string chosen_format(const std::string& output, const std::string& asked) {
+  if (asked != "auto") return asked;
   if (output == "-") return "msh";
   if (ends_with(output, ".step") || ends_with(output, ".stp")) return "step";
   if (const exports::ExportFormat* format = exports::export_format_of(output)) return std::string(format->name);

@@ -146,9 +146,9 @@ struct LayerConstants {
   /// Neighbouring intervals across a node may differ by this factor, if the chord's growth is less: a little above the
   /// default growth, so that chords are not divided again for small differences.
   double greatest_jump = 1.3;
-  /// A chord hands on at least this part of the least spacing prescribed on it: less lets narrow chords refine each
-  /// other, more leaves jumps beside narrow blocks.
-  double finest_handed_on = 0.5;
+  /// A chord propagates at least this fraction of the least spacing prescribed on it: less lets narrow chords refine
+  /// each other, more leaves jumps beside narrow blocks.
+  double least_propagated_fraction = 0.5;
   /// Number of passes over all chords. Every pass continues fine intervals by one block; they grow by the growth in
   /// each.
   int max_sweeps = 12;

@@ -58,7 +58,7 @@ std::vector<int> propagate_spacing(const WallInput& input, const std::vector<std
     if (!divided.count(chord)) return;
     const mesh::Chord& arcs = input.measured.chords()[chord];
     const double interval = std::max(end_interval(input, divisions, from),
-                                     layer_constants.finest_handed_on * least_spacing(input, arcs, spacings));
+                                     layer_constants.least_propagated_fraction * least_spacing(input, arcs, spacings));
     if (continue_spacing(interval, end_interval(input, divisions, to), least_growth(arcs, spacings),
                          spacings[to.arc][to.end]))
       changed.insert(input.measured.chord_of(to.arc));

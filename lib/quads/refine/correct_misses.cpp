@@ -77,8 +77,8 @@ std::pair<double, double> without_near_breaks(const std::vector<ArcBreak>& break
 
 /// The anchors inside an interval of arc i at which elements should end; none if it is smooth, if its breaks are many
 /// and spread, or if all are near its ends and the part between them misses the tolerance as well.
-std::vector<int> curing_anchors(const ChordTask& task, const std::vector<Anchor>& anchors, int i, double low,
-                                double high) {
+std::vector<int> anchors_that_end_elements(const ChordTask& task, const std::vector<Anchor>& anchors, int i, double low,
+                                           double high) {
   const std::vector<ArcBreak> inside = breaks_between(anchors, i, low, high);
   if (inside.empty()) return {};
   const auto [first, last] = std::minmax_element(
@@ -128,7 +128,8 @@ Corrections find_corrections(const ChordTask& task, const ChordDivision& divisio
         sizing::interval_error(task.measured.curves(), task.chain(i), arc.low(k), arc.high(k), task.options.order);
     if (error <= task.options.tolerance) continue;
     found.is_needed = true;
-    const std::vector<int> anchors = curing_anchors(task, division.anchored.anchors, i, arc.low(k), arc.high(k));
+    const std::vector<int> anchors =
+        anchors_that_end_elements(task, division.anchored.anchors, i, arc.low(k), arc.high(k));
     found.anchors.insert(found.anchors.end(), anchors.begin(), anchors.end());
     if (!anchors.empty()) continue;
     if (division.grading.is_identity()) {

@@ -50,8 +50,12 @@ TEST(Progress, ATotalOfZeroIsUnknown) {
 }
 
 TEST(Progress, WithoutAProgressNothingIsCounted) {
+  Progress progress;
+  const Progress::Part counted(&progress, "solutions", 2);
   const Progress::Part part(nullptr, "elements", 3);
   part.advance();
+  ASSERT_EQ(counts(progress).size(), 1u) << "the part belongs to no progress";
+  EXPECT_EQ(counts(progress)[0].done, 0);
 }
 
 TEST(Progress, PartsThatAreTooDeepAreNotCountedAndDisturbNoOther) {

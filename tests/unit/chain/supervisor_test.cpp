@@ -23,7 +23,7 @@ pid_t start_supervisor(const TemporaryFolder& folder, const std::function<int(bo
   std::filesystem::create_directory(folder.file("scratch"));
   const auto body = [&folder, work] {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, SIG_DFL);  // shells may ignore them
-    return supervise(work, folder.file("scratch"));
+    return supervise(work, [&] { return folder.file("scratch"); });
   };
   return start_child(body, SIGKILL);
 }
@@ -44,9 +44,10 @@ int status_of(pid_t process) {
 TEST(Supervise, returns_the_exit_code_and_removes_the_scratch_folder) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.file("scratch/inner"));
-  EXPECT_EQ(supervise([&](bool is_second_try) { return is_second_try ? 1 : 3; }, folder.file("scratch")), 3);
+  EXPECT_EQ(
+      supervise([&](bool is_second_try) { return is_second_try ? 1 : 3; }, [&] { return folder.file("scratch"); }), 3);
   EXPECT_FALSE(folder.has("scratch"));
-  EXPECT_EQ(supervise([](bool) { return 0; }, folder.file("none")), 0);
+  EXPECT_EQ(supervise([](bool) { return 0; }, [&] { return folder.file("none"); }), 0);
 }
 
 TEST(Supervise, repeats_work_that_crashed_in_an_empty_folder) {
@@ -58,7 +59,7 @@ TEST(Supervise, repeats_work_that_crashed_in_an_empty_folder) {
       folder.touch("scratch/part");
       return raise(signal);
     };
-    EXPECT_EQ(supervise(work, folder.file("scratch")), 5);
+    EXPECT_EQ(supervise(work, [&] { return folder.file("scratch"); }), 5);
     EXPECT_FALSE(folder.has("scratch"));
   }
 }

@@ -47,10 +47,10 @@ TEST(CyclicPatches, AnOptionDecides) {
 TEST(CyclicPatches, ABlockBetweenTwoFirstOrTwoSecondSidesCannotBeTurned) {
   for (const bool is_first : {false, true}) {
     std::vector<CyclicPatch> cyclic{{1, 0, is_first}, {0, 0, !is_first}, {3, 1, is_first}, {2, 1, !is_first}};
-    HexBlocks hexes;
-    hexes.blocks.push_back({{0, 1, 2, 3}, 0, {}});
-    hexes.patches = {{{0, 1}}, {}, {{2, 3}}, {}};
-    order_cyclic_blocks(QuadMesh(), Groups(), cyclic, hexes);
+    PlateBlocks plates;
+    plates.blocks.push_back({{0, 1, 2, 3}, 0, {}});
+    plates.patches = {{{0, 1}}, {}, {{2, 3}}, {}};
+    order_cyclic_blocks(QuadMesh(), Groups(), cyclic, plates);
     for (const CyclicPatch& patch : cyclic) EXPECT_EQ(patch.neighbour, -1);
   }
 }

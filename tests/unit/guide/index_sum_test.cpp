@@ -27,6 +27,8 @@ TEST(RequireIndexSum, AcceptsTheExpectedSum) {
   CriticalPoints points = some_points();
   points.index_sum = points.index_sum_expected = 1;
   EXPECT_NO_THROW(require_index_sum(points));
+  points.index_sum_expected = 2;
+  EXPECT_THROW(require_index_sum(points), ComputeError) << "any other one is refused";
 }
 
 TEST(RequireIndexSum, ReportsTheDifferenceAndTheCornerNearestToATie) {

@@ -162,7 +162,7 @@ TEST_F(StageFiles, UnknownKindsOfChangesAreReadButUnknownFormsAreRefused) {
   const auto read = [](const std::string& form, const std::string& location) {
     return read_stage<CriticalPoints>(
         {{"file", ""},
-         R"({"format": "critical-points", "version": [2, 2], "producer": "a later version", "provenance": [],
+         R"({"format": "critical-points", "version": [2, 99], "producer": "a later version", "provenance": [],
     "origin": [0, 0], "form": ")" +
              form + R"(", "critical_points": [{"position": [0.5, 0.5], "valence": 3,
       "source": "dream"}], "corners": [], "index_sum": {"expected": 4},

@@ -24,17 +24,17 @@ TEST(Answer, is_the_face_the_list_or_the_file_that_the_request_is_for) {
   request.name = "a.brep";
   request.bytes = test_bytes("bad/rectangle.brep");
   Report report;
-  request.face = cad::from_bytes(answer(brep_format(), cad::to_bytes(request)), report).face;
+  request.face = cad::from_bytes(answer_request(brep_format(), cad::to_bytes(request)), report).face;
   EXPECT_EQ(request.face.num_curves(), 4);
   EXPECT_EQ(report.entries().front().first, "input.format");
 
   request.task = cad::CadTask::list;
-  EXPECT_EQ(cad::list_from_bytes(answer(brep_format(), cad::to_bytes(request))).faces.size(), 1U);
+  EXPECT_EQ(cad::list_from_bytes(answer_request(brep_format(), cad::to_bytes(request))).faces.size(), 1U);
 
   request.task = cad::CadTask::write;
-  expect_contains(answer(brep_format(), cad::to_bytes(request)), "CASCADE Topology V");
-  expect_contains(answer(step_format(), cad::to_bytes(request)), "ISO-10303-21");
-  EXPECT_THROW(answer(iges_format(), cad::to_bytes(request)), Defect);
+  expect_contains(answer_request(brep_format(), cad::to_bytes(request)), "CASCADE Topology V");
+  expect_contains(answer_request(step_format(), cad::to_bytes(request)), "ISO-10303-21");
+  EXPECT_THROW(answer_request(iges_format(), cad::to_bytes(request)), Defect);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "export/hex_blocks.hpp"
+#include "export/plate_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,46 +14,46 @@
 namespace quadrille::exports {
 namespace {
 
-TEST(HexBlocks, ABlockThatBlockMeshCanBuildStaysWhole) {
+TEST(PlateBlocks, ABlockThatBlockMeshCanBuildStaysWhole) {
   const QuadMesh mesh = refined(hand_made::unit_square(), {0.2, 3});
-  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-  ASSERT_EQ(hexes.blocks.size(), 1u);
-  EXPECT_EQ(hexes.vertices.size(), 4u);
-  EXPECT_EQ(hexes.blocks[0].edges[0].num_cells() * hexes.blocks[0].edges[1].num_cells(), mesh.num_elems());
-  EXPECT_TRUE(hexes.splines.empty()) << "straight";
-  EXPECT_EQ(hexes.patches, (std::vector<std::vector<std::array<int, 2>>>{{{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}}));
-  EXPECT_NEAR(hexes.moved, 0, 1e-12);
+  const PlateBlocks plates = plate_blocks(mesh, mesh_groups(mesh));
+  ASSERT_EQ(plates.blocks.size(), 1u);
+  EXPECT_EQ(plates.vertices.size(), 4u);
+  EXPECT_EQ(plates.blocks[0].edges[0].num_cells() * plates.blocks[0].edges[1].num_cells(), mesh.num_elems());
+  EXPECT_TRUE(plates.splines.empty()) << "straight";
+  EXPECT_EQ(plates.patches, (std::vector<std::vector<std::array<int, 2>>>{{{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}}));
+  EXPECT_NEAR(plates.moved, 0, 1e-12);
 }
 
-TEST(HexBlocks, ACurvedSideIsASplineThroughItsVertices) {
+TEST(PlateBlocks, ACurvedSideIsASplineThroughItsVertices) {
   const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.3, 4});
-  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-  ASSERT_EQ(hexes.blocks.size(), 1u);
-  ASSERT_EQ(hexes.splines.size(), 2u);
+  const PlateBlocks plates = plate_blocks(mesh, mesh_groups(mesh));
+  ASSERT_EQ(plates.blocks.size(), 1u);
+  ASSERT_EQ(plates.splines.size(), 2u);
   std::set<double> radii;
-  for (const HexSpline& spline : hexes.splines) {
-    const double radius = norm(mesh.nodes[hexes.vertices[spline.from]]);
+  for (const PlateSpline& spline : plates.splines) {
+    const double radius = norm(mesh.nodes[plates.vertices[spline.from]]);
     for (const Vec2 x : spline.inner) EXPECT_NEAR(norm(x), radius, 1e-4);
     radii.insert(std::round(radius));
   }
   EXPECT_EQ(radii, (std::set<double>{1, 2}));
-  EXPECT_LT(hexes.moved, 0.03);
+  EXPECT_LT(plates.moved, 0.03);
 }
 
-TEST(HexBlocks, CornersAreCounterClockwiseAndPatchesHaveTheDomainOnTheirLeft) {
+TEST(PlateBlocks, CornersAreCounterClockwiseAndPatchesHaveTheDomainOnTheirLeft) {
   const QuadMesh mesh = refined(hand_made::l_shape(), {0.5, 2});
-  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-  const auto at = [&](int vertex) { return mesh.nodes[hexes.vertices[vertex]]; };
-  ASSERT_EQ(hexes.blocks.size(), 3u);
+  const PlateBlocks plates = plate_blocks(mesh, mesh_groups(mesh));
+  const auto at = [&](int vertex) { return mesh.nodes[plates.vertices[vertex]]; };
+  ASSERT_EQ(plates.blocks.size(), 3u);
   std::set<std::array<int, 2>> sides;
-  for (const HexBlock& block : hexes.blocks)
+  for (const PlateBlock& block : plates.blocks)
     for (int k = 0; k < 4; ++k) {
       const int from = block.corners[k], to = block.corners[(k + 1) % 4];
       EXPECT_GT(cross(at(to) - at(from), at(block.corners[(k + 2) % 4]) - at(to)), 0);
       EXPECT_TRUE(sides.insert({from, to}).second);
     }
   std::size_t num_patch_sides = 0;
-  for (const auto& patch : hexes.patches)
+  for (const auto& patch : plates.patches)
     for (const std::array<int, 2>& side : patch) {
       ++num_patch_sides;
       EXPECT_TRUE(sides.contains(side));
@@ -62,24 +62,24 @@ TEST(HexBlocks, CornersAreCounterClockwiseAndPatchesHaveTheDomainOnTheirLeft) {
   EXPECT_EQ(num_patch_sides, 8u);
 }
 
-TEST(HexBlocks, NamesThatEndWithinASideCutBlocks) {
+TEST(PlateBlocks, NamesThatEndWithinASideCutBlocks) {
   const QuadMesh mesh = refined(hand_made::elbow(), {0.3, 3});
-  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-  EXPECT_EQ(hexes.blocks.size(), 2u);
-  ASSERT_EQ(hexes.patches.size(), 6u);
-  for (const auto& patch : hexes.patches) EXPECT_EQ(patch.size(), 1u);
+  const PlateBlocks plates = plate_blocks(mesh, mesh_groups(mesh));
+  EXPECT_EQ(plates.blocks.size(), 2u);
+  ASSERT_EQ(plates.patches.size(), 6u);
+  for (const auto& patch : plates.patches) EXPECT_EQ(patch.size(), 1u);
 }
 
-TEST(HexBlocks, RingsAreCutUntilSidesHaveEndsOfTheirOwn) {
+TEST(PlateBlocks, RingsAreCutUntilSidesHaveEndsOfTheirOwn) {
   for (const int cuts : {1, 2}) {
     const QuadMesh mesh = refined(hand_made::cut_annulus(cuts), {0.2, 3});
-    const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-    EXPECT_GE(hexes.blocks.size(), 3u);
+    const PlateBlocks plates = plate_blocks(mesh, mesh_groups(mesh));
+    EXPECT_GE(plates.blocks.size(), 3u);
     std::size_t on_boundary = 0;
-    for (const auto& patch : hexes.patches) on_boundary += patch.size();
+    for (const auto& patch : plates.patches) on_boundary += patch.size();
     EXPECT_GE(on_boundary, 6u);
     int cells = 0;
-    for (const HexBlock& block : hexes.blocks) cells += block.edges[0].num_cells() * block.edges[1].num_cells();
+    for (const PlateBlock& block : plates.blocks) cells += block.edges[0].num_cells() * block.edges[1].num_cells();
     EXPECT_EQ(cells, mesh.num_elems());
   }
 }
@@ -104,26 +104,26 @@ SeparatrixGraph square_with_eye() {
   return g;
 }
 
-TEST(HexBlocks, BlocksOnBothSidesOfAHoleAreCutIfTheirSidesHaveTheSameEnds) {
+TEST(PlateBlocks, BlocksOnBothSidesOfAHoleAreCutIfTheirSidesHaveTheSameEnds) {
   const QuadMesh mesh = refined(square_with_eye(), {0.5, 3});
-  const HexBlocks hexes = hex_blocks(mesh, mesh_groups(mesh));
-  EXPECT_GT(hexes.blocks.size(), 6u);
+  const PlateBlocks plates = plate_blocks(mesh, mesh_groups(mesh));
+  EXPECT_GT(plates.blocks.size(), 6u);
   std::set<std::array<int, 2>> ends;
-  for (const auto& patch : hexes.patches)
+  for (const auto& patch : plates.patches)
     for (const auto& [a, b] : patch) EXPECT_TRUE(ends.insert({std::min(a, b), std::max(a, b)}).second);
 }
 
-TEST(HexBlocks, RefusesSidesOfQuadsWithTheSameEnds) {
+TEST(PlateBlocks, RefusesSidesOfQuadsWithTheSameEnds) {
   const QuadMesh mesh = ring_of_two_quads();
-  EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
+  EXPECT_THROW(plate_blocks(mesh, mesh_groups(mesh)), ComputeError);
 }
 
-TEST(HexBlocks, RefusesCellsThatAreNotConvex) {
+TEST(PlateBlocks, RefusesCellsThatAreNotConvex) {
   QuadMesh mesh = two_straight_quads();
   mesh.nodes[4] = {3.5, 0.5};
   mesh.nodes[5] = {4, 3};
-  EXPECT_NO_THROW(hex_blocks(two_straight_quads(), mesh_groups(two_straight_quads())));
-  EXPECT_THROW(hex_blocks(mesh, mesh_groups(mesh)), ComputeError);
+  EXPECT_NO_THROW(plate_blocks(two_straight_quads(), mesh_groups(two_straight_quads())));
+  EXPECT_THROW(plate_blocks(mesh, mesh_groups(mesh)), ComputeError);
 }
 
 /// Two strips of two quads, [0, 1] x [0, 2] and [5, 6] x [0, 2]. The left side of the first one (curve 0) is the right
@@ -147,11 +147,11 @@ QuadMesh two_strips() {
   return mesh;
 }
 
-TEST(HexBlocks, ACutContinuesAcrossPeriodicSides) {
+TEST(PlateBlocks, ACutContinuesAcrossPeriodicSides) {
   QuadMesh mesh = two_strips();
-  EXPECT_EQ(hex_blocks(mesh, mesh_groups(mesh)).blocks.size(), 3u);
+  EXPECT_EQ(plate_blocks(mesh, mesh_groups(mesh)).blocks.size(), 3u);
   mesh.face.periodic_pairs = {{{1, 0}, 0, {-6, 0}}};
-  EXPECT_EQ(hex_blocks(mesh, mesh_groups(mesh)).blocks.size(), 4u);
+  EXPECT_EQ(plate_blocks(mesh, mesh_groups(mesh)).blocks.size(), 4u);
 }
 
 }  // namespace

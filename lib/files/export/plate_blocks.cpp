@@ -1,4 +1,4 @@
-#include "export/hex_blocks.hpp"
+#include "export/plate_blocks.hpp"
 
 #include <fmt/format.h>
 
@@ -207,7 +207,7 @@ class Collector {
   }
 
   void add(DividedGrid&& d) {
-    HexBlock block{{}, groups_.block2region[d.grid.block], {}};
+    PlateBlock block{{}, groups_.block2region[d.grid.block], {}};
     for (int k = 0; k < 4; ++k) block.corners[k] = vertex_at(d.corners()[k]);
     for (int k = 0; k < 4; ++k) add_side(block.corners[k], block.corners[(k + 1) % 4], d, k);
     for (std::size_t k = 0; k < d.points.size(); ++k)
@@ -216,7 +216,7 @@ class Collector {
     result_.blocks.push_back(std::move(block));
   }
 
-  HexBlocks collected() { return std::move(result_); }
+  PlateBlocks collected() { return std::move(result_); }
 
  private:
   int vertex_at(int node) {
@@ -241,12 +241,12 @@ class Collector {
   const Divider& divider_;
   std::vector<int> vertex_;  ///< by mesh node; -1 none
   std::set<std::pair<int, int>> known_;
-  HexBlocks result_;
+  PlateBlocks result_;
 };
 
 }  // namespace
 
-HexBlocks hex_blocks(const QuadMesh& mesh, const Groups& groups) {
+PlateBlocks plate_blocks(const QuadMesh& mesh, const Groups& groups) {
   require_convex_cells(mesh);
   Divider divider(mesh, groups);
   std::vector<DividedGrid> grids = divider.divide();

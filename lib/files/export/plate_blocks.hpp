@@ -10,21 +10,21 @@
 
 namespace quadrille::exports {
 
-struct HexBlock {
+struct PlateBlock {
   std::array<int, 4> corners{};  ///< vertices, counter-clockwise
   int region = 0;
   std::array<DividedEdge, 4> edges;  ///< below, right, above, left, in the direction of rising i or j
 };
 
-struct HexSpline {
+struct PlateSpline {
   int from = 0, to = 0;     ///< vertices
   std::vector<Vec2> inner;  ///< between them
 };
 
-struct HexBlocks {
+struct PlateBlocks {
   std::vector<int> vertices;  ///< mesh nodes
-  std::vector<HexBlock> blocks;
-  std::vector<HexSpline> splines;
+  std::vector<PlateBlock> blocks;
+  std::vector<PlateSpline> splines;
   std::vector<std::vector<std::array<int, 2>>> patches;  ///< by boundary: sides of blocks, the domain on their left
   double moved = 0;  ///< largest distance of a cell's corner from its position by blockMesh, unit of the file
 };
@@ -34,6 +34,6 @@ struct HexBlocks {
 /// convex, cells that blockMesh's own interpolation would fold or move by more than a tenth of their shortest side, a
 /// corner on the other one of two periodic sides. Throws ComputeError with the position if a quad with straight sides
 /// is not convex.
-HexBlocks hex_blocks(const QuadMesh& mesh, const Groups& groups);
+PlateBlocks plate_blocks(const QuadMesh& mesh, const Groups& groups);
 
 }  // namespace quadrille::exports
