@@ -51,12 +51,11 @@ TEST(OptionRecord, NumbersReadBackToTheSameBitsAndOthersAreNull) {
 }
 
 TEST(OptionRecord, LeavesOutWhatIsNotRecorded) {
-  std::string input, output, secret;
+  std::string output;
   std::vector<std::string> none, others;
   OptionRecord record;
   record.text("--threads", input, "N", "", false);
   record.output_file("--write", output, "");
-  record.hidden_text("--secret", secret);
   record.texts("--part", none, "A:B", "", false);
   EXPECT_EQ(record.json(), "{}");
   record.texts("--other", others, "A:B", "", true);
