@@ -51,7 +51,7 @@ TEST(OptionRecord, NumbersReadBackToTheSameBitsAndOthersAreNull) {
 }
 
 TEST(OptionRecord, LeavesOutWhatIsNotRecorded) {
-  std::string output;
+  std::string input, output;
   std::vector<std::string> none, others;
   OptionRecord record;
   record.text("--threads", input, "N", "", false);
