@@ -133,6 +133,7 @@ inline SeparatrixGraph slit_plate(bool is_open) {
   hand_made::add_arc(g, number(1, 1), number(2, 1), is_open, {{4, 0, 1}});
   hand_made::add_arc(g, number(2, 1), number(3, 1), is_open, {{4, 1, 2}});
   if (!is_open) return g;
+  g.open_curves = {4, 5};
   hand_made::add_arc(g, number(3, 1), below, true, {{5, 0, 1}});
   hand_made::add_arc(g, below, number(1, 1), true, {{5, 1, 2}});
   return g;
