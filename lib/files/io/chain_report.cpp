@@ -226,7 +226,7 @@ std::string ChainReport::summary() const {
       counted_at(root, "irregular_nodes", "irregular node"), counted_at(root, "quads", "quad"),
       rounded(number_at(root, "least_scaled_jacobian"), 2), rounded(number_at(root, "greatest_edge_ratio.value"), 1));
   if (at(root, "certificate.method") == "midpoint") line += ", by midpoint division of triangles";
-  const Json scale = root["scale"];
+  const Json& scale = root["scale"];
   if (scale.is_null() || scale == 1) return line;
   const std::string unit = root["unit"].is_string() ? root["unit"].get<std::string>() : "unknown";
   return line + fmt::format(", coordinates in {}, {} times those of the CAD file",

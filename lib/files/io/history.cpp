@@ -35,7 +35,7 @@ bool is_phase(const ProvenanceStep& step) {
 /// Of what a step writes; `before` is the name of what the step before wrote.
 std::string ending_of_output(const ProvenanceStep& step, const std::string& before) {
   const StageTool* stage = find_stage_tool(step.tool);
-  const std::string ending = '.' + (stage ? std::string(stage->ending) : step.tool);
+  std::string ending = '.' + (stage ? std::string(stage->ending) : step.tool);
   if (step.tool == "fieldsolve" && is_phase(step)) return ".phase" + ending;
   if (step.tool == "padapt" && before.find(".phase.") != std::string::npos) return ".phase.h5";
   return ending;

@@ -121,7 +121,7 @@ class Reader {
   /// The next word; it may be empty or begin with one -, but must not be an option.
   std::string value_of(const std::string& word) {
     if (words_.empty()) throw UsageError(word + " needs a value");
-    const std::string value = words_.front();
+    std::string value = words_.front();
     if (value.size() > 2 && value.starts_with("--"))
       throw UsageError(fmt::format("{} needs a value, not the option {}", word, value));
     words_.erase(words_.begin());

@@ -46,7 +46,7 @@ std::string with_own_name(std::string text) {
 /// The shape as a CAD file. Throws ChainFailure.
 std::string cad_file(ChainState& chain) {
   if (!has_points(chain)) return chain.options.shape;
-  const std::string made = chain.files.stem + ".outline.step";
+  std::string made = chain.files.stem + ".outline.step";
   std::string shape = chain.options.shape;
   if (shape == "-" && chain.standard_input) {
     shape = chain.runner.scratch() + "/points";
