@@ -1,6 +1,6 @@
 #pragma once
 // Error types, one for each exit code that a user can meet (formats/README.md, "Exit codes"). Library code throws them;
-// only cli/tool_main turns them into messages and codes. A message states what is wrong and where, in a user's words,
+// only cli/outcome turns them into messages and codes. A message states what is wrong and where, in a user's words,
 // without the tool's name and without a final full stop.
 
 #include <stdexcept>

@@ -26,7 +26,7 @@ struct MeshScore {
 };
 
 /// Whether one excess is greater than another: by more than 0.05 (5 % of a length or a scaled Jacobian), or the other
-/// is none.
+/// excess is zero.
 bool exceeds(double a, double b);
 
 /// Whether `a` has the lower value in the first one in which they differ (`exceeds`); of growth every difference

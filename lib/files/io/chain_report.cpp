@@ -67,7 +67,7 @@ std::vector<StageRun> runs_of(const std::vector<StageReport>& stages) {
   return runs;
 }
 
-/// The last used run of a tool; null if there is none.
+/// The report of the last run of a tool whose result is used; null if the tool has no such run.
 Json report_of(const std::vector<StageRun>& runs, const std::string& tool) {
   Json found;
   for (const StageRun& run : runs)

@@ -20,7 +20,7 @@ struct InfeasibleTMesh {
   std::vector<int> zero_arcs() const;
 };
 
-/// Another T-mesh of the same face in place of one without integer lengths. Throws ComputeError if there is none.
+/// Another T-mesh of the same face, if one has no integer lengths. Throws ComputeError if no other can be made.
 using ReplaceTMesh = std::function<graph::CandidateLayout(const InfeasibleTMesh&)>;
 
 /// What lies beyond a periodic side: nothing, as beyond any boundary, or the face inside the other side.

@@ -15,7 +15,7 @@ namespace quadrille::chain {
 
 namespace {
 
-/// What the report tells of the nodes in use.
+/// Records form and number of the nodes in use, for the report.
 void note_nodes(ChainState& chain, const CriticalPoints& nodes) {
   chain.form = nodes.form;
   chain.num_nodes = nodes.critical_points.size();

@@ -269,8 +269,8 @@ std::string shape_of(const ChainOptions& options, const StageOptions& values) {
     shape = name.substr(0, name.size() - ending.size()) + "step";
   }
   if (shape.empty())
-    throw UsageError(
-        fmt::format("--from {} needs a file *.{} in {}, and there is none", options.from, ending, options.workdir));
+    throw UsageError(fmt::format("--from {} needs a file *.{} in {}, which has no such file", options.from, ending,
+                                 options.workdir));
   return shape;
 }
 

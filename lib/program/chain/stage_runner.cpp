@@ -55,7 +55,7 @@ std::string messages_of(const std::string& tool, const cli::Outcome& outcome) {
   return cli::error_text(is_of_user ? "quadmesh" : tool, outcome);
 }
 
-/// The report of a process that ended, as far as it wrote one.
+/// The report that a process wrote before it ended; empty if it wrote no report.
 std::string report_in(const std::string& path) {
   return std::filesystem::exists(path) && !std::filesystem::is_empty(path) ? io::read_input(path).bytes : std::string();
 }

@@ -16,7 +16,7 @@
 namespace quadrille::stage {
 
 struct Cad2triOptions {
-  bool is_listing = false;                   ///< a table of the faces is wanted instead of a mesh: list_faces
+  bool is_listing = false;                   ///< the caller writes a table of the faces (list_faces), not a mesh
   std::string face;                          ///< number or name of the one face to read; empty: the only one, or all
   double corner_angle = 1;                   ///< degrees; greater tangent jumps are corners of the layout
   double heal_tolerance = -1;                ///< diameters; -1: 1e-5, or the tolerances of the shape if larger

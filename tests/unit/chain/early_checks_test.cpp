@@ -104,7 +104,7 @@ TEST(ShapeOf, is_found_in_the_folder_of_the_stages) {
   ChainOptions options;
   read_command_line({"--from", "quadrefine", "--workdir", folder.path()}, options);
   const auto refused = [&] { return message_of<UsageError>([&] { shape_of(options, {}); }); };
-  EXPECT_EQ(refused(), "--from quadrefine needs a file *.blocks.h5 in " + folder.path() + ", and there is none");
+  EXPECT_EQ(refused(), "--from quadrefine needs a file *.blocks.h5 in " + folder.path() + ", which has no such file");
   folder.touch("plate.v2.blocks.h5");
   folder.touch("other.sep.json");
   EXPECT_EQ(stem_of(shape_of(options, {})), "plate.v2");

@@ -54,7 +54,7 @@ std::string output_of(const Act& act) {
   return testing::internal::GetCapturedStdout();
 }
 
-/// The failure with which `act` ends the run; with code 0 if there is none.
+/// The failure with which `act` ends the run; with code 0 if the run succeeds.
 template <typename Act>
 ChainFailure failure_of(const Act& act) {
   try {
