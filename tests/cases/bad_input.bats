@@ -44,7 +44,6 @@ ends_of_signal() {
   assert_equal "$* $signal $code" "$* $signal $((128 + $(kill -l "$signal")))"
   assert_equal "$(cat words)" ""
   rm words
-  sleep 0.1
   assert_equal "$(ls -A "$TMPDIR")" ""
 }
 
@@ -161,7 +160,6 @@ ends_of_signal() {
     assert_equal "$seconds $code" "$seconds 130"
     assert_equal "$(cat words)" ""
     rm words
-    sleep 0.1
     assert_equal "$(ls -A "$TMPDIR")" ""
     assert_nothing_left
   done

@@ -21,16 +21,9 @@ layout() {
 
 same() { run -0 "$BATS_TEST_DIRNAME/same_layout.py" "$@"; }
 
-# find_step SHAPE: sets `step` to its file, from the folder of all geometries where tests/data has none.
-find_step() {
-  step=$DATA/$1.step
-  [[ -f $step ]] || step=$ROOT/../shared/geometries/$1.step
-  [[ -f $step ]] || skip "no $1.step here"
-}
-
 # same_when_moved SHAPE: turned, mirrored, scaled, moved far away.
 same_when_moved() {
-  find_step "$1"
+  local step=$DATA/$1.step
   layout "$step" original
   while read -r motion; do
     # shellcheck disable=SC2086  # a list of words
@@ -77,7 +70,7 @@ END
 
 # symmetric SHAPE EXPECTED: how many isometries of the shape its layout has.
 symmetric() {
-  find_step "$1"
+  local step=$DATA/$1.step
   layout "$step" here
   run -0 "$BATS_TEST_DIRNAME/symmetric_layout.py" here.sep.json
   assert_output "kept $2"

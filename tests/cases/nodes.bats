@@ -64,10 +64,8 @@ END
 }
 
 @test "with nothing absorbed the nodes are those of an independent solver" {
-  local folder=$DATA
-  [[ -d $ROOT/../shared/geometries ]] && folder=$ROOT/../shared/geometries
   local count=0
-  for step in "$folder"/*.step; do
+  for step in "$DATA"/*.step; do
     shape=$(basename "$step" .step)
     # Multiple zeros and line fields have no simple zeros to compare.
     jq -e --arg shape "$shape" '.[$shape] and ([.[$shape].flags[] | select(test("multiple|critical_lines"))] == [])' \
@@ -90,9 +88,7 @@ END
 }
 
 @test "with default options the index sum holds, and what differs from the field's zeros is listed with its reason" {
-  local folder=$DATA
-  [[ -d $ROOT/../shared/geometries ]] && folder=$ROOT/../shared/geometries
-  for step in "$folder"/*.step; do
+  for step in "$DATA"/*.step; do
     nodes "$step" default
     run -0 stagecheck default.crit.json
     jq -e '.index_sum.value == .index_sum.expected' default.crit.json

@@ -3,10 +3,7 @@ load ../tools/common
 
 # layouts SHAPE [OPTION...]: none, normal and coarsest.sep.json with reports; the options are those of critpoints.
 layouts() {
-  step=$DATA/$1.step
-  [[ -f $step ]] || step=$ROOT/../shared/geometries/$1.step
-  [[ -f $step ]] || skip "no $1.step here"
-  cad2tri -q "$step" -o a.tri.h5
+  cad2tri -q "$DATA/$1.step" -o a.tri.h5
   fieldsolve -q a.tri.h5 | padapt -q -o a.field.h5
   critpoints -q "${@:2}" a.field.h5 -o a.crit.json
   for rule in none normal coarsest; do

@@ -3,10 +3,7 @@ load ../tools/common
 
 # blocks SHAPE: x.blocks.h5.
 blocks() {
-  step=$DATA/$1.step
-  [[ -f $step ]] || step=$ROOT/../shared/geometries/$1.step
-  [[ -f $step ]] || skip "no $1.step here"
-  cad2tri -q "$step" -o a.tri.h5
+  cad2tri -q "$DATA/$1.step" -o a.tri.h5
   fieldsolve -q a.tri.h5 | padapt -q -o a.field.h5
   critpoints -q a.field.h5 -o a.crit.json
   separatrix -q a.field.h5 a.crit.json | blocksplit -q -o x.blocks.h5
@@ -58,10 +55,7 @@ good_layers() {
 
 # own SHAPE NAMES LAYERS: work/SHAPE.quad.h5 with layers in blocks of their own.
 own() {
-  step=$DATA/$1.step
-  [[ -f $step ]] || step=$ROOT/../shared/geometries/$1.step
-  [[ -f $step ]] || skip "no $1.step here"
-  "$ROOT/pipelines/quadmesh" -q "$step" --wall "$2:$3,blocks=own" --workdir work -o x.vtu
+  "$ROOT/pipelines/quadmesh" -q "$DATA/$1.step" --wall "$2:$3,blocks=own" --workdir work -o x.vtu
   quadrefine -q work/"$1.blocks.h5" --wall "$2:$3,blocks=own" -o x.quad.h5 --report x.json
   run -0 stagecheck x.quad.h5
   number=$(jq '.walls["0"].layers' x.json)

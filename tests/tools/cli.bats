@@ -242,8 +242,7 @@ writers() {
     # A FIFO that nobody writes to keeps the tool waiting. Bats ignores INT in what it starts: --default-signal.
     timeout 20 env --default-signal critpoints never -o out 2> /dev/null 3>&- &
     tool=$!
-    sleep 0.3
-    pkill -$signal -P $tool
+    until pkill -x -$signal -P $tool critpoints; do sleep 0.01; done # until it has been started
     code=0
     wait $tool || code=$?
     assert_equal "$signal $code" "$signal $((128 + $(kill -l $signal)))"

@@ -19,7 +19,14 @@ echo mesh >"$out"; echo names >"${out%.msh}.names.json"; : >"$TMPDIR/left"
 echo '{"blocks": 1, "quads": 2, "warnings": []}' >"$report"
 """
 BAD = "#!/bin/sh\necho \"separatrix: $TMPDIR/x.sep.json: no layout\" >&2\nexit 1\n"
-SLOW = "#!/bin/sh\ntrap 'kill $!; exit 143' TERM\nsleep 60 &\nwait $!\n"
+SLOW = "#!/bin/sh\ntrap 'kill $!; exit 143' TERM\nsleep 60 &\n: >\"$TMPDIR/started\"\nwait $!\n"
+
+
+def wait_until(is_true, seconds=20):
+    deadline = time.monotonic() + seconds
+    while not is_true() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert is_true(), "it did not come to this"
 
 
 class MeshShapeTest(unittest.TestCase):
@@ -58,20 +65,21 @@ class MeshShapeTest(unittest.TestCase):
         shape = self.here / "a.step"
         shape.touch()
         os.utime(shape, (1, 1))
-        count = f"echo x >>'{self.here}/runs'; sleep 0.5\n"
+        count = f"echo x >>'{self.here}/runs'; until [ -e '{self.here}/go' ]; do sleep 0.01; done\n"
         job = json.dumps(self.job(GOOD + count) | {"shape": str(shape)})
         jobs = [subprocess.Popen([sys.executable, "-B", mesh_shape.__file__, job], stdout=subprocess.DEVNULL)
                 for _ in range(3)]
+        locked = f":{shape.stat().st_ino} "
+        wait_until(lambda: sum("->" in line and locked in line
+                               for line in pathlib.Path("/proc/locks").read_text().splitlines()) == 2)
+        (self.here / "go").touch()
         self.assertEqual([process.wait(20) for process in jobs], [0, 0, 0])
         self.assertEqual((self.here / "runs").read_text(), "x\n")
         self.assertEqual(self.files(), ["a.msh", "a.names.json", "a.report.json", "a.result.json"])
 
     def test_a_signal_ends_the_shape_and_leaves_nothing(self):
         process = subprocess.Popen([sys.executable, "-B", mesh_shape.__file__, json.dumps(self.job(SLOW))])
-        deadline = time.monotonic() + 20
-        while not (self.out / ".a.part" / "messages").exists() and time.monotonic() < deadline:
-            time.sleep(0.02)
-        time.sleep(0.3)
+        wait_until((self.out / ".a.part" / "started").exists)
         process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(20), -signal.SIGTERM)
         self.assertEqual(self.files(), [])
