@@ -55,6 +55,9 @@ int main(int argc, char** argv) {
     o.output(output, "file to write");
     declare(o, options);
   };
+  tool.files = [&](cli::RunFiles& files) {
+    for (const std::string& path : stage::side_paths(output, options)) files.write(path, "--output");
+  };
   tool.run = [&](cli::Session& s) {
     const std::string format = stage::format_of(output, options);
     for (const stage::OutputFile& file : exported(input, output, options, format == "step", s))

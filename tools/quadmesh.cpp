@@ -2,8 +2,10 @@
 
 #include "chain/run_chain.hpp"
 #include "cli/heap.hpp"
+#include "cli/messages.hpp"
 
 int main(int argc, char** argv) {
+  quadrille::cli::occupy_standard_streams();
   quadrille::cli::set_up_heap();
   return quadrille::chain::run_chain({argv + 1, argv + argc});
 }

@@ -1,4 +1,5 @@
 """What the Python commands share: options, exit codes, signals, and files that are written whole or not at all."""
+import contextlib
 import os
 import pathlib
 import re
@@ -6,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 
 from nearest_word import nearest_word
 
@@ -187,11 +189,24 @@ def write_file(path, content):
 
 
 def _replace(path, content):
+    """A symbolic link keeps its place, a file its mode."""
     global _part
-    _part = pathlib.Path(f"{path}.part")
-    _part.write_text(content, encoding="utf-8")
-    _part.replace(path)
+    target = pathlib.Path(os.path.realpath(path))
+    handle, name = tempfile.mkstemp(prefix=".", suffix=".tmp", dir=target.parent)
+    _part = pathlib.Path(name)
+    with open(handle, "w", encoding="utf-8") as part:
+        part.write(content)
+        part.flush()
+        os.fchmod(handle, target.stat().st_mode & 0o7777 if target.exists() else 0o666 & ~_umask())
+        os.fsync(handle)
+    _part.replace(target)
     _part = None
+
+
+def _umask():
+    mask = os.umask(0o077)
+    os.umask(mask)
+    return mask
 
 
 def _remove_part():
@@ -221,20 +236,37 @@ def failure_of(error):
     return Failure(INTERNAL, f"internal error, please report it: {error!r}")
 
 
+def print_message(text, stream=2):
+    """Writes a line to standard error, or to another descriptor. If that is closed, full or a pipe that nobody reads,
+    the line is lost without a word: no message changes an exit code."""
+    with contextlib.suppress(OSError):
+        os.write(stream, f"{text}\n".encode("utf-8", "backslashreplace"))
+
+
+def occupy_standard_streams():
+    """Opens those that are closed, so that no file of the run gets their descriptors. Output cannot be written there."""
+    for descriptor in range(3):
+        try:
+            os.fstat(descriptor)
+        except OSError:
+            os.open(os.devnull, os.O_RDONLY if descriptor < 2 else os.O_WRONLY)
+
+
 def _print_failure(name, failure):
     if str(failure):
-        hint = f"\ntry '{name} --help'" if failure.code == USAGE else ""
-        print(f"{name}: {failure}{hint}", file=sys.stderr)
+        print_message(f"{name}: {failure}" + (f"\ntry '{name} --help'" if failure.code == USAGE else ""))
 
 
 def run_command(name, work):
     """Runs work() and ends the process: with 0, with the code of a failure after its message, or by the signal that
     interrupted it."""
+    occupy_standard_streams()
     _set_handlers(_stop)
     code = 0
     try:
         work()
-        sys.stdout.flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
     except Stopped as stopped:
         _remove_part()
         signal.signal(stopped.args[0], signal.SIG_DFL)

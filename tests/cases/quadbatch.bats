@@ -48,6 +48,8 @@ PYTHON=/usr/bin/python3
   assert_output --partial ', 3 done before'
   assert_equal "$(changed)" ""
   touch shapes/square.step && again
+  assert_equal "$(changed)" ""
+  echo >>shapes/square.step && touch -d 2000-01-01 shapes/square.step && again
   assert_equal "$(changed)" "square"
   rm out/half_disc.msh && again
   assert_equal "$(changed)" "half_disc"

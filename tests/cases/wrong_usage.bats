@@ -49,8 +49,8 @@ table() {
 1 | quadrefine --count 0=100000000 w/half_disc.blocks.h5 -o out.quad.h5 | counts require about * quads, more than --max-elements 1000000: lower --count
 1 | quadrefine --size 0.1 --max-elements 50 w/half_disc.blocks.h5 -o out.quad.h5 | more than --max-elements 50
 2 | quadrefine --wall curve_0 w/half_disc.blocks.h5 | --wall curve_0: expected NAME:first=H,layers=N
-2 | quadrefine w/half_disc.blocks.h5 -o out.quad.h5 --report ./out.quad.h5 | ./out.quad.h5: is written twice: give two names
-2 | critpoints w/half_disc.field.h5 --report - | two outputs cannot both go to standard output
+2 | quadrefine w/half_disc.blocks.h5 -o out.quad.h5 --report ./out.quad.h5 | ./out.quad.h5: would be written twice, by --output and by --report: give two names
+2 | critpoints w/half_disc.field.h5 --report - | --output and --report cannot both go to standard output: name a file for one of them
 2 | quadrefine --size-near hole w/half_disc.blocks.h5 | hole
 2 | quadrefine --count x w/half_disc.blocks.h5 | x
 2 | quadrefine --count hole=0 w/half_disc.blocks.h5 | --count: 'hole=0' is not CHORD=N or NAME=N
@@ -88,12 +88,12 @@ table() {
 2 | quadmesh half_disc.step --quiet=yes | --quiet takes no value
 2 | quadmesh half_disc.step -oout.step --patch-type *=wall | --patch-type: a STEP model has no types of boundaries
 2 | quadmesh half_disc.step -o out.m --format step --unit yd | --unit: 'yd' is not one of file|m|cm|mm|um|nm|km|in|ft
-2 | quadmesh half_disc.step -o half_disc.step | the output half_disc.step is the input half_disc.step
+2 | quadmesh half_disc.step -o half_disc.step | half_disc.step: is the input half_disc.step, which --output would overwrite: give another file
 2 | quadmesh half_disc.step -o out.unknown | out.unknown does not determine the format: end it in one of
 2 | quadmesh half_disc.step -o out.msh --order 12 | --order 12: the format msh supports quads up to order 10
 2 | quadmesh half_disc.step -o out.msh --feature-size big | --feature-size big: expected "auto" or a length
 2 | quadmesh half_disc.step -o out.msh --growth 0.5 | --growth must be greater than 1
-2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | the page and the report are the same file
+2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | out.msh.html: would be written twice, by --report and by --html: give two names
 2 | quadmesh half_disc.step -o out.msh --wall curve_0:yplus=1,layers=2 --velocity 3 | y+ needs the flow as well: give --viscosity, --length
 2 | quadplace half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks
 3 | quadmesh half_disc.step -o out.msh --size-field edited.json | edited.json: not a size field
@@ -111,16 +111,16 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --layout best | --layout: 'best' is not one of
 2 | quadmesh half_disc.step -o out.msh --threads none | --threads
 2 | quadmesh half_disc.step -o out.msh --max-seconds soon | soon
-2 | quadmesh half_disc.step -o half_disc.step --format msh | half_disc.step is the input half_disc.step
-2 | quadmesh half_disc.step -o ./half_disc.step --format msh | the output ./half_disc.step is the input
-2 | quadmesh half_disc.step -o link.msh | the output link.msh is the input half_disc.step
-2 | quadmesh half_disc.step -o out.msh --report link.msh | the output link.msh is the input
-2 | quadmesh half_disc.step -o out.msh --report ./out.msh | the mesh and the report are the same file
+2 | quadmesh half_disc.step -o half_disc.step --format msh | half_disc.step: is the input half_disc.step, which --output
+2 | quadmesh half_disc.step -o ./half_disc.step --format msh | ./half_disc.step: is the input half_disc.step, which --output
+2 | quadmesh half_disc.step -o link.msh | link.msh: is the input half_disc.step, which --output would
+2 | quadmesh half_disc.step -o out.msh --report link.msh | link.msh: is the input half_disc.step, which --report would
+2 | quadmesh half_disc.step -o out.msh --report ./out.msh | ./out.msh: would be written twice, by --output and by --report
 2 | quadmesh half_disc.step --report - | cannot both go to standard output
-2 | quadmesh half_disc.step --format msh -o w/half_disc.quad.h5 --workdir w | a file of the stages in --workdir w
-2 | quadmesh half_disc.step -o out.msh --report w/../w/half_disc.crit.json --workdir w | a file of the stages
+2 | quadmesh half_disc.step --format msh -o w/half_disc.quad.h5 --workdir w | w/half_disc.crit.json: would be written twice, by --report and by the stage critpoints in --workdir w
+2 | quadmesh half_disc.step -o out.msh --report w/../w/half_disc.crit.json --workdir w | w/half_disc.crit.json: would be written twice, by --report and by the stage critpoints
 2 | quadmesh half_disc.step --farfield circle:5 --from separatrix --workdir w | --farfield makes a CAD file of points
-2 | quadmesh half_disc.step --nodes edited.json -o out.msh --report edited.json | the output edited.json is the input edited.json
+2 | quadmesh half_disc.step --nodes edited.json -o out.msh --report edited.json | edited.json: is the input edited.json, which --report would overwrite
 3 | quadmesh missing.step -o out.msh | missing.step: no such file
 3 | quadmesh empty.step -o out.msh | empty.step: is empty
 3 | quadmesh w -o out.msh | w: is a directory

@@ -154,7 +154,7 @@ writers() {
       run --separate-stderr "$tool" "${@:1:$#-1}" input -o "$name"
       assert_equal "$tool $name $status" "$tool $name 2"
       assert_equal "${stderr_lines[0]}" \
-        "$tool: $name: is the input input and would be overwritten: give another output file"
+        "$tool: $name: is the input input, which --output would overwrite: give another file"
       cmp input "${@: -1}"
       run -2 "$tool" "${@:1:$#-1}" input -o out --report "$name"
       cmp input "${@: -1}"

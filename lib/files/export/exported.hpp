@@ -8,12 +8,18 @@
 
 namespace quadrille::exports {
 
+/// The name of a file beside the main one: what replaces its ending (".curves.vtu") or, if `is_appended`, follows its
+/// whole name (x.re2.names.json).
+struct SideName {
+  std::string ending;
+  bool is_appended = false;
+};
+
 /// A file that a format needs beside the main one, such as a table of names.
 struct SideFile {
-  std::string ending;  ///< replaces the ending of the main file: ".curves.vtu"
+  SideName name;
   std::string bytes;
   bool is_binary = false;
-  bool is_appended = false;  ///< `ending` follows the whole name of the main file: x.re2.names.json
 };
 
 struct Exported {

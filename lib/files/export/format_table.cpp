@@ -11,6 +11,7 @@
 #include "export/groups.hpp"
 #include "export/hohqmesh_ism.hpp"
 #include "export/mfem.hpp"
+#include "export/names_table.hpp"
 #include "export/nek_re2.hpp"
 #include "export/nektar.hpp"
 #include "export/periodic_edges.hpp"
@@ -23,17 +24,18 @@ const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
       {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41},
       {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22},
-      {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange, nullptr, true},
-      {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier, nullptr, true},
+      {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange, nullptr, true, {vtu_curves_name}},
+      {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier, nullptr, true, {vtu_curves_name}},
       {"nektar", ".xml", "Nektar++ XML", 20, true, nektar_xml},
-      {"mfem", ".mesh", "MFEM mesh v1.0", 20, true, mfem_mesh10},
+      {"mfem", ".mesh", "MFEM mesh v1.0", 20, true, mfem_mesh10, nullptr, false, {names_table_name}},
       {"mfem13", "", "MFEM mesh v1.3, with names", 20, true, mfem_mesh13},
-      {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism},
-      {"ism-mm", "", "HOHQMesh ISM-MM, with materials", 20, false, hohqmesh_ism_mm, nullptr, true},
-      {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp},
-      {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2},
+      {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism, nullptr, false, {names_table_name}},
+      {"ism-mm", "", "HOHQMesh ISM-MM, with materials", 20, false, hohqmesh_ism_mm, nullptr, true, {names_table_name}},
+      {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp, nullptr, false, {names_table_name}},
+      {"re2", ".re2", "Nek5000 mesh, with a geometry field", 20, false, nek_re2, nullptr, false, {names_table_name, nek_field_name}},
       {"blockmesh", "blockMeshDict", "OpenFOAM blockMeshDict", 20, false,
-       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict},
+       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); }, block_mesh_dict, false,
+       {names_table_name}},
   };
   return formats;
 }

@@ -29,9 +29,8 @@ std::vector<NamedGroup> numbered(const std::vector<std::string>& names, int firs
 SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions,
                      const std::vector<NamedGroup>& interfaces) {
   const std::string between = interfaces.empty() ? "" : fmt::format("  \"interfaces\": {},\n", list(interfaces));
-  return {".names.json",
-          fmt::format("{{\n  \"boundaries\": {},\n{}  \"regions\": {}\n}}\n", list(boundaries), between, list(regions)),
-          false, true};
+  return {names_table_name,
+          fmt::format("{{\n  \"boundaries\": {},\n{}  \"regions\": {}\n}}\n", list(boundaries), between, list(regions))};
 }
 
 SideFile names_table(const Groups& groups, int first_boundary, int first_region) {

@@ -17,7 +17,10 @@ struct NamedGroup {
   std::string tag;   ///< its name in the main file; empty if it has no names or uses this one unchanged
 };
 
-/// The table as a side file: .names.json behind the name of the main file, so that those of two formats differ.
+/// Behind the name of the main file, so that those of two formats differ.
+inline const SideName names_table_name{".names.json", true};
+
+/// The table as a side file.
 SideFile names_table(const std::vector<NamedGroup>& boundaries, const std::vector<NamedGroup>& regions,
                      const std::vector<NamedGroup>& interfaces = {});
 

@@ -150,7 +150,7 @@ Exported nek_re2(const QuadMesh& mesh, const Frame& frame) {
   exported.is_binary = true;
   const std::vector<std::string> regions = mesh.block_region.empty() ? std::vector<std::string>() : groups.region_names;
   exported.side_files.push_back(plain_names_table(groups, groups.boundary_names, regions));
-  if (mesh.order > 1) exported.side_files.push_back({"0.f00000", nek_geometry_field(mesh, frame), true});
+  if (mesh.order > 1) exported.side_files.push_back({nek_field_name, nek_geometry_field(mesh, frame), true});
   return exported;
 }
 

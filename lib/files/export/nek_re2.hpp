@@ -8,6 +8,9 @@
 
 namespace quadrille::exports {
 
+/// Of the field file.
+inline const SideName nek_field_name{"0.f00000"};
+
 /// The format_table's writer. Throws ComputeError where an element would be folded once its interior is rebuilt from
 /// its sides, and where two edges join the same two vertices, which Nek5000 cannot distinguish.
 Exported nek_re2(const QuadMesh& mesh, const Frame& frame);

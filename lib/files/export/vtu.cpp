@@ -122,7 +122,7 @@ class Writer {
 };
 
 Exported exported(const Writer& writer) {
-  return {vtk_xml(writer.quads()), false, {{".curves.vtu", vtk_xml(writer.curves())}}, {}};
+  return {vtk_xml(writer.quads()), false, {{vtu_curves_name, vtk_xml(writer.curves())}}, {}};
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 
 namespace quadrille::exports {
 
+/// Of the file with the curves.
+inline const SideName vtu_curves_name{".curves.vtu"};
+
 /// The format_table's writers.
 Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame);
 Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame);

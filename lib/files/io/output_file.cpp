@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <climits>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -44,15 +46,24 @@ void write_directly(const std::string& path, const std::string& bytes) {
   if (close(fd) != 0) fail(path);
 }
 
+std::uint64_t random_number() {
+  std::uint64_t number = 0;
+  if (getrandom(&number, sizeof number, 0) != sizeof number) number = static_cast<std::uint64_t>(getpid());
+  return number;
+}
+
 /// The temporary file of one output: removed unless it was renamed, also if a signal ends the process.
 class Temporary {
  public:
   explicit Temporary(const std::string& target) : target_(target) {
-    const std::size_t slash = target.rfind('/');
-    const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
-    path_ = fmt::format("{}.{}.{}.tmp", target.substr(0, name), target.substr(name), getpid());
-    slot_ = register_temporary(path_);
-    fd_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0666);
+    // The name is short, whatever the target's, and nobody else's: an existing file is never opened.
+    const std::string folder = target.substr(0, target.rfind('/') + 1);  // npos + 1 is 0
+    do {
+      release_temporary(slot_);
+      path_ = fmt::format("{}.{:016x}.tmp", folder, random_number());
+      slot_ = register_temporary(path_);
+      fd_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (fd_ < 0 && errno == EEXIST);
     if (fd_ < 0) {
       release_temporary(slot_);
       fail(target_);
@@ -68,6 +79,9 @@ class Temporary {
 
   void keep_mode_of(const struct stat& existing) { static_cast<void>(fchmod(fd_, existing.st_mode & 07777)); }
   void write(const std::string& bytes) { write_all(fd_, bytes, target_); }
+  void store() {
+    if (fsync(fd_) != 0 && errno != EINVAL && errno != ENOTSUP) fail(target_);
+  }
   void rename() {
     // Some file systems report a full disk only here.
     const int fd = fd_;
@@ -94,7 +108,7 @@ bool is_descriptor_name(const std::string& path) {
 
 }  // namespace
 
-void write_output(const std::string& path, const std::string& bytes, bool is_binary) {
+void write_output(const std::string& path, const std::string& bytes, bool is_binary, Lasting lasting) {
   if (path == "-" || path == "/dev/stdout") {
     if (is_binary && isatty(STDOUT_FILENO))
       throw OutputError("standard output is a terminal: binary data is not written to it; give -o FILE or a pipe");
@@ -112,6 +126,7 @@ void write_output(const std::string& path, const std::string& bytes, bool is_bin
   Temporary temporary(exists ? resolved(path) : path);
   if (exists) temporary.keep_mode_of(existing);
   temporary.write(bytes);
+  if (lasting == Lasting::on_disk) temporary.store();
   temporary.rename();
 }
 

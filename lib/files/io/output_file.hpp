@@ -7,8 +7,12 @@
 
 namespace quadrille::io {
 
-/// Writes `bytes` to `path` ("-": standard output; binary is refused on a terminal). Throws OutputError.
-void write_output(const std::string& path, const std::string& bytes, bool is_binary);
+/// Whether a file has to survive a failure of the machine, or only the run (its scratch files).
+enum class Lasting { on_disk, for_the_run };
+
+/// Writes `bytes` to `path` ("-": standard output; binary is refused on a terminal). A file that exists keeps its mode,
+/// a symbolic link its target's place. Throws OutputError.
+void write_output(const std::string& path, const std::string& bytes, bool is_binary, Lasting lasting = Lasting::on_disk);
 
 /// Writes a report as JSON: {"tool", "version", entries nested by their dots, "warnings": [{code, message}]}.
 void write_report(const std::string& path, const std::string& tool, const std::string& version, const Report& report);

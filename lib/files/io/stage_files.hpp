@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/input_file.hpp"
+#include "io/output_file.hpp"
 #include "model/stage_formats.hpp"
 
 namespace quadrille::io {
@@ -22,7 +23,7 @@ template <typename Model>
 std::string stage_bytes(const Model& model);
 
 /// Writes the bytes of a stage file to `path`, completely or not at all.
-void write_stage_bytes(const std::string& path, const std::string& bytes);
+void write_stage_bytes(const std::string& path, const std::string& bytes, Lasting lasting = Lasting::on_disk);
 
 template <typename Model>
 void write_stage(const std::string& path, const Model& model) {

@@ -121,8 +121,8 @@ void read_described(const InputFile& file, const StageFormat& format, Provenance
   read(file, format, provenance, describe);
 }
 
-void write_stage_bytes(const std::string& path, const std::string& bytes) {
-  write_output(path, bytes, looks_like_hdf5(bytes));
+void write_stage_bytes(const std::string& path, const std::string& bytes, Lasting lasting) {
+  write_output(path, bytes, looks_like_hdf5(bytes), lasting);
 }
 
 FileIdentity identity_of(const std::string& name, const std::string& bytes) { return {name, sha256_hex(bytes)}; }

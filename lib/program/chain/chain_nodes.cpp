@@ -8,6 +8,8 @@
 #include "base/error.hpp"
 #include "chain/quad_inputs.hpp"
 #include "check/check.hpp"
+#include "cli/messages.hpp"
+#include "cli/run_files.hpp"
 #include "cli/stage_words.hpp"
 #include "io/output_file.hpp"
 
@@ -36,8 +38,9 @@ void copy_given_nodes(ChainState& chain, NodeFiles& files) {
   chain.has_fixed_nodes = true;
   chain.last = files.nodes.path();
   if (chain.options.is_dry_run) {
-    if (!is_same_file(given, files.nodes.path()))
-      fmt::print("{}\n", shell_command({"cp", given == "-" ? "/dev/stdin" : given, files.nodes.path()}));
+    if (!cli::are_same_file(given, files.nodes.path()))
+      cli::print_to_stdout(
+          fmt::format("{}\n", shell_command({"cp", given == "-" ? "/dev/stdin" : given, files.nodes.path()})));
     return;
   }
   io::InputFile file = read_input(chain, given);
@@ -45,7 +48,7 @@ void copy_given_nodes(ChainState& chain, NodeFiles& files) {
   if (given != "-" && !std::filesystem::is_regular_file(given)) file.name = files.nodes.path();  // a pipe: read once
   files.nodes.read(file);
   note_nodes(chain, files.nodes.model());
-  if (!is_same_file(given, files.nodes.path())) io::write_output(files.nodes.path(), file.bytes, false);
+  if (!cli::are_same_file(given, files.nodes.path())) io::write_output(files.nodes.path(), file.bytes, false);
 }
 
 bool run_critpoints(ChainState& chain, StageFile<CriticalPoints>& nodes, const std::vector<std::string>& words) {
@@ -83,7 +86,7 @@ bool have_same_provenance(const CriticalPoints& points, const CriticalPoints& ot
 /// that is with other options, it is replaced, but not if it has nodes that were set by hand.
 bool find_nodes_again(ChainState& chain, NodeFiles& files, const std::vector<std::string>& words) {
   if (chain.options.is_dry_run) {
-    fmt::print("# {} is kept if it was edited after critpoints wrote it\n", files.nodes.path());
+    cli::print_to_stdout(fmt::format("# {} is kept if it was edited after critpoints wrote it\n", files.nodes.path()));
     return run_critpoints(chain, files.nodes, words);
   }
   StageFile<CriticalPoints> found(chain.runner.scratch() + "/found.crit.json");

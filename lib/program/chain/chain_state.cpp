@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "cli/messages.hpp"
+
 namespace quadrille::chain {
 
 namespace {
@@ -29,7 +31,7 @@ bool may_go_on(const ChainState& chain, ChainStage stage, const StageEnd& end) {
 }  // namespace
 
 void inform(const ChainState& chain, const std::string& text) {
-  if (!chain.options.is_quiet) fmt::print(stderr, "quadmesh: {}\n", text);
+  if (!chain.options.is_quiet) cli::print_message(fmt::format("quadmesh: {}\n", text));
 }
 
 void print_warnings(ChainState& chain, std::size_t first_run) {
@@ -40,7 +42,7 @@ void print_warnings(ChainState& chain, std::size_t first_run) {
     for (io::ReportedWarning& warning : io::warnings_of(reports[i])) {
       std::replace(warning.message.begin(), warning.message.end(), '\n', ' ');
       const std::string text = fmt::format("warning {}: {}", warning.code, warning.message);
-      if (chain.printed_warnings.insert(text).second) fmt::print(stderr, "{}: {}\n", warning.tool, text);
+      if (chain.printed_warnings.insert(text).second) cli::print_message(fmt::format("{}: {}\n", warning.tool, text));
     }
   }
 }
@@ -48,7 +50,7 @@ void print_warnings(ChainState& chain, std::size_t first_run) {
 void print_stop(const ChainState& chain) {
   if (chain.options.is_quiet) return;
   for (const io::ReportedWarning& warning : io::warnings_of(chain.given_up->report))
-    fmt::print(stderr, "{}: warning {}: {}\n", warning.tool, warning.code, warning.message);
+    cli::print_message(fmt::format("{}: warning {}: {}\n", warning.tool, warning.code, warning.message));
 }
 
 std::vector<std::string> chosen_words(const ChainState& chain, ChainStage stage) {
@@ -73,7 +75,7 @@ bool run_stage(ChainState& chain, StageTask task) {
   if (chain.options.is_dry_run) {
     std::vector<std::string> words = command_words(task, chain.options);
     words.insert(words.begin(), tool);
-    fmt::print("{}{}\n", chain.comment, shell_command(words));
+    cli::print_to_stdout(fmt::format("{}{}\n", chain.comment, shell_command(words)));
     chain.last = task.output;
     return true;
   }
@@ -88,10 +90,10 @@ bool run_stage(ChainState& chain, StageTask task) {
     return true;
   }
   if (end.is_stopped) {
-    fmt::print(stderr, "quadmesh: {} was {}\n", tool, end.message);
+    cli::print_message(fmt::format("quadmesh: {} was {}\n", tool, end.message));
     chain.last.clear();
   } else if (chain.options.is_quiet) {
-    fmt::print(stderr, "{}", end.messages);
+    cli::print_message(end.messages);
   }
   throw ChainFailure{end.code, tool, end.message};
 }

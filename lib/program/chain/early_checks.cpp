@@ -9,6 +9,8 @@
 #include "chain/chain_nodes.hpp"
 #include "chain/quad_inputs.hpp"
 #include "cli/outcome.hpp"
+#include "cli/run_files.hpp"
+#include "cli/stage_words.hpp"
 
 namespace quadrille::chain {
 
@@ -158,23 +160,55 @@ void check_inputs(const ChainState& chain) {
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
 }
 
-void refuse_stage_file(const ChainState& chain, const std::string& path) {
-  for (const char* ending : {"outline.step", "tri.h5", "solve.h5", "field.h5", "crit.json", "phase.solve.h5",
-                             "phase.h5", "sep.json", "blocks.h5", "quad.h5"})
-    if (is_same_file(path, chain.files.stem + '.' + ending))
-      throw UsageError(
-          fmt::format("the output {} is a file of the stages in --workdir {}", path, chain.options.workdir));
+/// Endings of the files that a stage writes, or points2step and fieldsolve for it.
+std::vector<std::string> endings_of(ChainStage stage) {
+  std::vector<std::string> endings{ending_of(stage)};
+  if (stage == ChainStage::cad2tri) endings.emplace_back("outline.step");
+  if (stage == ChainStage::critpoints) endings.insert(endings.end(), {"phase.solve.h5", "phase.h5"});
+  return endings;
 }
 
-/// Would replace no input and no file of the stages; its folder exists.
-void check_output(const ChainState& chain, const std::string& path) {
+void add_stage_files(const ChainState& chain, cli::RunFiles& files) {
+  for (int i = 0; i + 1 < num_stages; ++i) {
+    const auto stage = static_cast<ChainStage>(i);
+    const bool keeps_nodes = stage == ChainStage::critpoints && !chain.options.nodes_file.empty();
+    for (const std::string& ending : endings_of(stage)) {
+      const std::string path = chain.files.stem + '.' + ending;
+      if (chain.is_due(stage) && !keeps_nodes)
+        files.write(path, fmt::format("the stage {}", enum_name(stage)));
+      else
+        files.read(path);
+    }
+    files.write(fmt::format("{}.before-{}.svg", chain.files.stem, enum_name(stage)), "a picture after a failure");
+  }
+}
+
+/// All files that the run reads and writes, scratch files excepted.
+cli::RunFiles files_of(const ChainState& chain) {
+  const ChainOptions& options = chain.options;
+  cli::RunFiles files;
+  files.read(options.shape);
+  files.read(options.nodes_file);
+  if (const auto words = options.words.find("points2step"); words != options.words.end())
+    for (const std::string& word : words->second)
+      if (is_file(word)) files.read(word);
+  StageOptions values = chain.values;
+  for (int i = 0; i < num_stages; ++i)
+    cli::add_files([&](Options& o) { declare(o, static_cast<ChainStage>(i), values); }, files);
+  if (options.last == ChainStage::quadexport) {
+    const std::string output = options.output.empty() ? "-" : options.output;
+    files.write(output, "--output");
+    for (const std::string& path : stage::side_paths(output, values.quadexport)) files.write(path, "--output");
+  }
+  files.write(options.report, "--report");
+  files.write(options.html, "--html");
+  if (!options.workdir.empty()) add_stage_files(chain, files);
+  return files;
+}
+
+/// Whether the file can be written, as far as its folder tells.
+void require_folder(const std::string& path) {
   if (path.empty() || path == "-") return;
-  const StageOptions& values = chain.values;
-  for (const std::string& input : {chain.options.shape, values.cad2tri.names_file, values.blocksplit.names_file,
-                                   values.quadrefine.size_field_file, chain.options.nodes_file})
-    if (is_file(input) && is_same_file(path, input))
-      throw UsageError(fmt::format("the output {} is the input {}", path, input));
-  if (!chain.options.workdir.empty()) refuse_stage_file(chain, path);
   if (fs::is_directory(path)) throw OutputError(path + ": cannot be written: is a directory");
   const std::size_t slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
@@ -184,24 +218,11 @@ void check_output(const ChainState& chain, const std::string& path) {
     throw OutputError(path + ": cannot be written: the folder is write-protected");
 }
 
-void refuse_pair(const std::string& path, const std::string& other, const char* what, const char* what_other) {
-  if (path.empty() || other.empty() || path == "-" || other == "-" || path.starts_with("/dev/")) return;
-  if (is_same_file(path, other))
-    throw UsageError(fmt::format("{} and {} are the same file: {}", what, what_other, path));
-}
-
 void check_outputs(const ChainState& chain) {
   const ChainOptions& options = chain.options;
-  const std::string& healed = chain.values.cad2tri.healed_file;
-  const bool is_stdout = options.output.empty() || options.output == "-";
-  if (is_stdout && options.report == "-" && options.last == ChainStage::quadexport)
-    throw UsageError("the mesh and the report cannot both go to standard output: give -o FILE");
-  for (const std::string& path : {options.output, options.report, healed, options.html}) check_output(chain, path);
-  refuse_pair(options.output, options.report, "the mesh", "the report");
-  refuse_pair(options.output, healed, "the mesh", "the healed face");
-  refuse_pair(options.report, healed, "the report", "the healed face");
-  refuse_pair(options.html, options.output, "the page", "the mesh");
-  refuse_pair(options.html, options.report, "the page", "the report");
+  files_of(chain).require_distinct();
+  for (const std::string& path : {options.output, options.report, chain.values.cad2tri.healed_file, options.html})
+    require_folder(path);
 }
 
 /// The face in the first file that this run has of it.
@@ -227,7 +248,7 @@ void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
   });
   if (outcome.code != ExitCode::usage && outcome.code != ExitCode::no_result) return;  // the stage says the rest
   chain.last.clear();                                                                  // no later stage has seen it
-  fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
+  cli::print_failure("quadmesh", outcome);
   throw ChainFailure{outcome.code, "quadmesh", outcome.message};
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/version.hpp"
 #include "chain/helper_programs.hpp"
+#include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "io/output_file.hpp"
 
@@ -28,7 +29,7 @@ io::ChainFacts facts_of(const ChainState& chain) {
 /// The files of all stages as tabs, and one with the report; what an earlier run left in the folder is older.
 void write_page(ChainState& chain, const io::ChainReport& report) {
   const std::string run_report = chain.runner.scratch() + "/run.json", triangles = chain.files.triangles.path();
-  io::write_output(run_report, report.text_with_command(chain.options.typed), false);
+  io::write_output(run_report, report.text_with_command(chain.options.typed), false, io::Lasting::for_the_run);
   std::vector<std::string> words{command_path("stageview"), "-q", triangles};
   const fs::file_time_type begin = fs::last_write_time(triangles);
   std::error_code error;
@@ -39,7 +40,7 @@ void write_page(ChainState& chain, const io::ChainReport& report) {
   }
   words.insert(words.end(), {"--run-report", run_report, "-o", chain.options.html});
   const auto [code, messages] = chain.runner.run_helper(words);
-  fmt::print(stderr, "{}", messages);
+  cli::print_message(messages);
   if (code != 0) throw ChainFailure{static_cast<ExitCode>(code), "stageview", {}};
 }
 
@@ -48,27 +49,28 @@ void print_summary(const ChainState& chain, const io::ChainReport& report) {
   const bool ends_early = options.last != ChainStage::quadexport;
   if (options.is_quiet) return;
   const bool uses_stdout = options.report == "-" || (!ends_early && (options.output.empty() || options.output == "-"));
-  FILE* const stream = uses_stdout ? stderr : stdout;
-  if (options.is_verbose) fmt::print(stream, "{}", report.times());
-  fmt::print(stream, "{}\n",
-             ends_early ? fmt::format("stages up to {}: {}", options.until, chain.last) : report.summary());
+  const int stream = uses_stdout ? STDERR_FILENO : STDOUT_FILENO;
+  if (options.is_verbose) cli::print_message(report.times(), stream);
+  const std::string result =
+      ends_early ? fmt::format("stages up to {}: {}", options.until, chain.last) : report.summary();
+  cli::print_message(result + '\n', stream);
 }
 
 /// Where to look after a stage failed.
 void show_last_file(ChainState& chain, const std::string& stage) {
   if (chain.options.workdir.empty()) {
-    fmt::print(stderr,
-               "quadmesh: run it again with --workdir DIR to keep the files of the stages before {} and a picture\n",
-               stage);
+    cli::print_message(fmt::format(
+        "quadmesh: run it again with --workdir DIR to keep the files of the stages before {} and a picture\n", stage));
     return;
   }
   const std::string picture = fmt::format("{}.before-{}.svg", chain.files.stem, stage);
   std::vector<std::string> words{command_path("stageview"), chain.last, "-o", picture};
   if (chain.last.ends_with(".crit.json")) words.insert(words.end(), {"--field", chain.files.field.path()});
   if (chain.runner.run_helper(words).first != 0) return;
-  fmt::print(stderr, "quadmesh: the files of the stages before {} are kept in {}; look at the last one with\n", stage,
-             chain.options.workdir);
-  fmt::print(stderr, "  xdg-open '{}'\n", picture);
+  cli::print_message(
+      fmt::format("quadmesh: the files of the stages before {} are kept in {}; look at the last one with\n", stage,
+                  chain.options.workdir));
+  cli::print_message(fmt::format("  xdg-open '{}'\n", picture));
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ void end_failed_run(ChainState& chain, const ChainFailure& failure) {
     facts.error = failure.message;
     const cli::Outcome written = cli::outcome_of(
         [&] { io::write_output(chain.options.report, io::ChainReport(chain.runner.reports(), facts).text(), false); });
-    if (!written.is_success()) fmt::print(stderr, "{}", cli::error_text("quadmesh", written));
+    cli::print_failure("quadmesh", written);
   }
   const bool may_be_the_shape = failure.code == ExitCode::no_result || failure.code == ExitCode::defect;
   if (may_be_the_shape && !chain.last.empty()) show_last_file(chain, failure.stage);

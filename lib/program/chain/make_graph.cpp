@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "chain/chain_nodes.hpp"
+#include "cli/messages.hpp"
 #include "triangulate/coarse_triangles.hpp"
 
 namespace quadrille::chain {
@@ -45,8 +46,9 @@ bool solve_phase(ChainState& chain, NodeFiles& files) {
 /// With --dry-run, for a person: whether they run depends on what critpoints finds.
 void print_phase_stages(ChainState& chain, NodeFiles& files) {
   if (!chain.is_due(ChainStage::separatrix)) return;
-  fmt::print("# if \"form\" is \"phase\" in {}, or its nodes were edited; separatrix then reads {}:\n",
-             files.nodes.name(), files.phase.path());
+  cli::print_to_stdout(
+      fmt::format("# if \"form\" is \"phase\" in {}, or its nodes were edited; separatrix then reads {}:\n",
+                  files.nodes.name(), files.phase.path()));
   const std::string before = chain.last;
   chain.comment = "# ";
   solve_phase(chain, files);

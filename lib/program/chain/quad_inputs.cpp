@@ -37,11 +37,4 @@ PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face) {
   return sizes;
 }
 
-bool is_same_file(const std::string& path, const std::string& other) {
-  std::error_code error;
-  if (fs::exists(path, error) && fs::exists(other, error)) return fs::equivalent(path, other, error);
-  const auto whole = [&](const std::string& one) { return fs::weakly_canonical(fs::absolute(one, error), error); };
-  return whole(path) == whole(other);
-}
-
 }  // namespace quadrille::chain

@@ -33,7 +33,4 @@ PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face);
 /// A file, or what was read from standard input before.
 io::InputFile read_input(const ChainState& chain, const std::string& path);
 
-/// Whether two paths are one file, which need not exist.
-bool is_same_file(const std::string& path, const std::string& other);
-
 }  // namespace quadrille::chain

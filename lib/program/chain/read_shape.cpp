@@ -8,6 +8,7 @@
 #include "base/json_string.hpp"
 #include "chain/helper_programs.hpp"
 #include "chain/quad_inputs.hpp"
+#include "cli/messages.hpp"
 #include "io/output_file.hpp"
 
 namespace quadrille::chain {
@@ -50,19 +51,19 @@ std::string cad_file(ChainState& chain) {
   std::string shape = chain.options.shape;
   if (shape == "-" && chain.standard_input) {
     shape = chain.runner.scratch() + "/points";
-    io::write_output(shape, *chain.standard_input, true);
+    io::write_output(shape, *chain.standard_input, true, io::Lasting::for_the_run);
   }
   std::vector<std::string> words{"points2step", shape, "-o", made};
   if (const auto chosen = chain.options.words.find("points2step"); chosen != chain.options.words.end())
     words.insert(words.end(), chosen->second.begin(), chosen->second.end());
   if (chain.options.is_dry_run) {
-    fmt::print("{}\n", shell_command(words));
+    cli::print_to_stdout(shell_command(words) + '\n');
     return made;
   }
   words.front() = command_path("points2step");
   const auto [code, messages] = chain.runner.run_helper(words);
   if (code != 0) {
-    fmt::print(stderr, "{}", with_own_name(messages));
+    cli::print_message(with_own_name(messages));
     const std::string line = messages.substr(0, messages.find('\n'));
     throw ChainFailure{static_cast<ExitCode>(code), "points2step",
                        line.starts_with("points2step: ") ? line.substr(13) : line};

@@ -12,9 +12,11 @@
 #include "base/version.hpp"
 #include "chain/early_checks.hpp"
 #include "chain/end_of_run.hpp"
+#include "chain/folder_lock.hpp"
 #include "chain/make_quads.hpp"
 #include "chain/read_shape.hpp"
 #include "chain/supervisor.hpp"
+#include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "cli/signals.hpp"
 #include "io/output_file.hpp"
@@ -40,7 +42,7 @@ std::string make_scratch() {
 void make_folder(const ChainOptions& options) {
   if (options.workdir.empty() || fs::is_directory(options.workdir)) return;
   if (options.is_dry_run) {
-    fmt::print("{}\n", shell_command({"mkdir", "-p", options.workdir}));
+    cli::print_to_stdout(shell_command({"mkdir", "-p", options.workdir}) + '\n');
     return;
   }
   std::error_code error;
@@ -98,6 +100,8 @@ void add_clearances(ChainState& chain) {
 void run_stages(ChainState& chain) {
   check_files(chain);
   make_folder(chain.options);
+  std::optional<FolderLock> lock;
+  if (!chain.options.workdir.empty() && !chain.options.is_dry_run) lock.emplace(chain.files.stem, chain.options.is_quiet);
   triangulate_shape(chain);
   check_face(chain);
   add_clearances(chain);
@@ -117,11 +121,11 @@ int run_to_the_end(ChainState& chain) {
     }
   });
   if (!outcome.is_success()) {
-    fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
+    cli::print_failure("quadmesh", outcome);
     if (outcome.code == ExitCode::usage) return static_cast<int>(outcome.code);
     failure = {outcome.code, "quadmesh", outcome.message};
   } else if (!failure.is_printed) {
-    fmt::print(stderr, "quadmesh: {}\n", failure.message);
+    cli::print_message(fmt::format("quadmesh: {}\n", failure.message));
   }
   if (failure.code != ExitCode::done) end_failed_run(chain, failure);
   return static_cast<int>(failure.code);
@@ -150,10 +154,7 @@ int run(ChainOptions options) {
     options.shape = shape_of(options, values);
     input = standard_input(options);
   });
-  if (!checked.is_success()) {
-    fmt::print(stderr, "{}", cli::error_text("quadmesh", checked));
-    return static_cast<int>(checked.code);
-  }
+  if (!checked.is_success()) return cli::print_failure("quadmesh", checked);
   const auto work = [&](bool is_second_try) {
     cli::install_signal_handlers();
     if (options.num_threads == 0) start_threads_after(least_cpu_seconds_for_threads);
@@ -164,21 +165,14 @@ int run(ChainOptions options) {
     chain.keeps_files = !options.workdir.empty() || !options.html.empty() || !options.nodes_file.empty() ||
                         !options.programs.empty() || is_second_try || budget.is_limited();
     chain.values.fieldsolve.estimates_errors = chain.keeps_files;  // padapt makes its own
-    try {
-      add_options_of_walls(chain);
-    } catch (const UsageError& e) {
-      fmt::print(stderr, "{}", cli::error_text("quadmesh", {ExitCode::usage, e.what()}));
-      return static_cast<int>(ExitCode::usage);
-    }
-    return run_to_the_end(chain);
+    const cli::Outcome added = cli::outcome_of([&] { add_options_of_walls(chain); });
+    return added.is_success() ? run_to_the_end(chain) : cli::print_failure("quadmesh", added);
   };
   if (options.is_dry_run) return work(false);
   int code = 0;
   const cli::Outcome outcome =
       cli::outcome_of([&] { code = supervise(work, [&] { return scratch = make_scratch(); }); });
-  if (outcome.is_success()) return code;
-  fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
-  return static_cast<int>(outcome.code);
+  return outcome.is_success() ? code : cli::print_failure("quadmesh", outcome);
 }
 
 }  // namespace
@@ -186,14 +180,13 @@ int run(ChainOptions options) {
 int run_chain(const std::vector<std::string>& arguments) {
   ChainOptions options;
   Action action = Action::run;
-  const cli::Outcome outcome = cli::outcome_of([&] { action = read_command_line(arguments, options); });
-  if (!outcome.is_success()) {
-    fmt::print(stderr, "{}", cli::error_text("quadmesh", outcome));
-    return static_cast<int>(outcome.code);
-  }
-  if (action == Action::show_help) fmt::print("{}", help_text());
-  if (action == Action::show_version) fmt::print("quadmesh (Quadrille) {}\n", version);
-  return action == Action::run ? run(std::move(options)) : 0;
+  const cli::Outcome outcome = cli::outcome_of([&] {
+    action = read_command_line(arguments, options);
+    if (action == Action::show_help) cli::print_to_stdout(help_text());
+    if (action == Action::show_version) cli::print_to_stdout(fmt::format("quadmesh (Quadrille) {}\n", version));
+  });
+  return outcome.is_success() && action == Action::run ? run(std::move(options))
+                                                       : cli::print_failure("quadmesh", outcome);
 }
 
 }  // namespace quadrille::chain

@@ -42,7 +42,7 @@ class StageFile {
   void write() {
     if (!model_ || !sha256_.empty()) return;
     const std::string bytes = io::stage_bytes(*model_);
-    io::write_stage_bytes(path_, bytes);
+    io::write_stage_bytes(path_, bytes, io::Lasting::for_the_run);  // the same command makes it again
     sha256_ = io::identity_of(path_, bytes).sha256;
   }
   /// The file was written by another program: the struct is read when it is needed.

@@ -11,6 +11,7 @@
 #include "base/version.hpp"
 #include "base/warning_codes.hpp"
 #include "chain/watched_child.hpp"
+#include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "cli/session.hpp"
 #include "io/input_file.hpp"
@@ -92,7 +93,7 @@ StageEnd StageRunner::run(const StageTask& task, Share share) {
   return end;
 }
 
-void StageRunner::print_messages(const StageEnd& end) const { fmt::print(stderr, "{}", end.messages); }
+void StageRunner::print_messages(const StageEnd& end) const { cli::print_message(end.messages); }
 
 StageEnd StageRunner::run_here(const StageTask& task) {
   const std::string tool = enum_name(task.stage);
@@ -134,7 +135,7 @@ ChildEnd StageRunner::child_of(const StageTask& task, const std::string& report,
   }
   const auto body = [&] {
     const StageEnd end = run_here(task);
-    io::write_output(report, end.report.json, false);
+    io::write_output(report, end.report.json, false, io::Lasting::for_the_run);
     return static_cast<int>(end.code);
   };
   return run_child(body, budget_, share);

@@ -15,6 +15,7 @@
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "chain/blocked_signals.hpp"
+#include "cli/messages.hpp"
 
 namespace quadrille::chain {
 namespace {
@@ -130,7 +131,7 @@ int become(std::vector<std::string> words, int input, int errors) {
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execvp(arguments.front(), arguments.data());
-  std::fprintf(stderr, "%s cannot be started: %s\n", arguments.front(), std::strerror(errno));
+  cli::print_message(words.front() + " cannot be started: " + std::strerror(errno) + '\n');
   return not_started;
 }
 

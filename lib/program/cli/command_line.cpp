@@ -13,7 +13,6 @@
 #include "base/option_interval.hpp"
 #include "base/option_record.hpp"
 #include "cli/option_values.hpp"
-#include "cli/overwrite.hpp"
 
 namespace quadrille::cli {
 
@@ -47,13 +46,6 @@ struct CommandLine::Impl {
         "results do not depend on it (default: auto)");
   }
 
-  static std::vector<std::string> named(const std::vector<std::function<std::vector<std::string>()>>& files) {
-    std::vector<std::string> names;
-    for (const auto& list : files)
-      for (std::string& name : list()) names.push_back(std::move(name));
-    return names;
-  }
-
   /// Names the first word that is no option, with the nearest one, or the first surplus argument. Throws UsageError.
   void require_no_extras() const {
     const std::vector<std::string> extras = app.remaining();
@@ -81,8 +73,8 @@ struct CommandLine::Impl {
   bool quiet = false;
   CommonOptions* common = nullptr;
   const std::string* output = nullptr;
-  std::vector<std::function<std::vector<std::string>()>> read, written;  ///< files, after parsing
-  std::vector<CLI::Option*> declared;                                    ///< before those of every command
+  std::vector<std::function<void(RunFiles&)>> files;  ///< that are declared, after parsing
+  std::vector<CLI::Option*> declared;                 ///< before those of every command
 };
 
 CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
@@ -92,7 +84,7 @@ void CommandLine::input(const std::string& name, std::string& path, const std::s
   if (path.empty() && !required) path = "-";
   impl_->page.inputs.push_back({name, required ? help : help + " (default: -, standard input)"});
   impl_->page.synopsis += required ? ' ' + name : " [" + name + ']';
-  impl_->read.emplace_back([&path] { return std::vector{path}; });
+  impl_->files.emplace_back([&path](RunFiles& files) { files.read(path); });
   impl_->app.add_option(name, path)->required(required);
 }
 
@@ -100,7 +92,9 @@ void CommandLine::inputs(const std::string& name, std::vector<std::string>& path
   if (paths.empty()) paths = {"-"};
   impl_->page.inputs.push_back({name + "...", help + " (default: -, standard input)"});
   impl_->page.synopsis += " [" + name + "...]";
-  impl_->read.emplace_back([&paths] { return paths; });
+  impl_->files.emplace_back([&paths](RunFiles& files) {
+    for (const std::string& path : paths) files.read(path);
+  });
   impl_->app.add_option(name, paths);
 }
 
@@ -108,7 +102,7 @@ void CommandLine::output(std::string& path, const std::string& help) {
   if (path.empty()) path = "-";
   impl_->page.options.push_back({"-o, --output FILE", help + " (default: -, standard output)"});
   impl_->output = &path;
-  impl_->written.emplace_back([&path] { return std::vector{path}; });
+  impl_->files.emplace_back([&path](RunFiles& files) { files.write(path, "--output"); });
   impl_->app.add_option("-o,--output", path)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
@@ -160,12 +154,12 @@ void CommandLine::text(const std::string& flag, std::string& value, const std::s
 void CommandLine::input_file(const std::string& flag, std::string& path, const std::string& placeholder,
                              const std::string& help, bool recorded) {
   Options::input_file(flag, path, placeholder, help, recorded);
-  impl_->read.emplace_back([&path] { return std::vector{path}; });
+  impl_->files.emplace_back([&path](RunFiles& files) { files.read(path); });
 }
 
 void CommandLine::output_file(const std::string& flag, std::string& path, const std::string& help) {
   Options::output_file(flag, path, help);
-  impl_->written.emplace_back([&path] { return std::vector{path}; });
+  impl_->files.emplace_back([&path, flag](RunFiles& files) { files.write(path, flag); });
 }
 
 void CommandLine::texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
@@ -224,9 +218,12 @@ Request CommandLine::parse(int argc, char** argv) {
     for (char& c : message) c = c == '\n' ? ' ' : c;
     throw UsageError(message);
   }
-  refuse_to_overwrite(Impl::named(impl_->read), Impl::named(impl_->written));
   if (impl_->common != nullptr) impl_->common->verbosity = impl_->quiet ? -1 : std::min(impl_->verbose, 2);
   return Request::run;
+}
+
+void CommandLine::add_files(RunFiles& files) const {
+  for (const auto& add : impl_->files) add(files);
 }
 
 const HelpPage& CommandLine::page() const { return impl_->page; }

@@ -7,6 +7,7 @@
 
 #include "base/options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/run_files.hpp"
 
 namespace quadrille::cli {
 
@@ -44,8 +45,10 @@ class CommandLine : public Options {
 
   /// Adds the options of every command; called after the tool has declared its own.
   void add_common(CommonOptions& common);
-  /// Fills the declared variables. Throws UsageError, also if a file that is read would be overwritten.
+  /// Fills the declared variables. Throws UsageError.
   Request parse(int argc, char** argv);
+  /// Those that are declared, after parsing.
+  void add_files(RunFiles& files) const;
   const HelpPage& page() const;
   bool writes_to_stdout() const;
   /// The tool's own options without --output, for programs: a line "TOOL --OPTION value" or "TOOL --OPTION flag" each.

@@ -6,6 +6,8 @@
 #include <exception>
 #include <new>
 
+#include "cli/messages.hpp"
+
 namespace quadrille::cli {
 
 namespace {
@@ -44,6 +46,11 @@ std::string error_text(const std::string& name, const Outcome& outcome) {
   std::string text = fmt::format("{}: {}\n", name, outcome.message);
   if (outcome.code == ExitCode::usage) text += fmt::format("try '{} --help'\n", name);
   return text;
+}
+
+int print_failure(const std::string& name, const Outcome& outcome) {
+  if (!outcome.is_success()) print_message(error_text(name, outcome));
+  return static_cast<int>(outcome.code);
 }
 
 }  // namespace quadrille::cli

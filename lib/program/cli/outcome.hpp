@@ -21,4 +21,7 @@ Outcome outcome_of(const std::function<void()>& work);
 /// "name: message" and, after a mistake on the command line, how to get help: whole lines.
 std::string error_text(const std::string& name, const Outcome& outcome);
 
+/// Prints that text if the work failed; the exit code of the process.
+int print_failure(const std::string& name, const Outcome& outcome);
+
 }  // namespace quadrille::cli

@@ -147,10 +147,6 @@ ProgressTicker::ProgressTicker(ProgressLine& line, double interval) {
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
-void write_progress(const std::string& text) {
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-}
-
 void erase_progress_line() noexcept {
   is_interrupted = true;
   const std::size_t columns = std::min(columns_on_terminal.load(), max_columns);

@@ -66,8 +66,6 @@ class ProgressTicker {
   std::jthread thread_;
 };
 
-/// To standard error.
-void write_progress(const std::string& text);
 /// Erases the line on the terminal, for handlers of signals that end the process: async-signal-safe.
 void erase_progress_line() noexcept;
 

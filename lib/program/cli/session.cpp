@@ -8,6 +8,7 @@
 
 #include "base/processors.hpp"
 #include "base/version.hpp"
+#include "cli/messages.hpp"
 
 namespace quadrille::cli {
 
@@ -44,12 +45,12 @@ void Session::info(const std::string& text, int level) const {
   if (display_.line)
     display_.line->print(tool_ + ": " + text);
   else
-    fmt::print(stderr, "{}: {}\n", tool_, text);
+    print_message(fmt::format("{}: {}\n", tool_, text));
 }
 
 void Session::show_progress(const ProgressStyle& style, double interval) {
   report_ = Report(&display_.progress);
-  display_.line.emplace(display_.progress, style, write_progress);
+  display_.line.emplace(display_.progress, style, [](const std::string& text) { print_message(text); });
   display_.ticker.emplace(*display_.line, interval);
 }
 

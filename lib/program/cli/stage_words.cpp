@@ -38,6 +38,12 @@ std::vector<OptionName> option_names(const Declare& declare) {
   return list.names();
 }
 
+void add_files(const Declare& declare, RunFiles& files) {
+  CommandLine line({});
+  declare(line);
+  line.add_files(files);
+}
+
 std::string option_rows(const Declare& declare) {
   CommandLine line({});
   declare(line);

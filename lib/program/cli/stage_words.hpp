@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/options.hpp"
+#include "cli/run_files.hpp"
 
 namespace quadrille::cli {
 
@@ -18,6 +19,9 @@ struct OptionName {
 
 /// In the order of their declaration.
 std::vector<OptionName> option_names(const Declare& declare);
+
+/// Adds the files that the declared variables name.
+void add_files(const Declare& declare, RunFiles& files);
 
 /// The rows of --help.
 std::string option_rows(const Declare& declare);

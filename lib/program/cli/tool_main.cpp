@@ -14,6 +14,7 @@
 #include "base/version.hpp"
 #include "cli/command_line.hpp"
 #include "cli/heap.hpp"
+#include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "cli/signals.hpp"
 
@@ -23,11 +24,6 @@ namespace {
 
 // Work that takes less is done before threads are worth their start; with --threads N they start at once.
 constexpr double least_cpu_seconds_for_threads = 0.2;
-
-void print_to_stdout(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw OutputError("standard output: cannot be written");
-}
 
 void write_report_of(const Tool& tool, Session& session, const Outcome& outcome, const std::string& path) {
   if (path.empty() || !tool.report_writer) return;
@@ -52,6 +48,13 @@ std::optional<ProgressStyle> progress_style(const Tool& tool, const CommonOption
   return style;
 }
 
+void require_distinct_files(const Tool& tool, const CommandLine& line) {
+  RunFiles files;
+  line.add_files(files);
+  if (tool.files) tool.files(files);
+  files.require_distinct();
+}
+
 /// Runs the tool; the report is written in any case.
 Outcome run_session(const Tool& tool, Session& session, const CommonOptions& common) {
   Outcome outcome = outcome_of([&] { tool.run(session); });
@@ -59,16 +62,17 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
   if (outcome.code != ExitCode::done) remove_temporaries();
   if (common.verbosity >= 0)
     for (const auto& [code, message] : session.report().warnings())
-      fmt::print(stderr, "{}: warning {}: {}\n", tool.name, code, message);
+      print_message(fmt::format("{}: warning {}: {}\n", tool.name, code, message));
   Outcome reporting = outcome_of([&] { write_report_of(tool, session, outcome, common.report); });
   if (outcome.code == ExitCode::done) return reporting;
-  if (reporting.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, reporting));
+  print_failure(tool.name, reporting);
   return outcome;
 }
 
 }  // namespace
 
 int tool_main(int argc, char** argv, const Tool& tool) {
+  occupy_standard_streams();
   set_up_heap();
   install_signal_handlers();
   CommonOptions common;
@@ -84,14 +88,15 @@ int tool_main(int argc, char** argv, const Tool& tool) {
       if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;
+    Outcome checking = outcome_of([&] { require_distinct_files(tool, line); });
+    if (checking.code != ExitCode::done) return checking;
     if (common.threads == 0) start_threads_after(least_cpu_seconds_for_threads);
     Session session(tool.name, line.options_json(), common.verbosity, common.threads);
     if (const auto style = progress_style(tool, common, line.writes_to_stdout()))
       session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
     return run_session(tool, session, common);
   }();
-  if (outcome.code != ExitCode::done) fmt::print(stderr, "{}", error_text(tool.name, outcome));
-  return static_cast<int>(outcome.code);
+  return print_failure(tool.name, outcome);
 }
 
 }  // namespace quadrille::cli

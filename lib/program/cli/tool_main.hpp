@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/options.hpp"
+#include "cli/run_files.hpp"
 #include "cli/session.hpp"
 
 namespace quadrille::cli {
@@ -17,6 +18,8 @@ struct Tool {
   std::string description;            ///< a paragraph or two for --help and the man page
   std::vector<std::string> examples;  ///< commands that run in a folder with the stage files of half_disc
   std::function<void(Options&)> options;
+  /// Adds files beside those that the options name.
+  std::function<void(RunFiles&)> files;
   std::function<void(Session&)> run;
   /// io/output_file's write_report; cli itself does not access files.
   std::function<void(const std::string& path, const std::string& tool, const std::string& version, const Report&)>

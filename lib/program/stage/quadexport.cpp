@@ -44,15 +44,15 @@ std::string beside(const std::string& output, const std::string& ending) {
   return output.substr(0, has_ending ? dot : output.size()) + ending;
 }
 
-std::string path_of(const exports::SideFile& side, const std::string& output) {
+std::string path_of(const exports::SideName& side, const std::string& output) {
   return side.is_appended ? output + side.ending : beside(output, side.ending);
 }
 
 /// A message in which files beside the main one have their paths in place of * and their endings.
 std::string with_paths(std::string text, const std::vector<exports::SideFile>& sides, const std::string& output) {
   for (const exports::SideFile& side : sides)
-    if (const std::size_t at = text.find('*' + side.ending); at != std::string::npos)
-      text.replace(at, 1 + side.ending.size(), path_of(side, output));
+    if (const std::size_t at = text.find('*' + side.name.ending); at != std::string::npos)
+      text.replace(at, 1 + side.name.ending.size(), path_of(side.name, output));
   return text;
 }
 
@@ -104,9 +104,9 @@ std::vector<OutputFile> side_files(exports::Exported& exported, const std::strin
   for (exports::SideFile& side : exported.side_files)
     if (takes_one)
       report.warn(warning::side_file_not_written, fmt::format("*{} is not written: {} can contain one file only",
-                                                              side.ending, output == "-" ? "standard output" : output));
+                                                              side.name.ending, output == "-" ? "standard output" : output));
     else
-      files.push_back({path_of(side, output), std::move(side.bytes), side.is_binary});
+      files.push_back({path_of(side.name, output), std::move(side.bytes), side.is_binary});
   return files;
 }
 
@@ -145,6 +145,14 @@ std::string format_of(const std::string& output, const QuadexportOptions& option
     throw UsageError("--patch-type: a STEP model has no types of boundaries");
   }
   return name;
+}
+
+std::vector<std::string> side_paths(const std::string& output, const QuadexportOptions& options) {
+  const exports::ExportFormat* format = exports::find_export_format(format_of(output, options));
+  std::vector<std::string> paths;
+  if (format == nullptr || takes_one_file(output)) return paths;
+  for (const exports::SideName& side : format->side_names) paths.push_back(path_of(side, output));
+  return paths;
 }
 
 void require_order(const std::string& format, int order) {

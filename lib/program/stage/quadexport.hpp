@@ -27,6 +27,9 @@ void declare(Options& options, QuadexportOptions& quadexport);
 /// determine one, and for options that are wrong or that the format does not support.
 std::string format_of(const std::string& output, const QuadexportOptions& options);
 
+/// Paths of the files that may be written beside `output`. Throws UsageError as format_of.
+std::vector<std::string> side_paths(const std::string& output, const QuadexportOptions& options);
+
 /// Throws UsageError if the format `name` does not support quads of this order, before there is a mesh.
 void require_order(const std::string& format, int order);
 

@@ -53,7 +53,7 @@ def mesh_shape(job):
 def new_result(job, results, shape):
     for old in (results.row_file(shape), results.mesh(shape), results.report(shape)):
         old.unlink(missing_ok=True)
-    work = results.part(shape)
+    work, inputs = results.part(shape), results.digests(shape)
     shutil.rmtree(work, ignore_errors=True)
     made = work / "made"
     try:
@@ -62,7 +62,7 @@ def new_result(job, results, shape):
         code, text, seconds = run_quadmesh([*map(str, words), "--threads", job["threads"], *job["options"]], work)
         report = json.loads((work / "report").read_text(encoding="utf-8")) if code == 0 else None
         message = message_of(text, code, work.resolve())
-        row = results.new_row(shape, code, round(seconds, 3), message, report)
+        row = results.new_row(shape, inputs, code, round(seconds, 3), message, report)
         if code == 0:
             for file in sorted(made.iterdir()):  # the mesh, and what its format has beside it
                 file.replace(results.folder / file.name)

@@ -25,12 +25,17 @@ def cell(row, key):
     return " ".join(value) if isinstance(value, list) else value
 
 
+def plain_text(value):
+    """A cell that no spreadsheet takes for a formula (OWASP, "CSV injection")."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(("=", "+", "-", "@", "\t", "\r")) else value
+
+
 def csv_text(rows):
     """With the keys of the rows as the first line; what a shape does not have is empty."""
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(COLUMNS)
-    writer.writerows([cell(row, key) for key in COLUMNS] for row in rows)
+    writer.writerows([plain_text(cell(row, key)) for key in COLUMNS] for row in rows)
     return file.getvalue()
 
 

@@ -1,5 +1,7 @@
 """Results of many shapes: for each shape NAME the mesh NAME.ENDING, NAME.report.json, and, written last, NAME.result.json,
-a row of the table. A shape whose row is missing, or older than the shape, is to be done."""
+a row of the table. A shape is to be done if its row is missing, or was made of another content of the shape or of a file
+that the options name."""
+import hashlib
 import json
 import os
 import pathlib
@@ -9,6 +11,7 @@ import command_frame as frame
 
 SHAPE_ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 FIGURES = ("blocks", "quads", "irregular_nodes", "least_scaled_jacobian", "greatest_edge_ratio")  # of the report
+KEYS = {"shape", "ending", "version", "options", "inputs", "exit_code", *FIGURES, "cpu_seconds", "warnings", "message"}
 FINAL = (0, 1, 2, 3, 70)  # exit codes that would be the same again; not those of a full disk or a signal
 
 
@@ -51,23 +54,25 @@ class Results:
 
     def row(self, shape):
         """The row of a shape that is done, else None."""
-        files = [self.row_file(shape)]
-        row = read_row(files[0])
+        row = read_row(self.row_file(shape))
         if row is None or (row["shape"], row["options"], row["version"], row["ending"]) != (
                 str(shape), self.options, self.version, self.ending) or row["exit_code"] not in FINAL:
             return None
-        if row["exit_code"] == 0:
-            files += [self.mesh(shape), self.report(shape)]
-        try:
-            changed = os.stat(shape).st_mtime_ns
-            return row if all(os.stat(file).st_mtime_ns > changed for file in files) else None
-        except OSError:
-            return None
+        made = [self.mesh(shape), self.report(shape)] if row["exit_code"] == 0 else []
+        inputs = self.digests(shape)
+        is_same = row["inputs"] == inputs and None not in inputs.values()
+        return row if is_same and all(map(pathlib.Path.exists, made)) else None
 
-    def new_row(self, shape, exit_code, cpu_seconds, message, report):
-        """`report` is that of quadmesh, or None."""
+    def digests(self, shape):
+        """SHA-256 of the shape and of each file that the options name."""
+        words = [word.partition("=")[2] if word.startswith("--") else word for word in self.options]
+        files = [str(shape), *(word for word in words if os.path.isfile(word))]
+        return {file: digest(file) for file in files}
+
+    def new_row(self, shape, inputs, exit_code, cpu_seconds, message, report):
+        """`inputs` are the digests before the shape was meshed; `report` is that of quadmesh, or None."""
         row = {"tool": "quadbatch", "version": self.version, "shape": str(shape), "ending": self.ending,
-               "options": self.options, "exit_code": exit_code}
+               "options": self.options, "inputs": inputs, "exit_code": exit_code}
         figures = report or {}
         row |= {key: figures.get(key) for key in FIGURES}
         if isinstance(row["greatest_edge_ratio"], dict):
@@ -86,8 +91,16 @@ def read_row(path):
     """None if there is none, or a part of one."""
     try:
         row = json.loads(path.read_text(encoding="utf-8"))
-        return row if row.get("tool") == "quadbatch" else None
+        return row if row.get("tool") == "quadbatch" and KEYS <= row.keys() else None
     except (OSError, ValueError, AttributeError):
+        return None
+
+
+def digest(file):
+    """None if the file cannot be read."""
+    try:
+        return hashlib.sha256(pathlib.Path(file).read_bytes()).hexdigest()
+    except OSError:
         return None
 
 

@@ -2,10 +2,9 @@
 import json
 import pathlib
 import subprocess
-import sys
 from dataclasses import dataclass
 
-from command_frame import Failure, Stopped
+from command_frame import Failure, Stopped, print_message
 
 
 def run_stage(*words, is_trial=False):
@@ -17,8 +16,8 @@ def run_stage(*words, is_trial=False):
         process.terminate()
         process.wait()
         raise
-    if not is_trial:
-        print(messages, end="", file=sys.stderr)
+    if not is_trial and messages:
+        print_message(messages.removesuffix("\n"))
     if process.returncode:
         code = process.returncode if process.returncode > 0 else 128 - process.returncode
         raise StageFailure(code, words[0], messages)

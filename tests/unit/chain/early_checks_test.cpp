@@ -170,27 +170,42 @@ TEST_F(CheckFiles, the_files_of_the_stages_before_the_first_are_there) {
 TEST_F(CheckFiles, outputs_replace_no_input) {
   std::filesystem::create_symlink(file("plate.step"), file("link.msh"));
   run_.options.output = file("link.msh");
-  EXPECT_EQ(refusal<UsageError>(), "the output " + file("link.msh") + " is the input " + file("plate.step"));
+  EXPECT_EQ(refusal<UsageError>(), file("link.msh") + ": is the input " + file("plate.step") +
+                                       ", which --output would overwrite: give another file");
   run_.options.output = file("x.msh");
   run_.options.report = file("plate.step");
-  EXPECT_EQ(refusal<UsageError>(), "the output " + file("plate.step") + " is the input " + file("plate.step"));
+  EXPECT_EQ(refusal<UsageError>(), file("plate.step") + ": is the input " + file("plate.step") +
+                                       ", which --report would overwrite: give another file");
+  run_.options.report.clear();
+  run_.options.output = file("x.vtu");
+  run_.chain.values.quadrefine.size_field_file = run_.put("x.curves.vtu", "x,y,size\n0,0,1\n");
+  EXPECT_EQ(refusal<UsageError>(), file("x.curves.vtu") + ": is the input " + file("x.curves.vtu") +
+                                       ", which --output would overwrite: give another file");
+  run_.options.output = file("x.msh");
+  run_.options.words["points2step"] = {"--wake", file("plate.step")};
+  run_.options.html = file("plate.step");
+  EXPECT_EQ(refusal<UsageError>(), file("plate.step") + ": is the input " + file("plate.step") +
+                                       ", which --html would overwrite: give another file");
 }
 
 TEST_F(CheckFiles, outputs_replace_no_file_of_the_stages) {
   run_.options.report = file("shape.phase.h5");
   EXPECT_NO_THROW(check_files(run_.chain)) << "stage files are not kept";
   run_.options.workdir = run_.folder.path();
-  EXPECT_EQ(refusal<UsageError>(),
-            "the output " + file("shape.phase.h5") + " is a file of the stages in --workdir " + run_.folder.path());
+  EXPECT_EQ(
+      refusal<UsageError>(),
+      file("shape.phase.h5") + ": would be written twice, by --report and by the stage critpoints: give two names");
 }
 
 TEST_F(CheckFiles, outputs_differ) {
   run_.options.report = file("./x.msh");
-  EXPECT_EQ(refusal<UsageError>(), "the mesh and the report are the same file: " + file("x.msh"));
+  EXPECT_EQ(refusal<UsageError>(),
+            file("./x.msh") + ": would be written twice, by --output and by --report: give two names");
   run_.options.report = "-";
   EXPECT_NO_THROW(check_files(run_.chain));
   run_.options.output = "-";
-  EXPECT_EQ(refusal<UsageError>(), "the mesh and the report cannot both go to standard output: give -o FILE");
+  EXPECT_EQ(refusal<UsageError>(),
+            "--output and --report cannot both go to standard output: name a file for one of them");
 }
 
 TEST_F(CheckFiles, outputs_can_be_written) {

@@ -50,17 +50,5 @@ TEST(PrescribedSizes, are_relative_to_the_origin_and_tables_have_triangles) {
   EXPECT_EQ(sizes.content.triangles.size(), 2U);
 }
 
-TEST(IsSameFile, compares_files_not_names) {
-  const TemporaryFolder folder;
-  folder.touch("a");
-  folder.touch("b");
-  std::filesystem::create_symlink(folder.file("a"), folder.file("link"));
-  EXPECT_TRUE(is_same_file(folder.file("a"), folder.file("link")));
-  EXPECT_TRUE(is_same_file(folder.file("a"), folder.file("./a")));
-  EXPECT_FALSE(is_same_file(folder.file("a"), folder.file("b")));
-  EXPECT_TRUE(is_same_file(folder.file("none"), folder.file("./none"))) << "neither exists";
-  EXPECT_FALSE(is_same_file(folder.file("a"), folder.file("none")));
-}
-
 }  // namespace
 }  // namespace quadrille::chain

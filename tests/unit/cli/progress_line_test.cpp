@@ -7,6 +7,8 @@
 #include <condition_variable>
 #include <regex>
 
+#include "cli/messages.hpp"
+
 namespace quadrille::cli {
 namespace {
 
@@ -202,7 +204,7 @@ TEST(ProgressTicker, UpdatesTheLineWithoutBeingAsked) {
 TEST(ProgressLine, ASignalErasesIt) {
   const auto interrupted = [] {
     const Progress progress;
-    ProgressLine line(progress, terminal(), write_progress);
+    ProgressLine line(progress, terminal(), [](const std::string& text) { print_message(text); });
     line.begin_phase("work");
     erase_progress_line();
     line.update();

@@ -59,7 +59,7 @@ TEST(AbaqusInp, NamesAreWrittenInLettersThatReadersTake) {
   const QuadMesh mesh = two_quads();
   const Exported exported = abaqus_inp(mesh, plane_frame(mesh.face));
   ASSERT_EQ(exported.side_files.size(), 1u);
-  EXPECT_EQ(exported.side_files[0].ending, ".names.json");
+  EXPECT_EQ(exported.side_files[0].name.ending, ".names.json");
   EXPECT_EQ(exported.losses.size(), 2u);
 }
 

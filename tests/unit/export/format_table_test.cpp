@@ -36,6 +36,18 @@ TEST(FormatTable, EveryFormatWritesAMeshThatItSupports) {
     EXPECT_FALSE(export_mesh(two_straight_quads(), format).bytes.empty()) << format.name;
 }
 
+TEST(FormatTable, FilesBesideTheMainOneAreThoseOfTheTable) {
+  QuadMesh mesh = two_quads();
+  mesh.face.curve_names[0] = "in & out";
+  for (const ExportFormat& format : export_formats()) {
+    std::set<std::string> declared;
+    for (const SideName& side : format.side_names) declared.insert(side.ending);
+    for (const SideFile& side : export_mesh(mesh, format).side_files)
+      EXPECT_EQ(declared.erase(side.name.ending), 1u) << format.name << ' ' << side.name.ending;
+    EXPECT_TRUE(declared.empty()) << format.name << ' ' << *declared.begin();
+  }
+}
+
 TEST(FormatTable, AnOrderOrFrameThatAFormatDoesNotSupportIsRefused) {
   QuadMesh mesh = two_quads();
   mesh.order = 11;

@@ -122,7 +122,7 @@ TEST(Mfem, NamesThatVersion10CannotHoldAreInATable) {
   EXPECT_EQ(exported.bytes.substr(0, 15), "MFEM mesh v1.0\n");
   EXPECT_EQ(exported.bytes.find("sets"), std::string::npos);
   ASSERT_EQ(exported.side_files.size(), 1u);
-  EXPECT_EQ(exported.side_files[0].ending, ".names.json");
+  EXPECT_EQ(exported.side_files[0].name.ending, ".names.json");
   EXPECT_NE(exported.side_files[0].bytes.find(R"({"id": 2, "name": "in & out"})"), std::string::npos);
   EXPECT_NE(exported.side_files[0].bytes.find(R"({"id": 2, "name": "right"})"), std::string::npos);
   ASSERT_EQ(exported.losses.size(), 1u);

@@ -10,7 +10,7 @@ TEST(NamesTable, ListsGroupsWithTheirNumbers) {
   groups.boundary_names = {"wall", "outlet"};
   groups.region_names = {"block_0"};
   const SideFile table = names_table(groups, 1, 3);
-  EXPECT_EQ(table.ending, ".names.json");
+  EXPECT_EQ(table.name.ending, ".names.json");
   EXPECT_FALSE(table.is_binary);
   EXPECT_EQ(table.bytes, R"({
   "boundaries": [

@@ -38,7 +38,7 @@ TEST(NekRe2, TableNamesTheNumbers) {
   EXPECT_TRUE(exported.is_binary);
   ASSERT_EQ(exported.side_files.size(), 2u);
   EXPECT_NE(exported.side_files[0].bytes.find("{\"id\": 2, \"name\": \"in & out\"}"), std::string::npos);
-  EXPECT_EQ(exported.side_files[1].ending, "0.f00000");
+  EXPECT_EQ(exported.side_files[1].name.ending, "0.f00000");
   EXPECT_EQ(exported.side_files[1].bytes, nek_geometry_field(mesh, plane_frame(mesh.face)));
 }
 

@@ -109,7 +109,7 @@ TEST(Vtu, CurvesHoldBoundaryAndInterfaces) {
   mesh.face.curve_names.assign(mesh.face.curves.size(), "wall");
   const Exported file = vtu_lagrange(mesh, plane_frame(mesh.face));
   ASSERT_EQ(file.side_files.size(), 1u);
-  EXPECT_EQ(file.side_files[0].ending, ".curves.vtu");
+  EXPECT_EQ(file.side_files[0].name.ending, ".curves.vtu");
   const std::string& text = file.side_files[0].bytes;
   const auto is_interface = values<int>(text, "is_interface"), curve = values<int>(text, "curve_id");
   const auto name = values<int>(text, "name_id"), right = values<int>(text, "right_block");

@@ -10,7 +10,8 @@ from many_shapes.shape_results import Results
 REPORT = {"blocks": 4, "quads": 10, "irregular_nodes": 2, "least_scaled_jacobian": 0.51234,
           "greatest_edge_ratio": {"value": 3.0}, "warnings": [{"code": "W-X-1"}]}
 RESULTS = Results("out")
-ROWS = [RESULTS.new_row("a, b.step", 0, 0.25, "", REPORT), RESULTS.new_row("<c>.step", 1, 0.5, 'no "layout"', None)]
+ROWS = [RESULTS.new_row("a, b.step", {}, 0, 0.25, "", REPORT),
+        RESULTS.new_row("<c>.step", {}, 1, 0.5, 'no "layout"', None)]
 
 
 class TableTest(unittest.TestCase):
@@ -19,6 +20,11 @@ class TableTest(unittest.TestCase):
         self.assertEqual([good[key] for key in ("shape", "least_scaled_jacobian", "warnings")],
                          ["a, b.step", "0.51234", "W-X-1"])
         self.assertEqual((bad["exit_code"], bad["quads"], bad["message"]), ("1", "", 'no "layout"'))
+
+    def test_csv_has_no_formulas(self):
+        row = RESULTS.new_row("=1+1.step", {}, 1, 0.5, "@SUM(A1)", None)
+        (read,) = csv.DictReader(io.StringIO(csv_text([row])))
+        self.assertEqual((read["shape"], read["message"], read["cpu_seconds"]), ("'=1+1.step", "'@SUM(A1)", "0.5"))
 
     def test_html_escapes_links_meshes_and_begins_with_failures(self):
         text = html_text(ROWS, lambda row: "a, b.msh")

@@ -35,36 +35,50 @@ class ResultsTest(FolderTest):
         self.shape = self.here / "disc.step"
         self.results = Results(self.here / "out", "msh", ["--size", "1"], "0.1")
         self.results.folder.mkdir()
-        self.put(self.shape, 1)
+        self.shape.write_text("a face")
 
-    def put(self, path, time, text=""):
-        path.write_text(text)
-        os.utime(path, (time, time))
-
-    def finish(self, exit_code=0, time=2, results=None):
+    def finish(self, exit_code=0, results=None):
         results = results or self.results
-        row = results.new_row(self.shape, exit_code, 0.25, "", REPORT if exit_code == 0 else None)
+        row = self.new_row(exit_code, results=results)
         for path in (results.mesh(self.shape), results.report(self.shape)):
-            self.put(path, time)
-        self.put(results.row_file(self.shape), time, json.dumps(row))
+            path.touch()
+        results.row_file(self.shape).write_text(json.dumps(row))
+
+    def new_row(self, exit_code, message="", results=None):
+        results = results or self.results
+        return results.new_row(self.shape, results.digests(self.shape), exit_code, 0.25, message,
+                               REPORT if exit_code == 0 else None)
 
     def is_done(self, results=None):
         return (results or self.results).row(str(self.shape)) is not None
 
     def test_a_row_has_the_figures_of_the_report(self):
-        row = self.results.new_row(self.shape, 0, 0.25, "", REPORT)
+        row = self.new_row(0)
         self.assertEqual(row["greatest_edge_ratio"], 3.0)
         self.assertEqual(row["warnings"], ["W-X-1", "W-X-2"])
-        failed = self.results.new_row(self.shape, 1, 0.25, "why", None)
+        failed = self.new_row(1, "why")
         self.assertEqual((failed["blocks"], failed["message"]), (None, "why"))
         self.assertEqual(list(row), list(failed))
 
-    def test_a_shape_is_done_if_all_files_are_newer(self):
+    def test_a_shape_is_done_until_its_content_changes_to_an_older_one_too(self):
         self.assertFalse(self.is_done())
         self.finish()
         self.assertTrue(self.is_done())
-        self.put(self.shape, 3)
+        os.utime(self.shape)
+        self.assertTrue(self.is_done())
+        self.shape.write_text("another face")
+        os.utime(self.shape, (1, 1))
         self.assertFalse(self.is_done())
+
+    def test_a_shape_is_done_until_a_file_of_the_options_changes(self):
+        names = self.here / "names.json"
+        names.write_text("[]")
+        for words in (["--boundary-names", str(names)], [f"--boundary-names={names}"]):
+            results = Results(self.results.folder, "msh", words, "0.1")
+            self.finish(results=results)
+            self.assertTrue(self.is_done(results))
+            names.write_text(names.read_text() + " ")
+            self.assertFalse(self.is_done(results))
 
     def test_it_is_not_done_without_a_file(self):
         for path in (self.results.mesh, self.results.report, self.results.row_file):
@@ -72,8 +86,9 @@ class ResultsTest(FolderTest):
             path(self.shape).unlink()
             self.assertFalse(self.is_done())
         self.finish()
-        self.results.row_file(self.shape).write_text('{"tool": "ba')
-        self.assertFalse(self.is_done())
+        for foreign in ('{"tool": "ba', "[]", '{"tool": "quadbatch", "shape": 5}'):
+            self.results.row_file(self.shape).write_text(foreign)
+            self.assertFalse(self.is_done())
 
     def test_a_failure_is_done_without_a_mesh_unless_it_may_not_repeat(self):
         for exit_code, is_done in ((1, True), (3, True), (70, True), (4, False), (143, False)):
@@ -90,7 +105,7 @@ class ResultsTest(FolderTest):
         self.finish()
         self.shape = self.here / "annulus.step"
         self.finish(1)
-        self.put(self.results.folder / "other.result.json", 1, "[]")
+        (self.results.folder / "other.result.json").write_text("[]")
         self.assertEqual([pathlib.Path(row["shape"]).stem for row in self.results.all_rows()], ["annulus", "disc"])
         self.assertIsNone(read_row(self.results.folder / "none"))
 
