@@ -1,5 +1,6 @@
 """What the Python commands share: options, exit codes, signals, and files that are written whole or not at all."""
 import contextlib
+import errno
 import os
 import pathlib
 import re
@@ -12,7 +13,7 @@ import tempfile
 from nearest_word import nearest_word
 
 SHORT = {"-o": "--output", "-v": "--verbose", "-q": "--quiet", "-h": "--help"}
-USAGE, BAD_INPUT, NOT_WRITTEN, INTERNAL = 2, 3, 4, 70  # exit codes
+NO_RESULT, USAGE, BAD_INPUT, NOT_WRITTEN, INTERNAL = 1, 2, 3, 4, 70  # exit codes
 
 
 class Failure(Exception):
@@ -214,6 +215,10 @@ def _remove_part():
         _part.unlink(missing_ok=True)
 
 
+RESOURCES = {errno.EAGAIN: "no more processes: raise their limit (ulimit -u)",
+             errno.EMFILE: "no more open files: raise their limit (ulimit -n)",
+             errno.ENFILE: "no more open files: raise their limit (ulimit -n)",
+             errno.ENOMEM: "no more memory: raise its limit (ulimit -v)"}
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -231,6 +236,10 @@ def failure_of(error):
     """Any exception as a failure."""
     if isinstance(error, Failure):
         return error
+    if isinstance(error, OSError) and error.errno in RESOURCES:
+        return Failure(NO_RESULT, RESOURCES[error.errno])
+    if isinstance(error, MemoryError):
+        return Failure(NO_RESULT, RESOURCES[errno.ENOMEM])
     if isinstance(error, OSError):
         return Failure(NOT_WRITTEN, f"{error.filename or 'output'}: cannot be written: {error.strerror}")
     return Failure(INTERNAL, f"internal error, please report it: {error!r}")

@@ -68,8 +68,49 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   assert_regex "$stderr" 'quadmesh: warning W-RUN-001: padapt was killed by signal 9, as systems do when memory runs out: the quads'
   run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o other.msh --layout quantized
   assert_regex "${stderr_lines[-1]}" '^quadmesh: padapt was killed by signal 9, as systems do when memory runs out$'
+  (
+    ulimit -t 100
+    run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o other.msh --layout quantized
+    assert_regex "${stderr_lines[-1]}" 'padapt was killed by signal 9, as systems do after 100 s of CPU time \(ulimit -t\) or'
+  )
   rm -r fake
   assert_nothing_left out.msh
+}
+
+@test "a process that gets no more processes, files or memory: 1, with the resource named" {
+  (
+    ulimit -n 6
+    run -1 --separate-stderr cad2tri "$DATA/half_disc.step" -o out.tri.h5
+    [[ $stderr == *": no more open files: raise their limit (ulimit -n)" ]]
+  )
+  (
+    ulimit -v 30000
+    run -1 --separate-stderr cad2tri "$DATA/half_disc.step" -o out.tri.h5
+    [[ $stderr == *" cannot be started: no more memory: raise its limit (ulimit -v)" ]]
+  )
+  [[ $EUID == 0 ]] && command -v setpriv >/dev/null || skip "a plain user is needed"
+  chmod 777 .
+  setpriv --reuid 65534 --clear-groups bash -c 'ulimit -u 1; exec "$@"' - "$BIN/cad2tri" - -o out.tri.h5 \
+    <"$DATA/half_disc.step" 2>words && code=0 || code=$?
+  assert_equal "$code $(cat words)" "1 cad2tri: cannot start a process: no more processes: raise their limit (ulimit -u)"
+}
+
+@test "messages that cannot be written change no exit code" {
+  for words in "cad2tri none.step" "padapt none.h5" "quadmesh none.step -o out.msh" "points2step none.dat"; do
+    case $words in
+      quadmesh*) set -- "$quadmesh" none.step -o out.msh ;;
+      points2step*) set -- "$ROOT/pipelines/points2step" none.dat ;;
+      *) set -- $words ;;
+    esac
+    for way in '2>&-' '2>/dev/full' '2> >(exec true)'; do
+      eval '"$@" '"$way" && code=0 || code=$?
+      assert_equal "$words $way $code" "$words $way 3"
+    done
+  done
+  "$quadmesh" "$DATA/half_disc.step" -o out.msh --size 0.4 >/dev/full
+  "$quadmesh" "$DATA/half_disc.step" -o out.msh --size 0.4 >&- 2>&-
+  run -4 bash -c '"$@" >/dev/full' - "$quadmesh" --help
+  run -4 bash -c '"$@" >&-' - "$quadmesh" -q "$DATA/half_disc.step" --size 0.4
 }
 
 @test "a tool that gets no memory says so and ends with 1" {

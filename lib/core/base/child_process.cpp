@@ -16,6 +16,7 @@
 #include <exception>
 
 #include "base/error.hpp"
+#include "base/resources.hpp"
 
 namespace quadrille {
 namespace {
@@ -28,6 +29,17 @@ constexpr int not_loaded = 127;
 // Message from the child: one letter for the kind of outcome; the rule and a zero byte for a FormatError; then the
 // text.
 enum Outcome : char { value = 'v', error = 'e', format_error = 'f', other = 'x', not_started = 'n' };
+
+[[noreturn]] void fail(const char* what) {
+  const int error = errno;
+  require_resources(error, what);
+  throw Defect(std::string(what) + ": " + std::strerror(error));
+}
+
+bool has_limited_memory() {
+  rlimit memory{};
+  return getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY;
+}
 
 void write_all(int fd, const char* data, size_t size) {
   while (size > 0) {
@@ -152,7 +164,7 @@ void silence() {
 std::string answer_of_child(const std::function<void(int fd)>& body, const std::function<void()>& feed, int cpu_seconds,
                             int& status) {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw Defect(std::string("cannot make a pipe: ") + std::strerror(errno));
+  if (pipe2(ends, O_CLOEXEC) != 0) fail("cannot make a pipe");
   // The child is killed with its parent, since no process would read its result.
   const pid_t child = start_child(
       [&] {
@@ -184,7 +196,7 @@ pid_t start_child(const std::function<int()>& body, int death_signal) {
   std::signal(SIGCHLD, SIG_DFL);  // no child could be waited for if it was ignored
   std::fflush(nullptr);           // or both processes would write what is buffered
   const pid_t parent = getpid(), child = fork();
-  if (child < 0) throw Defect(std::string("cannot start a process: ") + std::strerror(errno));
+  if (child < 0) fail("cannot start a process");
   if (child > 0) return child;
   prctl(PR_SET_PDEATHSIG, death_signal);
   if (getppid() != parent) _exit(1);
@@ -207,14 +219,15 @@ std::string run_program(const std::string& program, const std::string& input, co
                         int cpu_seconds) {
   // Not a file in memory: a limit of the size of files (ulimit -f) holds for that too.
   std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    throw Defect(std::string("cannot make a socket: ") + std::strerror(errno));
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("cannot make a socket");
   int status = 0;
   const auto body = [&](int fd) { become(program, ends[1], fd); };
   const auto feed = [&] { close(ends[1]), send_all(ends[0], input); };
   const std::string bytes = answer_of_child(body, feed, cpu_seconds, status);
-  if (bytes.empty() && WIFEXITED(status) && WEXITSTATUS(status) == not_loaded)
+  if (bytes.empty() && WIFEXITED(status) && WEXITSTATUS(status) == not_loaded) {
+    require_resources(has_limited_memory() ? ENOMEM : 0, program + " cannot be started");
     throw Error(ExitCode::defect, program + " cannot be started");
+  }
   return result_of(bytes, status, crash_message);
 }
 

@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "base/resources.hpp"
 #include "io/sha256.hpp"
 
 namespace quadrille::io {
@@ -25,6 +26,7 @@ struct Descriptor {
 };
 
 [[noreturn]] void fail(const std::string& name) {
+  require_resources(errno, name + ": cannot be read");
   throw FormatError(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
 }
 

@@ -15,12 +15,14 @@
 
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
+#include "base/resources.hpp"
 
 namespace quadrille::io {
 
 namespace {
 
 [[noreturn]] void fail(const std::string& name) {
+  require_resources(errno, name + ": cannot be written");
   throw OutputError(fmt::format("{}: cannot be written: {}", name, std::strerror(errno)));
 }
 

@@ -101,7 +101,8 @@ void run_stages(ChainState& chain) {
   check_files(chain);
   make_folder(chain.options);
   std::optional<FolderLock> lock;
-  if (!chain.options.workdir.empty() && !chain.options.is_dry_run) lock.emplace(chain.files.stem, chain.options.is_quiet);
+  if (!chain.options.workdir.empty() && !chain.options.is_dry_run)
+    lock.emplace(chain.files.stem, chain.options.is_quiet);
   triangulate_shape(chain);
   check_face(chain);
   add_clearances(chain);

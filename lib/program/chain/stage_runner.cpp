@@ -1,6 +1,7 @@
 #include "chain/stage_runner.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,6 +24,14 @@ namespace {
 
 /// Seconds between two states of the line of progress, and before the first one.
 constexpr double progress_interval = 0.2, progress_delay = 1;
+
+/// The system kills a process at the hard limit of its CPU time too.
+std::string cause_of_kill() {
+  rlimit seconds{};
+  const bool is_limited = getrlimit(RLIMIT_CPU, &seconds) == 0 && seconds.rlim_max != RLIM_INFINITY;
+  return is_limited ? fmt::format("after {} s of CPU time (ulimit -t) or when memory runs out", seconds.rlim_max)
+                    : "when memory runs out";
+}
 
 /// How many stages follow a run, if nothing unforeseen happens.
 int stages_after(const StageTask& task, const ChainOptions& options) {
@@ -147,7 +156,7 @@ StageEnd StageRunner::run_in_child(const StageTask& task, Share share) {
   StageEnd end;
   ChildEnd child = child_of(task, report, share, end.messages);
   task.drop_result();
-  if (!child.stopped && child.code == killed) child.stopped = "killed by signal 9, as systems do when memory runs out";
+  if (!child.stopped && child.code == killed) child.stopped = "killed by signal 9, as systems do " + cause_of_kill();
   if (child.stopped)
     return {ExitCode::no_result, *child.stopped, {}, true, {task.name, report_of_stopped(tool, *child.stopped, child)}};
   end.code = static_cast<ExitCode>(child.code);

@@ -14,6 +14,7 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/resources.hpp"
 #include "chain/blocked_signals.hpp"
 #include "cli/messages.hpp"
 
@@ -104,8 +105,12 @@ ChildEnd run_looking(const std::function<int()>& body, Budget& budget, Share sha
 class Pipe {
  public:
   Pipe() {
-    if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw Defect(std::string("cannot make a pipe: ") + std::strerror(errno));
-    fcntl(ends_[0], F_SETFL, O_NONBLOCK);
+    if (pipe2(ends_.data(), O_CLOEXEC) == 0) {
+      fcntl(ends_[0], F_SETFL, O_NONBLOCK);
+      return;
+    }
+    require_resources(errno, "cannot make a pipe");
+    throw Defect(std::string("cannot make a pipe: ") + std::strerror(errno));
   }
   ~Pipe() { close(ends_[0]), close(ends_[1]); }
   Pipe(const Pipe&) = delete;
