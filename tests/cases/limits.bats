@@ -68,26 +68,18 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   assert_regex "$stderr" 'quadmesh: warning W-RUN-001: padapt was killed by signal 9, as systems do when memory runs out: the quads'
   run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o other.msh --layout quantized
   assert_regex "${stderr_lines[-1]}" '^quadmesh: padapt was killed by signal 9, as systems do when memory runs out$'
-  (
-    ulimit -t 100
-    run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o other.msh --layout quantized
-    assert_regex "${stderr_lines[-1]}" 'padapt was killed by signal 9, as systems do after 100 s of CPU time \(ulimit -t\) or'
-  )
+  run -1 --separate-stderr here bash -c 'ulimit -t 100; exec "$@"' - \
+    "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o other.msh --layout quantized
+  assert_regex "${stderr_lines[-1]}" 'padapt was killed by signal 9, as systems do after 100 s of CPU time \(ulimit -t\) or'
   rm -r fake
   assert_nothing_left out.msh
 }
 
 @test "a process that gets no more processes, files or memory: 1, with the resource named" {
-  (
-    ulimit -n 6
-    run -1 --separate-stderr cad2tri "$DATA/half_disc.step" -o out.tri.h5
-    [[ $stderr == *": no more open files: raise their limit (ulimit -n)" ]]
-  )
-  (
-    ulimit -v 30000
-    run -1 --separate-stderr cad2tri "$DATA/half_disc.step" -o out.tri.h5
-    [[ $stderr == *" cannot be started: no more memory: raise its limit (ulimit -v)" ]]
-  )
+  run -1 --separate-stderr bash -c 'ulimit -n 6; exec "$@"' - cad2tri "$DATA/half_disc.step" -o out.tri.h5
+  [[ $stderr == *": no more open files: raise their limit (ulimit -n)" ]]
+  run -1 --separate-stderr bash -c 'ulimit -v 30000; exec "$@"' - cad2tri "$DATA/half_disc.step" -o out.tri.h5
+  [[ $stderr == *" cannot be started: no more memory: raise its limit (ulimit -v)" ]]
   [[ $EUID == 0 ]] && command -v setpriv >/dev/null || skip "a plain user is needed"
   chmod 777 .
   setpriv --reuid 65534 --clear-groups bash -c 'ulimit -u 1; exec "$@"' - "$BIN/cad2tri" - -o out.tri.h5 \

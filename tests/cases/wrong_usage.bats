@@ -117,7 +117,7 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --report link.msh | link.msh: is the input half_disc.step, which --report would
 2 | quadmesh half_disc.step -o out.msh --report ./out.msh | ./out.msh: would be written twice, by --output and by --report
 2 | quadmesh half_disc.step --report - | cannot both go to standard output
-2 | quadmesh half_disc.step --format msh -o w/half_disc.quad.h5 --workdir w | w/half_disc.crit.json: would be written twice, by --report and by the stage critpoints in --workdir w
+2 | quadmesh half_disc.step --format msh -o w/half_disc.quad.h5 --workdir w | w/half_disc.quad.h5: would be written twice, by --output and by the stage quadrefine
 2 | quadmesh half_disc.step -o out.msh --report w/../w/half_disc.crit.json --workdir w | w/half_disc.crit.json: would be written twice, by --report and by the stage critpoints
 2 | quadmesh half_disc.step --farfield circle:5 --from separatrix --workdir w | --farfield makes a CAD file of points
 2 | quadmesh half_disc.step --nodes edited.json -o out.msh --report edited.json | edited.json: is the input edited.json, which --report would overwrite
@@ -309,6 +309,46 @@ late() {
   run -0 "$ROOT/pipelines/quadplace" -qoplaced.msh square.step
   assert_output ''
   cmp out.msh placed.msh
+}
+
+# keeps FILE COMMAND...: the command is refused with 2 and leaves the file as it is.
+keeps() {
+  local file=$1 before
+  before=$(md5sum <"$file")
+  shift
+  run -2 "$@"
+  assert_equal "$(md5sum <"$file")" "$before"
+}
+
+@test "no output replaces a file beside which it writes, a file of points, a stage file or standard input" {
+  local quadmesh=$ROOT/pipelines/quadmesh
+  cp "$ROOT/pipelines/examples/aerofoil.dat" a.dat
+  printf '1 0\n5 0.1\n' | tee wake.msh w/a.outline.step >wake.txt
+  keeps wake.msh "$quadmesh" a.dat --farfield cgrid:4 --wake wake.msh -o wake.msh
+  keeps wake.txt "$quadmesh" a.dat --farfield cgrid:4 --wake wake.txt -o a.msh --report wake.txt
+  keeps w/a.outline.step "$quadmesh" a.dat --farfield cgrid:4 --wake w/a.outline.step -o a.msh --workdir w
+  echo '[{"id": "*", "name": "wall"}]' | tee d.mesh.names.json >w/half_disc.sep.json
+  keeps d.mesh.names.json "$quadmesh" half_disc.step --boundary-names d.mesh.names.json -o d.mesh
+  keeps w/half_disc.sep.json "$quadmesh" half_disc.step --boundary-names w/half_disc.sep.json -o d.msh --workdir w
+  printf 'x,y,size\n0,0.5,0.3\n' >d.curves.vtu
+  keeps d.curves.vtu "$quadmesh" half_disc.step --size-field d.curves.vtu -o d.vtu
+  run -2 "$quadmesh" - --workdir w -o half_disc.step --format msh <half_disc.step
+  run -2 "$quadmesh" half_disc.step -o d.re2 --report d0.f00000
+  cp w/half_disc.quad.h5 e.curves.vtu
+  keeps e.curves.vtu quadexport e.curves.vtu -o e.vtu
+  run -2 quadexport w/half_disc.quad.h5 -o f.mesh --report f.mesh.names.json
+  cp w/half_disc.crit.json n.mesh.names.json
+  keeps n.mesh.names.json "$ROOT/pipelines/quadplace" half_disc.step --start n.mesh.names.json -o n.mesh --rounds 0
+  cmp half_disc.step "$DATA/half_disc.step"
+}
+
+@test "temporary files replace nothing: names that others gave are other files" {
+  for name in n.json.part .n.json.tmp; do
+    cp w/half_disc.crit.json "$name"
+    "$ROOT/pipelines/quadplace" -q half_disc.step --start "$name" --nodes n.json -o q.msh --rounds 0
+    cmp "$name" w/half_disc.crit.json
+  done
+  assert_equal "$(find . -name '.*.tmp' -not -name .n.json.tmp)" ''
 }
 
 @test "a name that begins with two dots, or a link to the folder, is the same file" {
