@@ -51,6 +51,18 @@ std::string utf8_or_latin1(const std::string& text) {
   return result;
 }
 
+std::string printable_text(std::string_view text) {
+  std::string printable;
+  while (!text.empty()) {
+    const int length = utf8_length(text);
+    const std::string_view character = text.substr(0, static_cast<std::size_t>(std::max(length, 1)));
+    const bool is_kept = character == "\n" || (length > 0 && !is_control(text, length));
+    printable += is_kept ? character : "\xEF\xBF\xBD";
+    text.remove_prefix(character.size());
+  }
+  return printable;
+}
+
 std::string clean_name(std::string_view text) {
   std::string name;
   while (!text.empty()) {

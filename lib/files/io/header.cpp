@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "io/json_archive.hpp"
@@ -30,6 +34,31 @@ void require_version(const std::string& file_name, const StageFormat& expected, 
                     file_name, format, version[0], version[1], expected.major));
 }
 
+namespace {
+
+bool is_plain(const std::string& word) {
+  return std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           std::string_view("+-._").find(c) != std::string_view::npos;
+  });
+}
+
+/// What becomes words of commands (stagecheck --history) and names of files: names of tools, options and formats.
+void require_plain_words(Archive& archive, const ProvenanceStep& step) {
+  std::vector<std::string> words{step.tool, step.version};
+  for (const InputDigest& input : step.inputs) words.insert(words.end(), {input.format, input.sha256});
+  const nlohmann::json options = nlohmann::json::parse(step.options, nullptr, false);
+  if (options.is_object())
+    for (const auto& [name, value] : options.items()) words.push_back(name);
+  for (const std::string& word : words)
+    if (!is_plain(word))
+      archive.fail("tool", fmt::format("must be made, like the names of its options and inputs, of letters, digits and "
+                                       "+ - . _, not '{}'",
+                                       clean_name(word)));
+}
+
+}  // namespace
+
 void describe_provenance(Archive& archive, Provenance& provenance) {
   archive.field("provenance", provenance, [](Archive& a, ProvenanceStep& step) {
     a.field("tool", step.tool);
@@ -40,6 +69,7 @@ void describe_provenance(Archive& archive, Provenance& provenance) {
     });
     if (!a.is_reading() && step.options.empty()) step.options = "{}";
     a.json("options", step.options, {});
+    if (a.is_reading()) require_plain_words(a, step);
   });
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 
 namespace quadrille::cli {
 
@@ -32,9 +33,7 @@ bool write_text(std::string_view text, int descriptor) {
   return true;
 }
 
-}  // namespace
-
-void print_message(std::string_view text, int descriptor) noexcept {
+void write_without_signal(std::string_view text, int descriptor) noexcept {
   sigset_t of_pipes, before;
   sigemptyset(&of_pipes);
   sigaddset(&of_pipes, SIGPIPE);
@@ -44,7 +43,14 @@ void print_message(std::string_view text, int descriptor) noexcept {
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
-void print_to_stdout(std::string_view text) {
+}  // namespace
+
+void print_message(std::string_view text, int descriptor) { write_without_signal(printable_text(text), descriptor); }
+
+void write_to_terminal(std::string_view text) noexcept { write_without_signal(text, STDERR_FILENO); }
+
+void print_to_stdout(std::string_view words) {
+  const std::string text = printable_text(words);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw OutputError("standard output: cannot be written");
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "base/name_text.hpp"
 #include "base/processors.hpp"
 #include "base/version.hpp"
 #include "cli/messages.hpp"
@@ -43,14 +44,14 @@ Session::Session(std::string tool, std::string options_json, int verbosity, int 
 void Session::info(const std::string& text, int level) const {
   if (verbosity_ < level) return;
   if (display_.line)
-    display_.line->print(tool_ + ": " + text);
+    display_.line->print(printable_text(tool_ + ": " + text));
   else
     print_message(fmt::format("{}: {}\n", tool_, text));
 }
 
 void Session::show_progress(const ProgressStyle& style, double interval) {
   report_ = Report(&display_.progress);
-  display_.line.emplace(display_.progress, style, [](const std::string& text) { print_message(text); });
+  display_.line.emplace(display_.progress, style, write_to_terminal);
   display_.ticker.emplace(*display_.line, interval);
 }
 

@@ -46,6 +46,11 @@ TEST(NameText, names_are_one_trimmed_line) {
   EXPECT_EQ(clean_name("W\xC3\xA4nde aus \xE9\x8B\xBC"), "W\xC3\xA4nde aus \xE9\x8B\xBC");
 }
 
+TEST(NameText, what_a_terminal_would_obey_is_not_printed) {
+  EXPECT_EQ(printable_text("a\n\xC3\xA9 \t\x1B[31m\x7F\xC2\x9B" "\xFF"),
+            "a\n\xC3\xA9 \xEF\xBF\xBD\xEF\xBF\xBD[31m\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
+}
+
 TEST(Wildcard, AStarIsAnyTextAndAQuestionMarkOneCharacter) {
   const struct {
     const char *text, *pattern;

@@ -204,7 +204,7 @@ TEST(ProgressTicker, UpdatesTheLineWithoutBeingAsked) {
 TEST(ProgressLine, ASignalErasesIt) {
   const auto interrupted = [] {
     const Progress progress;
-    ProgressLine line(progress, terminal(), [](const std::string& text) { print_message(text); });
+    ProgressLine line(progress, terminal(), write_to_terminal);
     line.begin_phase("work");
     erase_progress_line();
     line.update();

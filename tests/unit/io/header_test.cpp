@@ -57,5 +57,17 @@ TEST(Header, DamagedProvenanceIsRefusedWithItsPlace) {
   }
 }
 
+// stagecheck --history prints commands and names of files from these.
+TEST(Header, ProvenanceWithWordsForAShellIsRefused) {
+  const char* const hostile[] = {
+      R"({"tool": "cad2tri; x", "version": "1", "inputs": [], "options": {}})",
+      R"({"tool": "cad2tri", "version": "1\nx", "inputs": [], "options": {}})",
+      R"({"tool": "cad2tri", "version": "1", "inputs": [{"format": "step\nx #", "sha256": "0"}], "options": {}})",
+      R"({"tool": "cad2tri", "version": "1", "inputs": [{"format": "step", "sha256": "0\u001b"}], "options": {}})",
+      R"({"tool": "cad2tri", "version": "1", "inputs": [], "options": {"size; x #": 1}})"};
+  for (const char* step : hostile)
+    EXPECT_THROW(parse_provenance(R"({"provenance": [)" + std::string(step) + "]}", "file"), FormatError) << step;
+}
+
 }  // namespace
 }  // namespace quadrille::io
