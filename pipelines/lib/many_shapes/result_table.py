@@ -46,7 +46,7 @@ def shown(value):
 def html_row(row, stem):
     cells = [html.escape(shown(cell(row, key))) for key in COLUMNS]
     if row["exit_code"] == 0:
-        cells[0] = f'<a href="{html.escape(urllib.parse.quote(stem(row)))}">{cells[0]}</a>'
+        cells[0] = f'<a href="{html.escape(urllib.parse.quote(os.fsencode(stem(row))))}">{cells[0]}</a>'
     attribute = "" if row["exit_code"] == 0 else ' class="failed"'
     return f"<tr{attribute}>" + "".join(f"<td>{text}</td>" for text in cells) + "</tr>\n"
 
@@ -69,10 +69,11 @@ def html_text(rows, stem):
 
 
 def write_whole(path, text):
-    """Other processes may write the same file: each to a name of its own, renamed when it is complete."""
+    """Other processes may write the same file: each to a name of its own, renamed when it is complete. Bytes of names
+    that are not UTF-8 are written as \\udcNN."""
     handle, part = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     try:
-        with open(handle, "w", encoding="utf-8") as file:
+        with open(handle, "w", encoding="utf-8", errors="backslashreplace") as file:
             file.write(text)
         os.chmod(part, 0o666 & ~_umask())
         os.replace(part, path)

@@ -40,6 +40,8 @@ class TableTest(unittest.TestCase):
             write_tables(Results(path))
             self.assertEqual(sorted(file.name for file in path.iterdir()), ["table.csv", "table.html"])
             self.assertTrue((path / "table.csv").read_text().startswith("shape,exit_code,"))
+            write_whole(path / "table.csv", "a\udcff.step")
+            self.assertEqual((path / "table.csv").read_text(), "a\\udcff.step")
             with self.assertRaises(OSError):
                 write_whole(path, "")
             self.assertEqual(len(list(path.iterdir())), 2)
