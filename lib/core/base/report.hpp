@@ -4,6 +4,7 @@
 // since it is passed to all long work.
 
 #include <concepts>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -44,6 +45,7 @@ class Report {
  private:
   Progress* progress_ = nullptr;
   std::vector<std::pair<std::string, Value>> entries_;
+  std::map<std::string, std::size_t> positions_;  ///< in `entries_`
   std::vector<Warning> warnings_;
 };
 
