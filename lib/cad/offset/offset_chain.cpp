@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/carrier.hpp"
-#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "model/offset_names.hpp"
 #include "offset/extended_curve.hpp"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
-#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"

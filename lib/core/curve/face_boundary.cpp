@@ -8,6 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/tolerance.hpp"
+#include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 
@@ -309,6 +310,16 @@ double FaceBoundary::length_inside(Vec2 x, Vec2 direction) const {
     begin = hit.length;
   }
   return 0;
+}
+
+double mean_width(const CadFace& face) {
+  double twice_area = 0, length = 0;
+  for (const Nurbs& curve : face.curves)
+    for_each_span(curve, [&](double a, double b) {
+      twice_area += gauss_integral<8>([&](double t) { return cross(point(curve, t), derivative(curve, t)); }, a, b);
+      length += gauss_integral<8>([&](double t) { return norm(derivative(curve, t)); }, a, b);
+    });
+  return twice_area / length;
 }
 
 }  // namespace quadrille::curve

@@ -123,4 +123,7 @@ class FaceBoundary : public CurveTree {
   const CadFace* face_;
 };
 
+/// The mean width of a face: twice the area over the length of the boundary, the width of a long strip.
+double mean_width(const CadFace& face);
+
 }  // namespace quadrille::curve

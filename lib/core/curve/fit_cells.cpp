@@ -16,18 +16,6 @@ constexpr double most_turn = 0.25;
 constexpr double jump_error_2 = 5e-3, jump_error_3 = 1e-4;
 constexpr double least_piece = 0.25;
 
-struct Bend {
-  double curvature = 0, slope = 0;
-};
-
-Bend bend_at(const Nurbs& curve, double t, bool from_left) {
-  const auto d = derivatives(curve, t, from_left);
-  const double speed2 = norm2(d[1]);
-  if (speed2 == 0) return {};
-  const double bend = cross(d[1], d[2]);
-  return {bend / std::pow(speed2, 1.5), (cross(d[1], d[3]) - 3 * bend * dot(d[1], d[2]) / speed2) / (speed2 * speed2)};
-}
-
 void set_jumps(FitNode& node, Bend before, Bend after) {
   node.curvature_jump = std::abs(after.curvature - before.curvature);
   node.slope_jump = std::abs(after.slope - before.slope);
@@ -95,7 +83,7 @@ FitCells fit_cells(const Nurbs& curve) {
     FitNode node{t, length.at(t)};
     const bool is_end = t == ends.front() || t == ends.back();
     const double before = is_end ? ends.back() : t, after = is_end ? ends.front() : t;
-    set_jumps(node, bend_at(curve, before, true), bend_at(curve, after, false));
+    set_jumps(node, bend(curve, before, true), bend(curve, after, false));
     result.nodes.push_back(node);
   }
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)

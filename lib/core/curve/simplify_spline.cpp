@@ -22,12 +22,6 @@ constexpr double same_tangent = 1e-9;
 /// Middles of pieces nearer to each other, relative to the distance of two nodes, are equally near to both.
 constexpr double same_place = 1e-6;
 
-double polygon_length(const Nurbs& curve) {
-  double length = 0;
-  for (std::size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
-  return length;
-}
-
 bool closes_smoothly(const Nurbs& curve) {
   if (!(distance(curve.poles.front(), curve.poles.back()) <= 1e-12 * polygon_length(curve))) return false;
   const Vec2 a = tangent(curve, curve.end(), true), b = tangent(curve, curve.begin());
