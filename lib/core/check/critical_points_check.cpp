@@ -2,8 +2,8 @@
 #include <numeric>
 
 #include "base/angle.hpp"
-#include "check/nurbs_rules.hpp"
 #include "check/rules.hpp"
+#include "curve/nurbs.hpp"
 
 namespace quadrille::check {
 
@@ -272,7 +272,7 @@ void boundary_nodes_lie_on_curves(const PointsOfMesh& pair, Findings& findings) 
     if (b.t < curve.begin() || b.t > curve.end())
       findings.add("boundary node {}: curve {} has no parameter {}, only {} to {}", i, b.curve, b.t, curve.begin(),
                    curve.end());
-    else if (const Vec2 on_curve = curve_point(curve, b.t); distance(on_curve, b.position) > 1e-9 * face.diameter)
+    else if (const Vec2 on_curve = curve::point(curve, b.t); distance(on_curve, b.position) > 1e-9 * face.diameter)
       findings.add(
           "boundary node {}: its position is not that of curve {} there, which is ({}, {}) relative to the origin", i,
           b.curve, on_curve.x, on_curve.y);
@@ -293,9 +293,7 @@ constexpr Rule<PointsOfMesh> rules_with_field[] = {
 
 std::vector<Violation> violations_of(const CriticalPoints& points, CheckDepth depth) {
   if (points.face.curves.empty()) return apply_rules(rules, points, depth);
-  std::vector<Violation> all = violations_of(points.face, depth);
-  if (!all.empty()) return all;
-  return apply_rules(rules, points, depth);
+  return apply_rules_after(points.face, rules, points, depth);
 }
 
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const TriMesh& mesh) {
