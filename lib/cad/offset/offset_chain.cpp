@@ -9,7 +9,7 @@
 #include "base/position_text.hpp"
 #include "curve/carrier.hpp"
 #include "curve/nurbs.hpp"
-#include "model/offset_names.hpp"
+#include "model/special_names.hpp"
 #include "offset/extended_curve.hpp"
 #include "offset/offset_curve.hpp"
 #include "offset/offset_rules.hpp"

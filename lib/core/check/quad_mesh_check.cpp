@@ -3,7 +3,7 @@
 
 #include "check/rules.hpp"
 #include "model/interfaces.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 #include "spectral/quad_map.hpp"
 
 namespace quadrille::check {

@@ -9,7 +9,7 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
