@@ -3,6 +3,7 @@
 // dotted keys in the order of their first use; io/report_io nests them and writes JSON. It also leads to the progress,
 // since it is passed to all long work.
 
+#include <algorithm>
 #include <concepts>
 #include <string>
 #include <utility>
@@ -23,7 +24,13 @@ class Report {
   Progress* progress() const { return progress_; }  ///< null: not shown
 
   /// Sets `key` ("solve.residual"); a later value replaces an earlier one. Non-finite numbers are written as null.
-  void set(const std::string& key, Value value);
+  void set(const std::string& key, Value value) {
+    const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const auto& e) { return e.first == key; });
+    if (known != entries_.end())
+      known->second = std::move(value);
+    else
+      entries_.emplace_back(key, std::move(value));
+  }
   template <std::integral Integer>
   void set(const std::string& key, Integer value) {
     set(key, Value(static_cast<long long>(value)));
@@ -33,7 +40,7 @@ class Report {
   void set(const std::string& key, const char* value) { set(key, Value(std::string(value))); }
 
   /// Adds a warning: a stable code ("W-CAD-001") and a sentence. Tools also print it unless --quiet is set.
-  void warn(const std::string& code, const std::string& message);
+  void warn(const std::string& code, const std::string& message) { warnings_.push_back({code, message}); }
 
   struct Warning {
     std::string code, message;

@@ -70,9 +70,6 @@ void numbers_are_finite(const CadFace& face, Findings& findings) {
     findings.add("fit_distance must be a number, not negative");
 }
 
-/// Curves of STEP files meet within the tolerance of their vertices; a larger distance is a gap in the outline.
-constexpr double gap_tol = 1e-5;  // relative to the diameter
-
 void curves_meet(const CadFace& face, Findings& findings) {
   for (std::size_t i = 0; i < face.curves.size(); ++i)
     if (has_far_pole(face.curves[i], face)) findings.add("curve {} has a pole farther out than 1000 diameters", i);

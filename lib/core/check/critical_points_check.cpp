@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "check/rules.hpp"
 #include "curve/nurbs.hpp"
 
@@ -66,11 +67,10 @@ void valences_fit_indices(const CriticalPoints& points, Findings& findings) {
 }
 
 void elements_are_sound(const CriticalPoints& points, Findings& findings) {
-  constexpr double tol = 1e-6;
   for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
     if (p.elem < 0) findings.add("critical point {}: elem is negative", i);
-    if (p.xi.x < -1 - tol || p.xi.y < -1 - tol || p.xi.x + p.xi.y > tol)
+    if (std::min(p.xi.x, p.xi.y) < -1 - tolerance::same_point || p.xi.x + p.xi.y > tolerance::same_point)
       findings.add("critical point {}: xi lies outside the reference triangle", i);
   }
 }

@@ -69,7 +69,7 @@ void arcs_are_chains(const ArcGraph& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.splines.size(); ++i)
     if (has_far_pole(graph.splines[i], graph.face))
       findings.add("spline {} has a pole farther out than 1000 diameters", i);
-  const double tol = 1e-5 * graph.face.diameter;  // the gap that FAC-R06 allows at joints
+  const double tol = gap_tol * graph.face.diameter;
   for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
     const GraphArc& arc = graph.arcs[i];
     Vec2 end = graph.nodes[arc.from].position;
@@ -157,7 +157,7 @@ void node_kinds_fit(const ArcGraph& graph, Findings& findings) {
     const Nurbs& curve = graph.face.curves[node.curve];
     const double tol = 1e-9 * (curve.end() - curve.begin());
     if (node.t < curve.begin() - tol || node.t > curve.end() + tol ||
-        distance(curve::point(curve, node.t), node.position) > 1e-5 * graph.face.diameter)
+        distance(curve::point(curve, node.t), node.position) > gap_tol * graph.face.diameter)
       findings.add("node {} does not lie on curve {} at its parameter, near {}", i, node.curve,
                    position_text(graph.face, node.position));
   }

@@ -79,6 +79,10 @@ std::vector<Violation> apply_rules_after(const Part& part, const Rule<Stage> (&r
   return all.empty() ? apply_rules(rules, stage, depth) : all;
 }
 
+/// Curves of STEP files meet within the tolerance of their vertices; a larger distance is a gap in the outline.
+/// Relative to the diameter.
+inline constexpr double gap_tol = 1e-5;
+
 // Of curves.
 
 /// Empty if the arrays of the curve are consistent, else what is wrong (formats/cad-face.md: clamped, never periodic).

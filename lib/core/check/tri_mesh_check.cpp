@@ -6,7 +6,6 @@
 #include "curve/nurbs.hpp"
 #include "spectral/tri_bernstein.hpp"
 #include "spectral/tri_map.hpp"
-#include "spectral/tri_nodes.hpp"
 
 namespace quadrille::check {
 
@@ -96,7 +95,7 @@ Vec2 end_vertex(const TriMesh& mesh, const BoundaryEdge& edge) {
 }
 
 void boundary_vertices_lie_on_curves(const TriMesh& mesh, Findings& findings) {
-  const double tol = 1e-5 * mesh.face.diameter;  // joints may have the gaps that FAC-R06 allows
+  const double tol = gap_tol * mesh.face.diameter;
   for (std::size_t i = 0; i < mesh.boundary_edges.size(); ++i) {
     const BoundaryEdge& edge = mesh.boundary_edges[i];
     const Nurbs& curve = mesh.face.curves[edge.curve];

@@ -41,11 +41,6 @@ struct SideMaps {
   }
 };
 
-const SideMaps& side_maps(int order) {
-  static spectral::PerOrder<SideMaps> cache([](int n) { return SideMaps(n); });
-  return cache[order];
-}
-
 std::vector<Vec2> mapped(const Eigen::MatrixXd& map, const std::vector<Vec2>& nodes) {
   std::vector<Vec2> result(map.rows());
   for (int i = 0; i < map.rows(); ++i)
@@ -77,7 +72,7 @@ struct MeshBoundary {
 };
 
 MeshBoundary mesh_boundary(const QuadMesh& mesh) {
-  const SideMaps& maps = side_maps(mesh.order);
+  const SideMaps& maps = spectral::table_per_order<SideMaps>(mesh.order);
   MeshBoundary boundary;
   double length = 0;
   std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
@@ -95,14 +90,12 @@ MeshBoundary mesh_boundary(const QuadMesh& mesh) {
 }
 
 void append_samples(const Nurbs& curve, double spacing, std::vector<Vec2>& samples) {
-  for (std::size_t k = curve.degree; k < curve.poles.size(); ++k) {
-    const double t0 = curve.knots[k], t1 = curve.knots[k + 1];
-    if (!(t0 < t1)) continue;
+  curve::for_each_span(curve, [&](double t0, double t1) {
     const Vec2 middle = curve::point(curve, (t0 + t1) / 2);
     const double length = distance(curve::point(curve, t0), middle) + distance(middle, curve::point(curve, t1));
     const int count = std::max(least_span_samples, static_cast<int>(std::ceil(length / spacing)));
     for (int i = 0; i < count; ++i) samples.push_back(curve::point(curve, t0 + (t1 - t0) * i / count));
-  }
+  });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 // What healing changed in the boundary of a CAD face (formats/tri-mesh.md, `repairs`).
 
 #include <array>
+#include <numbers>
 
-#include "base/angle.hpp"
 #include "base/enum_names.hpp"
 #include "base/vec2.hpp"
 
@@ -34,6 +34,6 @@ struct Repair {
 
 /// Radians: --blunt cuts the tips of corners below this angle off. Edges that meet at it take a number of elements
 /// beside each other that grows like 1 / angle.
-inline constexpr double blunted_angle = radians(0.2);
+inline constexpr double blunted_angle = 0.2 * (std::numbers::pi / 180.0);
 
 }  // namespace quadrille

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/angle_expansion.hpp"
+#include "base/angle_sum.hpp"
 #include "field/corner_terms.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "base/processors.hpp"
+#include "base/parallel.hpp"
 #include "base/version.hpp"
 
 namespace quadrille::cli {

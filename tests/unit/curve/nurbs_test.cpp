@@ -190,7 +190,8 @@ TEST(MoveEnds, AClosedCurveMovesAsAWhole) {
 
 TEST(Nurbs, PointsOfAnArcAndAtADoubleKnot) {
   const Nurbs arc{2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, 1}, {0, 1}}, {1, std::sqrt(0.5), 1}};
-  for (const double t : {0.0, 0.25, 0.5, 1.0}) EXPECT_NEAR(norm(point(arc, t)), 1, 1e-15);
+  for (const double t : {0.0, 0.25, 0.5, 0.9, 1.0}) EXPECT_NEAR(norm(point(arc, t)), 1, 1e-15);
+  EXPECT_EQ(point(arc, 0), (Vec2{1, 0}));
   EXPECT_EQ(point(arc, 1), (Vec2{0, 1}));
   const Nurbs kinked{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}}, {1, 1, 1, 1, 1}};
   EXPECT_EQ(point(kinked, 1), (Vec2{2, 0})) << "the pole at the double knot";
