@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "outline/extent.hpp"
 #include "curve/face_boundary.hpp"
+#include "outline/extent.hpp"
 #include "regions/region_numbers.hpp"
 
 namespace quadrille::regions {

@@ -7,7 +7,9 @@ namespace {
 
 namespace elsewhere {
 enum class Speed { slow, fast, nameless };
-constexpr auto enum_names(Speed) { return std::to_array({"slow", "very-fast"}); }  // namespace elsewhere
+constexpr auto enum_names(Speed) { return std::to_array({"slow", "very-fast"}); }
+enum class Unnamed { a };
+}  // namespace elsewhere
 
 using elsewhere::Speed;
 
