@@ -9,7 +9,7 @@
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "model/tri_mesh.hpp"
-#include "spectral/tri_nodes.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille {
 

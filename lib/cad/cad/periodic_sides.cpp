@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -13,8 +12,8 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "cad/split_curve.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/project.hpp"
 #include "model/periodic.hpp"
 
 namespace quadrille::cad {
@@ -123,20 +122,18 @@ class PeriodicPairing {
     return {angle, to - Vec2{turn.x * from.x - turn.y * from.y, turn.y * from.x + turn.x * from.y}};
   }
 
-  double distance_to(const Side& side, Vec2 x) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const int c : side.curves) least = std::min(least, curve::project(face_.curves[c], x).distance);
-    return least;
+  curve::CurveTree tree_of(const std::vector<int>& curves) const {
+    return curve::CurveTree(curves, [this](int c) -> const Nurbs& { return face_.curves[c]; });
   }
 
   std::vector<Vec2> samples(const Side& side) const {
     std::vector<Vec2> points;
     for (const int c : side.curves) {
       const Nurbs& curve = face_.curves[c];
-      for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
-        for (int i = 0; i < samples_per_span && curve.knots[k] < curve.knots[k + 1]; ++i)
-          points.push_back(
-              curve::point(curve, curve.knots[k] + (curve.knots[k + 1] - curve.knots[k]) * i / samples_per_span));
+      curve::for_each_span(curve, [&](double a, double b) {
+        for (int i = 0; i < samples_per_span; ++i)
+          points.push_back(curve::point(curve, a + (b - a) * i / samples_per_span));
+      });
       points.push_back(curve.poles.back());
     }
     return points;
@@ -155,8 +152,9 @@ class PeriodicPairing {
     };
     compare(start(a.curves.front()), distance(motion.image(start(a.curves.front())), end(b.curves.back())), true);
     compare(end(a.curves.back()), distance(motion.image(end(a.curves.back())), start(b.curves.front())), true);
-    for (const Vec2 x : samples(a)) compare(x, distance_to(b, motion.image(x)), true);
-    for (const Vec2 x : samples(b)) compare(x, distance_to(a, motion.original(x)), false);
+    const curve::CurveTree first = tree_of(a.curves), second = tree_of(b.curves);
+    for (const Vec2 x : samples(a)) compare(x, second.nearest(motion.image(x)).distance, true);
+    for (const Vec2 x : samples(b)) compare(x, first.nearest(motion.original(x)).distance, false);
     if (worst.distance <= relative_fit * face_.diameter) return;
     const GivenMotion own = motion_between(a, b);
     const std::string found =
@@ -183,12 +181,8 @@ class PeriodicPairing {
     for (const Vec2 x : joints) {
       const std::vector<int> curves = side(name).curves;
       if (std::any_of(curves.begin(), curves.end(), [&](int c) { return are_same(start(c), x); })) continue;
-      int nearest = curves.front();
-      curve::Projection at = curve::project(face_.curves[nearest], x);
-      for (const int c : curves)
-        if (const curve::Projection p = curve::project(face_.curves[c], x); p.distance < at.distance)
-          nearest = c, at = p;
-      split_curve(face_, nearest, at.t);
+      const curve::NearestPoint foot = tree_of(curves).nearest(x);
+      split_curve(face_, curves[foot.curve], foot.t);
     }
   }
 

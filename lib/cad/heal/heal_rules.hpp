@@ -2,7 +2,7 @@
 // The tuned constants of healing.
 
 #include "base/angle.hpp"
-#include "base/blunted_angle.hpp"
+#include "model/repair.hpp"
 
 namespace quadrille::heal {
 

@@ -6,7 +6,6 @@
 
 #include "base/angle.hpp"
 #include "curve/arc_length.hpp"
-#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/angle.hpp"
-#include "base/numbered_names.hpp"
+#include "base/assign_names.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "heal/interior_angle.hpp"

@@ -5,6 +5,7 @@
 
 #include "base/angle.hpp"
 #include "base/segments.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 
@@ -220,24 +221,6 @@ std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops
   return std::nullopt;
 }
 
-int winding_number(const std::vector<Nurbs>& loop, Vec2 x) {
-  double angle = 0;
-  std::vector<std::pair<Piece, int>> stack;
-  for (Piece& p : simple_pieces(loop, 0)) stack.emplace_back(std::move(p), 0);
-  while (!stack.empty()) {
-    const auto [piece, depth] = std::move(stack.back());
-    stack.pop_back();
-    const Vec2 a = piece.a() - x, b = piece.b() - x;
-    // Seen from a point outside the strip, the piece subtends the same angle as its chord.
-    if (depth == 60 || distance_to_segment(x, piece.a(), piece.b()) > piece.width) {
-      angle += std::atan2(cross(a, b), dot(a, b));
-    } else {
-      auto [first, second] = halves(piece);
-      stack.emplace_back(std::move(first), depth + 1);
-      stack.emplace_back(std::move(second), depth + 1);
-    }
-  }
-  return static_cast<int>(std::lround(angle / (2 * pi)));
-}
+int winding_number(const std::vector<Nurbs>& loop, Vec2 x) { return curve::CurveTree(loop).winding_number(x); }
 
 }  // namespace quadrille::outline

@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
-#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "heal/chain_edges.hpp"
 
@@ -19,12 +18,6 @@ namespace {
 
 // Smaller tangent jumps are rounding errors of the decimal numbers in a text file.
 constexpr double smallest_jump = 1e-9;
-
-double polygon_length(const Nurbs& curve) {
-  double length = 0;
-  for (size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
-  return length;
-}
 
 void require_vertices_on_ends(const heal::RawFace& raw, const heal::RawEdge& edge, double tol) {
   for (const auto& [vertex, end] :
@@ -40,7 +33,7 @@ void require_vertices_on_ends(const heal::RawFace& raw, const heal::RawEdge& edg
 // vanishes.
 std::vector<double> jumps(const Nurbs& curve) {
   std::vector<double> result;
-  const double scale = 1e-9 * polygon_length(curve) / (curve.end() - curve.begin());
+  const double scale = 1e-9 * curve::polygon_length(curve) / (curve.end() - curve.begin());
   for (size_t k = curve.degree + 1; k + curve.degree + 1 < curve.knots.size(); ++k) {
     const double t = curve.knots[k];
     if (t == curve.knots[k - 1]) continue;
@@ -80,7 +73,7 @@ Loop wire_loop(const heal::RawFace& raw, const std::vector<heal::RawEdge>& wire,
   std::vector<const heal::RawEdge*> edges;
   for (const heal::RawEdge& edge : wire) {
     require_vertices_on_ends(raw, edge, tol);
-    if (polygon_length(edge.curve) > tol)
+    if (curve::polygon_length(edge.curve) > tol)
       edges.push_back(&edge);
     else
       report.warn(warning::short_edge_ignored,

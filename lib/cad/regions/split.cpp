@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "curve/face_boundary.hpp"
 #include "outline/extent.hpp"
-#include "outline/outline_checks.hpp"
 #include "regions/region_numbers.hpp"
 
 namespace quadrille::regions {
@@ -105,16 +105,9 @@ Field part_of_field(const Field& field, TriMesh mesh, int region) {
   return part;
 }
 
-bool contains(const CadFace& region, Vec2 x) {
-  int winding = 0;
-  for (int l = 0; l < region.num_loops(); ++l)
-    winding += outline::winding_number(part_of(region.curves, {region.loop_offsets[l], region.loop_offsets[l + 1]}), x);
-  return winding == 1;
-}
-
 int region_at(const std::vector<CadFace>& faces, const CriticalPoint& node) {
   for (std::size_t r = 0; r < faces.size(); ++r)
-    if (contains(faces[r], node.position)) return static_cast<int>(r);
+    if (curve::CurveTree(faces[r].curves).winding_number(node.position) == 1) return static_cast<int>(r);
   throw FormatError(fmt::format("the node at {} is in no region of the face: move it into one",
                                 position_text(node.position + faces.front().origin)));
 }

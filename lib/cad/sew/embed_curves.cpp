@@ -8,7 +8,6 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
@@ -19,7 +18,6 @@
 #include "sew/half_edges.hpp"
 #include "sew/inner_nodes.hpp"
 #include "sew/match_curves.hpp"
-#include "sew/region_distance.hpp"
 
 namespace quadrille::sew {
 namespace {
@@ -32,7 +30,7 @@ Vec2 middle_of(const Nurbs& curve) { return curve::point(curve, (curve.begin() +
 class Sides {
  public:
   Sides(const Region& region, std::vector<Vec2> nodes, double tol)
-      : region_(region), nodes_(std::move(nodes)), tol_(tol) {}
+      : region_(region), boundary_(boundary_of(region)), nodes_(std::move(nodes)), tol_(tol) {}
 
   void add_boundary() {
     // A joint may be within the tolerance of another curve of the boundary, but it is not on it.
@@ -95,9 +93,9 @@ class Sides {
     double distance = 0;
     for (const double fraction : {0.25, 0.5, 0.75}) {
       const Vec2 x = curve::point(curve, curve.begin() + fraction * (curve.end() - curve.begin()));
-      if (const double d = distance_from_boundary(region_, x); d > distance) distance = d, farthest = x;
+      if (const double d = boundary_.nearest(x).distance; d > distance) distance = d, farthest = x;
     }
-    return distance > tol_ && contains(region_, farthest);
+    return distance > tol_ && boundary_.winding_number(farthest) > 0;
   }
 
   bool is_known(const SideOfCurve& piece) const {
@@ -108,6 +106,7 @@ class Sides {
   }
 
   const Region& region_;
+  curve::CurveTree boundary_;
   std::vector<Vec2> nodes_;
   double tol_;
 };

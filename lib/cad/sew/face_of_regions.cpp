@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "base/numbered_names.hpp"
+#include "base/assign_names.hpp"
 #include "outline/face_of_loops.hpp"
 
 namespace quadrille::sew {

@@ -12,9 +12,7 @@
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
-#include "curve/project.hpp"
 #include "outline/wire_loop.hpp"
-#include "sew/region_distance.hpp"
 
 namespace quadrille::sew {
 namespace {
@@ -67,20 +65,25 @@ std::vector<Vec2> samples_of(const Nurbs& curve) {
 
 enum class Position { outside, on_boundary, inside };
 
-Position position_in(const std::vector<Region>& regions, Vec2 x, double tol) {
+Position position_in(const std::vector<curve::CurveTree>& boundaries, Vec2 x, double tol) {
   Position position = Position::outside;
-  for (const Region& region : regions) {
-    if (!region_box(region).contains(x, tol)) continue;
-    if (distance_from_boundary(region, x) <= tol)
+  for (const curve::CurveTree& boundary : boundaries) {
+    if (boundary.nearest(x).distance <= tol)
       position = Position::on_boundary;
-    else if (contains(region, x))
+    else if (boundary.winding_number(x) > 0)
       return Position::inside;
   }
   return position;
 }
 
+std::vector<curve::CurveTree> boundaries_of(const std::vector<Region>& regions) {
+  std::vector<curve::CurveTree> boundaries;
+  for (const Region& region : regions) boundaries.push_back(boundary_of(region));
+  return boundaries;
+}
+
 /// The first sample outside of all regions, or, if the curve is nowhere inside, any.
-const Vec2* first_outside(const std::vector<Region>& regions, const std::vector<Vec2>& samples, double tol) {
+const Vec2* first_outside(const std::vector<curve::CurveTree>& regions, const std::vector<Vec2>& samples, double tol) {
   bool is_inside = false;
   for (const Vec2& x : samples) {
     const Position position = position_in(regions, x, tol);
@@ -115,9 +118,10 @@ std::vector<heal::LoopCurve> embedded_edges(const std::vector<Region>& regions, 
                                             const heal::HealScale& scale, Report& report) {
   std::vector<heal::LoopCurve> curves;
   size_t num_ignored = 0;
+  const std::vector<curve::CurveTree> boundaries = boundaries_of(regions);
   for (const heal::RawEdge& edge : edges) {
     if (!(edge.height <= scale.most_off_plane) ||
-        first_outside(regions, samples_of(edge.curve), scale.tolerance) != nullptr) {
+        first_outside(boundaries, samples_of(edge.curve), scale.tolerance) != nullptr) {
       ++num_ignored;
       continue;
     }
@@ -132,9 +136,10 @@ std::vector<heal::LoopCurve> embedded_edges(const std::vector<Region>& regions, 
 std::vector<heal::LoopCurve> inner_curves(const Region& region, const std::vector<heal::RawEdge>& edges,
                                           const heal::HealScale& scale) {
   std::vector<heal::LoopCurve> curves;
+  const std::vector<curve::CurveTree> boundary{boundary_of(region)};
   for (const heal::RawEdge& edge : edges) {
     const std::vector<Vec2> samples = samples_of(edge.curve);
-    if (const Vec2* x = first_outside({region}, samples, scale.tolerance))
+    if (const Vec2* x = first_outside(boundary, samples, scale.tolerance))
       throw FormatError(
           fmt::format("{}: {}: edge {}, which bounds nothing, is not inside the face at {}: draw it inside, "
                       "or remove it",
@@ -150,18 +155,15 @@ void refuse_dangling_ends(const std::vector<Region>& regions, const std::vector<
   for (const Region& region : regions)
     for (const heal::LoopCurve& c : region.curves) others.push_back(&c);
   for (const heal::LoopCurve& c : curves) others.push_back(&c);
+  const curve::CurveTree all(others, [](const heal::LoopCurve* c) -> const Nurbs& { return c->curve; });
   for (const heal::LoopCurve& c : curves) {
     if (curve::has_smooth_seam(c.curve)) continue;
     for (const Vec2 end : {c.curve.poles.front(), c.curve.poles.back()}) {
-      double least = std::numeric_limits<double>::infinity();
-      const heal::LoopCurve* nearest = nullptr;
-      for (const heal::LoopCurve* other : others)
-        if (other != &c && curve::pole_box(other->curve).contains(end, most_slip))
-          if (const double d = curve::project(other->curve, end).distance; d < least) least = d, nearest = other;
-      if (least <= scale.tolerance || !(least <= most_slip)) continue;
+      const curve::NearestPoint foot = all.nearest(end, [&](int o) { return others[o] != &c; });
+      if (foot.distance <= scale.tolerance || !(foot.distance <= most_slip)) continue;
       throw FormatError(fmt::format("{}: the curve of edge {} ends at {}, {:.3g} before edge {}{}", scale.file,
-                                    c.cad_edge, rounded_position_text(end), least, nearest->cad_edge,
-                                    heal::remedy(scale, least)));
+                                    c.cad_edge, rounded_position_text(end), foot.distance, others[foot.curve]->cad_edge,
+                                    heal::remedy(scale, foot.distance)));
     }
   }
 }

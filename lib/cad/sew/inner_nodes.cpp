@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/pole_box.hpp"
-#include "curve/project.hpp"
 #include "sew/curve_crossings.hpp"
 #include "sew/match_curves.hpp"
 
@@ -21,12 +20,13 @@ class NodeFinder {
   std::vector<Vec2> find() {
     for (int c = 0; c < region_.num_curves(); ++c)
       if (!has_seam(region_, c)) nodes_.push_back(region_.curves[c].curve.poles.front());
+    const curve::CurveTree boundary = boundary_of(region_), inside(curves_, &heal::LoopCurve::curve);
     for (const heal::LoopCurve& inner : curves_) {
-      for (const Vec2 end : ends_of(inner.curve)) add_foot(end, region_.curves, nullptr);
+      for (const Vec2 end : ends_of(inner.curve)) add_foot(end, boundary, -1);
       for (const heal::LoopCurve& outer : region_.curves) add_crossings(outer, inner);
     }
     for (size_t i = 0; i < curves_.size(); ++i) {
-      for (const Vec2 end : ends_of(curves_[i].curve)) add_foot(end, curves_, &curves_[i]);
+      for (const Vec2 end : ends_of(curves_[i].curve)) add_foot(end, inside, static_cast<int>(i));
       for (size_t j = 0; j < i; ++j) add_crossings(curves_[j], curves_[i]);
     }
     for (const heal::LoopCurve& inner : curves_)
@@ -45,17 +45,10 @@ class NodeFinder {
     if (std::none_of(nodes_.begin(), nodes_.end(), is_near)) nodes_.push_back(x);
   }
 
-  // Adds the point nearest to x on a curve other than `own`, if it is within the tolerance.
-  void add_foot(Vec2 x, const std::vector<heal::LoopCurve>& curves, const heal::LoopCurve* own) {
-    double least = tol_;
-    const heal::LoopCurve* nearest = nullptr;
-    Vec2 foot;
-    for (const heal::LoopCurve& c : curves) {
-      if (&c == own || !curve::pole_box(c.curve).contains(x, tol_)) continue;
-      const auto projection = curve::project(c.curve, x);
-      if (projection.distance <= least) least = projection.distance, nearest = &c, foot = projection.position;
-    }
-    if (nearest) add(foot);
+  // Adds the point nearest to x on a curve other than number `own`, if it is within the tolerance.
+  void add_foot(Vec2 x, const curve::CurveTree& curves, int own) {
+    const curve::NearestPoint foot = curves.nearest(x, [own](int c) { return c != own; });
+    if (foot.distance <= tol_) add(foot.position);
   }
 
   void add_crossings(const heal::LoopCurve& a, const heal::LoopCurve& b) {

@@ -7,10 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
-#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/pole_box.hpp"
-#include "curve/project.hpp"
 #include "heal/yield_curve.hpp"
 #include "sew/cut_curve.hpp"
 
@@ -80,34 +77,13 @@ std::vector<std::vector<int>> united(const std::vector<Start>& starts, double to
   return sets.sets();
 }
 
-/// The point of a region that is nearest to a place.
-struct Foot {
-  int curve = 0;
-  double t = 0;
-  Vec2 position;
-  double distance = 0;
-};
-
-std::optional<Foot> nearest_foot(const Region& region, const std::vector<curve::PoleBox>& boxes, Vec2 x, double tol) {
-  std::optional<Foot> nearest;
-  for (int c = 0; c < region.num_curves(); ++c) {
-    if (region.other_sides[c] >= 0 || !boxes[c].contains(x, tol)) continue;
-    const auto foot = curve::project(region.curves[c].curve, x);
-    if (foot.distance <= (nearest ? nearest->distance : tol)) nearest = {c, foot.t, foot.position, foot.distance};
-  }
-  return nearest;
-}
-
 /// Places and the cuts that they make, while they are looked for.
 class Splitter {
  public:
   Splitter(const std::vector<Region>& regions, double tol) : tol_(tol), cuts_(by_curve(regions, std::vector<Cut>())) {
     result_.regions = regions;
     result_.places = by_curve(regions, -1);
-    for (const Region& region : regions) {
-      boxes_.emplace_back();
-      for (const heal::LoopCurve& c : region.curves) boxes_.back().push_back(curve::pole_box(c.curve));
-    }
+    for (const Region& region : regions) boundaries_.push_back(boundary_of(region));
   }
 
   Placed split() {
@@ -137,14 +113,14 @@ class Splitter {
   // Cuts the nearest curve of the region, if it passes the place; the point of the curve.
   std::optional<Vec2> cut_at(int r, Vec2 x, int place) {
     const Region& region = result_.regions[r];
-    const auto foot = nearest_foot(region, boxes_[r], x, tol_);
-    if (!foot) return std::nullopt;
-    const Nurbs& curve = region.curves[foot->curve].curve;
-    const bool is_at_end = std::min(distance(foot->position, curve.poles.front()),
-                                    distance(foot->position, curve.poles.back())) <= 2 * tol_;
-    if (is_at_end && !has_seam(region, foot->curve)) return std::nullopt;
-    cuts_[r][foot->curve].push_back({foot->t, place});
-    return foot->position;
+    const curve::NearestPoint foot = boundaries_[r].nearest(x, [&](int c) { return region.other_sides[c] < 0; });
+    if (foot.distance > tol_) return std::nullopt;
+    const Nurbs& curve = region.curves[foot.curve].curve;
+    const bool is_at_end =
+        std::min(distance(foot.position, curve.poles.front()), distance(foot.position, curve.poles.back())) <= 2 * tol_;
+    if (is_at_end && !has_seam(region, foot.curve)) return std::nullopt;
+    cuts_[r][foot.curve].push_back({foot.t, place});
+    return foot.position;
   }
 
   void cut_region(int r) {
@@ -171,7 +147,7 @@ class Splitter {
   double tol_;
   Placed result_;
   ByCurve<std::vector<Cut>> cuts_;
-  std::vector<std::vector<curve::PoleBox>> boxes_;
+  std::vector<curve::CurveTree> boundaries_;  ///< of the regions before they are cut
 };
 
 }  // namespace

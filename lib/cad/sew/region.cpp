@@ -46,12 +46,8 @@ std::string face_text(const Region& region) {
 }
 
 curve::PoleBox region_box(const Region& region) {
-  curve::PoleBox box{region.curves.front().curve.poles.front(), region.curves.front().curve.poles.front()};
-  for (int c = 0; c < region.loop_offsets[1]; ++c)  // the outline
-    for (const Vec2 p : region.curves[c].curve.poles) {
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
+  curve::PoleBox box = curve::pole_box(region.curves.front().curve);
+  for (int c = 1; c < region.loop_offsets[1]; ++c) box.extend(curve::pole_box(region.curves[c].curve));  // the outline
   return box;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "curve/pole_box.hpp"
+#include "curve/face_boundary.hpp"
 #include "heal/loop.hpp"
 
 namespace quadrille::sew {
@@ -50,6 +50,11 @@ bool has_seam(const Region& region, int curve);
 
 /// "face 2 'lid'".
 std::string face_text(const Region& region);
+
+/// The curves of the region, which must outlive the tree, by their numbers. Its winding number is 1 inside.
+inline curve::CurveTree boundary_of(const Region& region) {
+  return curve::CurveTree(region.curves, &heal::LoopCurve::curve);
+}
 
 /// Contains the region.
 curve::PoleBox region_box(const Region& region);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
-#include "outline/outline_checks.hpp"
 
 namespace quadrille::sew {
 namespace {
@@ -22,27 +22,36 @@ struct Sample {
 
 std::vector<Sample> samples_of(const Nurbs& curve) {
   std::vector<Sample> samples;
-  for (size_t k = 1; k < curve.knots.size(); ++k) {
-    const double t0 = curve.knots[k - 1], t1 = curve.knots[k];
-    for (int i = 0; i < samples_per_span && t0 < t1; ++i) {
+  curve::for_each_span(curve, [&](double t0, double t1) {
+    for (int i = 0; i < samples_per_span; ++i) {
       const double t = t0 + (t1 - t0) * (i + 0.5) / samples_per_span;
       samples.push_back({curve::point(curve, t), left_of(curve::tangent(curve, t))});
     }
-  }
+  });
   return samples;
 }
 
+/// A region with its boundary.
+struct BoundedRegion {
+  const Region& region;
+  curve::CurveTree boundary;
+  curve::PoleBox box;
+
+  explicit BoundedRegion(const Region& r) : region(r), boundary(boundary_of(r)), box(region_box(r)) {}
+  bool contains(Vec2 x) const { return boundary.winding_number(x) > 0; }
+};
+
 /// Samples on the boundary of `a` and beside it that are inside of `b`.
-void find_overlap(const Region& a, const Region& b, double negligible, std::optional<MeasuredPlace>& deepest) {
-  const curve::PoleBox box = region_box(b);
+void find_overlap(const BoundedRegion& a, const BoundedRegion& b, double negligible,
+                  std::optional<MeasuredPlace>& deepest) {
   const auto consider = [&](Vec2 x, bool is_on_boundary) {
-    if (!box.contains(x)) return;
-    double depth = distance_from_boundary(b, x);
-    if (!is_on_boundary) depth = std::min(depth, distance_from_boundary(a, x));
-    if (depth <= std::max(negligible, deepest ? deepest->size : 0) || !contains(b, x)) return;
-    if (is_on_boundary || contains(a, x)) deepest = {x, depth};
+    if (!b.box.contains(x)) return;
+    double depth = b.boundary.nearest(x).distance;
+    if (!is_on_boundary) depth = std::min(depth, a.boundary.nearest(x).distance);
+    if (depth <= std::max(negligible, deepest ? deepest->size : 0) || !b.contains(x)) return;
+    if (is_on_boundary || a.contains(x)) deepest = {x, depth};
   };
-  for (const heal::LoopCurve& c : a.curves) {
+  for (const heal::LoopCurve& c : a.region.curves) {
     const double beside = inward * curve::pole_box(c.curve).diagonal();
     for (const Sample& sample : samples_of(c.curve)) {
       consider(sample.position, true);
@@ -53,22 +62,11 @@ void find_overlap(const Region& a, const Region& b, double negligible, std::opti
 
 }  // namespace
 
-double distance_from_boundary(const Region& region, Vec2 x) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const heal::LoopCurve& c : region.curves) least = std::min(least, curve::project(c.curve, x).distance);
-  return least;
-}
-
-bool contains(const Region& region, Vec2 x) {
-  int winding = 0;
-  for (const auto& loop : loop_curves(region)) winding += outline::winding_number(loop, x);
-  return winding > 0;
-}
-
 std::optional<MeasuredPlace> overlap(const Region& a, const Region& b, double negligible) {
+  const BoundedRegion first(a), second(b);
   std::optional<MeasuredPlace> deepest;
-  find_overlap(a, b, negligible, deepest);
-  find_overlap(b, a, negligible, deepest);
+  find_overlap(first, second, negligible, deepest);
+  find_overlap(second, first, negligible, deepest);
   return deepest;
 }
 
@@ -76,16 +74,16 @@ MeasuredPlace gap_between(const Region& a, const Region& b) {
   const Nurbs *from = nullptr, *to = nullptr;
   Vec2 nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+  for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const curve::CurveTree boundary = boundary_of(*other);
     for (const heal::LoopCurve& c : own->curves) {
       std::vector<Vec2> points{c.curve.poles.front()};
       for (const Sample& sample : samples_of(c.curve)) points.push_back(sample.position);
       for (const Vec2 x : points)
-        for (const heal::LoopCurve& d : other->curves) {
-          const auto foot = curve::project(d.curve, x);
-          if (foot.distance < least) least = foot.distance, nearest = foot.position, from = &d.curve, to = &c.curve;
-        }
+        if (const curve::NearestPoint foot = boundary.nearest(x); foot.distance < least)
+          least = foot.distance, nearest = foot.position, from = &other->curves[foot.curve].curve, to = &c.curve;
     }
+  }
   // From the nearest samples forth and back between the two curves.
   Vec2 opposite = nearest;
   for (int i = 0; i < refinements; ++i) {

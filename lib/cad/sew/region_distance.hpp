@@ -7,11 +7,6 @@
 
 namespace quadrille::sew {
 
-/// Whether x lies in the region; it must not lie on its boundary.
-bool contains(const Region& region, Vec2 x);
-
-double distance_from_boundary(const Region& region, Vec2 x);
-
 struct MeasuredPlace {
   Vec2 position;
   double size = 0;  ///< a length

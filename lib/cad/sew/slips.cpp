@@ -4,8 +4,6 @@
 
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/pole_box.hpp"
-#include "curve/project.hpp"
 
 namespace quadrille::sew {
 namespace {
@@ -15,30 +13,21 @@ constexpr double slip_tolerances = 10;     ///< of a tolerance that was given
 constexpr double length_share = 1.0 / 50;  ///< of the length of the curve
 constexpr int num_samples = 9, least_near = 3;
 
-/// The point of region `other` on the boundary of the whole that is nearest to x, if it is within `most`.
-std::optional<MeasuredPlace> nearest_of(const Sewn& sewn, int other, Vec2 x, double most) {
-  std::optional<MeasuredPlace> nearest;
-  for (int c = 0; c < sewn.regions[other].num_curves(); ++c) {
-    const Nurbs& curve = sewn.regions[other].curves[c].curve;
-    if (sewn.partners[other][c].exists() || !curve::pole_box(curve).contains(x, most)) continue;
-    const auto foot = curve::project(curve, x);
-    if (foot.distance <= (nearest ? nearest->size : most)) nearest = {0.5 * (x + foot.position), foot.distance};
-  }
-  return nearest;
-}
-
 /// Between the curve and region `other`; both ends of the curve are measured too.
 std::optional<Slip> slip_between(const Sewn& sewn, CurveId id, int other, double most_slip) {
   const Nurbs& curve = sewn.regions[id.region].curves[id.curve].curve;
   const curve::ArcLength length(curve);
   const double most = std::min(most_slip, length_share * length.total());
+  const curve::CurveTree boundary = boundary_of(sewn.regions[other]);
+  const auto is_of_whole = [&](int c) { return !sewn.partners[other][c].exists(); };
   Slip slip{id.region, other, {}};
   int num_near = 0;
   for (int i = 0; i <= num_samples + 1; ++i) {
     const Vec2 x = curve::point(curve, length.parameter(length.total() * i / (num_samples + 1)));
-    const auto near = nearest_of(sewn, other, x, most);
-    num_near += near && 0 < i && i <= num_samples;
-    if (near && near->size >= slip.gap.size) slip.gap = *near;
+    const curve::NearestPoint foot = boundary.nearest(x, is_of_whole);
+    if (foot.distance > most) continue;
+    num_near += 0 < i && i <= num_samples;
+    if (foot.distance >= slip.gap.size) slip.gap = {0.5 * (x + foot.position), foot.distance};
   }
   return num_near >= least_near ? std::optional(slip) : std::nullopt;
 }

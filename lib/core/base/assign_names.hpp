@@ -1,5 +1,6 @@
 #pragma once
-// Assigns new names to some entities of a list; no entity may get two.
+// Names of the entities of a list: given ones, of which no entity may get two, and for unnamed entities their kind and
+// number, "curve_3".
 
 #include <string>
 #include <vector>
@@ -17,5 +18,13 @@ struct GivenName {
 /// ("curve") or if two are for the rest. Returns the numbers of the named entities, ascending.
 std::vector<int> assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given,
                               const std::string& kind);
+
+/// Replaces empty names by "<kind>_<number>", followed by as many "_" as are necessary to differ from all given names.
+/// Returns the numbers of the names that it replaced, ascending.
+std::vector<int> replace_empty_names(std::vector<std::string>& names, const std::string& kind);
+
+/// The numbers of the names that replace_empty_names may have made, ascending: for files that do not state whether a
+/// name was given.
+std::vector<int> presumed_numbered_names(const std::vector<std::string>& names, const std::string& kind);
 
 }  // namespace quadrille

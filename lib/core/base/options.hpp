@@ -1,8 +1,10 @@
 #pragma once
 // The options of a stage or command: each is declared once, with its variable, interval, unit and help text, beside the
-// function that has it. cli/command_line reads them from a command line, base/option_record writes their values.
+// function that has it. cli/command_line reads them from a command line; here their intervals are checked, on a command
+// line or in a struct that a program filled, and their values written as JSON.
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -61,5 +63,60 @@ class Options {
         flag, words, [&value] { return value; }, [&value](const std::string& word) { value = word; }, help);
   }
 };
+
+/// "1 to 20", "at least 0"; bounds of 1e300 and the greatest integer count as none.
+std::string interval_text(double low, double high);
+std::string interval_text(int low, int high);
+
+/// Throws UsageError unless `value`, given as `text`, is in [low, high].
+void require_in_interval(const std::string& flag, double value, const std::string& text, double low, double high);
+void require_in_interval(const std::string& flag, int value, const std::string& text, int low, int high);
+
+/// Throws UsageError for the first declared number that is outside its interval.
+class IntervalCheck : public Options {
+ public:
+  void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
+              const std::string& help) override;
+  void integer(const std::string& flag, int& value, int low, int high, const std::string& help) override;
+};
+
+/// The same for the options of a struct for which declare(Options&, Struct&) is found by its namespace.
+template <typename Struct>
+void require_intervals(Struct options) {
+  IntervalCheck check;
+  declare(check, options);
+}
+
+/// Keeps how the value of each recorded option is written. The declared variables must outlive it.
+class OptionRecord : public Options {
+ public:
+  void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
+              const std::string& help) override;
+  void integer(const std::string& flag, int& value, int low, int high, const std::string& help) override;
+  void text(const std::string& flag, std::string& value, const std::string& placeholder, const std::string& help,
+            bool recorded) override;
+  void texts(const std::string& flag, std::vector<std::string>& values, const std::string& placeholder,
+             const std::string& help, bool records_none) override;
+  void flag(const std::string& flag, bool& value, const std::string& help) override;
+  void one_of(const std::string& flag, const std::vector<std::string>& words, const std::function<std::string()>& get,
+              const std::function<void(const std::string&)>& set, const std::string& help) override;
+
+  /// An object with sorted keys, the option names without their dashes.
+  std::string json() const;
+
+ private:
+  /// `value` returns JSON, or nothing for an option that is left out.
+  void record(const std::string& flag, std::function<std::string()> value);
+
+  std::map<std::string, std::function<std::string()>> values_;
+};
+
+/// The recorded options of a struct for which declare(Options&, Struct&) is found by its namespace.
+template <typename Struct>
+std::string recorded_options(Struct options) {
+  OptionRecord record;
+  declare(record, options);
+  return record.json();
+}
 
 }  // namespace quadrille

@@ -1,10 +1,11 @@
 #pragma once
-// Loops over independent pieces of work, on one thread or several.
+// Loops over independent pieces of work, on one thread or several, and the number of processors for them.
 //
 // The partition does not depend on the number of threads, and each piece writes to its own slot, so the results are the
 // same bytes for every number of threads.
 
 #include <functional>
+#include <string>
 
 namespace quadrille {
 
@@ -17,5 +18,14 @@ void parallel_for(int n, int num_threads, const std::function<void(int)>& f);
 /// pay for the start of threads. Without this call, loops start all threads at once. Not to be called while a loop
 /// runs.
 void start_threads_after(double cpu_seconds);
+
+/// At least 1: the processors on which the process may run (its affinity), or fewer if the quota of its control group
+/// (version 2) allows less CPU time than theirs.
+int available_processors();
+
+/// The quota of a control group or of one of its parents, in processors, rounded up; 0 without a quota. `mount` is the
+/// folder of all groups, `group` the path in it ("/a/b"); the quota is in the file cpu.max ("max 100000" or "150000
+/// 100000": microseconds of CPU time in each period of so many microseconds). Files that are missing are no quota.
+int quota_of_control_group(const std::string& mount, const std::string& group);
 
 }  // namespace quadrille

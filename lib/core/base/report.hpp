@@ -24,7 +24,13 @@ class Report {
   Progress* progress() const { return progress_; }  ///< null: not shown
 
   /// Sets `key` ("solve.residual"); a later value replaces an earlier one. Non-finite numbers are written as null.
-  void set(const std::string& key, Value value);
+  void set(const std::string& key, Value value) {
+    const auto [known, is_new] = positions_.try_emplace(key, entries_.size());
+    if (is_new)
+      entries_.emplace_back(key, std::move(value));
+    else
+      entries_[known->second].second = std::move(value);
+  }
   template <std::integral Integer>
   void set(const std::string& key, Integer value) {
     set(key, Value(static_cast<long long>(value)));
@@ -34,7 +40,7 @@ class Report {
   void set(const std::string& key, const char* value) { set(key, Value(std::string(value))); }
 
   /// Adds a warning: a stable code ("W-CAD-001") and a sentence. Tools also print it unless --quiet is set.
-  void warn(const std::string& code, const std::string& message);
+  void warn(const std::string& code, const std::string& message) { warnings_.push_back({code, message}); }
 
   struct Warning {
     std::string code, message;

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "check/graph_rules.hpp"
+#include "check/rules.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::check {
 
 namespace {
-
-GraphView view(const BlockLayout& b) { return {b.face, b.splines, b.nodes, b.arcs}; }
 
 void arrays_agree(const BlockLayout& layout, Findings& findings) {
   const std::size_t n = layout.block2nodes.size();
@@ -133,14 +131,14 @@ void interfaces_are_closed(const BlockLayout& layout, Findings& findings) {
 }
 
 constexpr Rule<BlockLayout> rules[] = {
-    {"BLK-R01", RuleKind::structure, [](const auto& b, Findings& f) { splines_are_sound(view(b), f); }},
-    {"BLK-R02", RuleKind::structure, [](const auto& b, Findings& f) { graph_indices_exist(view(b), f); }},
-    {"BLK-R03", RuleKind::structure, [](const auto& b, Findings& f) { pieces_are_sound(view(b), f); }},
+    {"BLK-R01", RuleKind::structure, [](const auto& b, Findings& f) { splines_are_sound(b, f); }},
+    {"BLK-R02", RuleKind::structure, [](const auto& b, Findings& f) { graph_indices_exist(b, f); }},
+    {"BLK-R03", RuleKind::structure, [](const auto& b, Findings& f) { pieces_are_sound(b, f); }},
     {"BLK-R04", RuleKind::structure, arrays_agree},
     {"BLK-R05", RuleKind::structure, block_indices_exist},
-    {"BLK-R06", RuleKind::quick, [](const auto& b, Findings& f) { arcs_are_chains(view(b), f); }},
-    {"BLK-R07", RuleKind::quick, [](const auto& b, Findings& f) { boundary_is_covered(view(b), f); }},
-    {"BLK-R08", RuleKind::quick, [](const auto& b, Findings& f) { node_kinds_fit(view(b), f); }},
+    {"BLK-R06", RuleKind::quick, [](const auto& b, Findings& f) { arcs_are_chains(b, f); }},
+    {"BLK-R07", RuleKind::quick, [](const auto& b, Findings& f) { boundary_is_covered(b, f); }},
+    {"BLK-R08", RuleKind::quick, [](const auto& b, Findings& f) { node_kinds_fit(b, f); }},
     {"BLK-R09", RuleKind::quick, sides_join_nodes},
     {"BLK-R10", RuleKind::quick, arcs_are_shared},
     {"BLK-R11", RuleKind::quick, chords_link_opposite_sides},
@@ -155,9 +153,7 @@ constexpr Rule<BlockLayout> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const BlockLayout& layout, CheckDepth depth) {
-  std::vector<Violation> all = violations_of(layout.face, depth);
-  if (!all.empty()) return all;
-  return apply_rules(rules, layout, depth);
+  return apply_rules_after(layout.face, rules, layout, depth);
 }
 
 template std::vector<Violation> check_stage(const BlockLayout&, CheckDepth);

@@ -3,8 +3,10 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "check/nurbs_rules.hpp"
 #include "check/rules.hpp"
+#include "curve/nurbs.hpp"
+#include "curve/project.hpp"
+#include "model/periodic.hpp"
 
 namespace quadrille::check {
 
@@ -32,12 +34,6 @@ void arrays_agree(const CadFace& face, Findings& findings) {
   for (std::size_t i = 0; i < face.periodic_pairs.size(); ++i)
     if (const auto [a, b] = face.periodic_pairs[i].curves; !is_index(a, n) || !is_index(b, n))
       findings.add("periodic pair {}: curve {} or {} does not exist", i, a, b);
-}
-
-/// Whether `offsets` climbs strictly from 0 to `count`.
-bool are_offsets(const std::vector<int>& offsets, int count) {
-  return offsets.size() >= 2 && offsets.front() == 0 && offsets.back() == count &&
-         std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal<>()) == offsets.end();
 }
 
 void loops_are_sound(const CadFace& face, Findings& findings) {
@@ -73,9 +69,6 @@ void numbers_are_finite(const CadFace& face, Findings& findings) {
   if (!(face.fit_distance >= 0) || !is_finite(face.fit_distance))
     findings.add("fit_distance must be a number, not negative");
 }
-
-/// Curves of STEP files meet within the tolerance of their vertices; a larger distance is a gap in the outline.
-constexpr double gap_tol = 1e-5;  // relative to the diameter
 
 void curves_meet(const CadFace& face, Findings& findings) {
   for (std::size_t i = 0; i < face.curves.size(); ++i)
@@ -125,9 +118,9 @@ double signed_area(const CadFace& face, int loop) {
   std::vector<Vec2> points;
   for (int i = face.loop_offsets[loop]; i < face.loop_offsets[loop + 1]; ++i) {
     const Nurbs& curve = face.curves[i];
-    for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
-      for (int s = 0; s < 16 && curve.knots[k] < curve.knots[k + 1]; ++s)
-        points.push_back(curve_point(curve, curve.knots[k] + (curve.knots[k + 1] - curve.knots[k]) * s / 16));
+    curve::for_each_span(curve, [&](double a, double b) {
+      for (int s = 0; s < 16; ++s) points.push_back(curve::point(curve, a + (b - a) * s / 16));
+    });
   }
   double area = 0;
   for (std::size_t i = 0; i < points.size(); ++i) area += cross(points[i], points[(i + 1) % points.size()]);
@@ -184,39 +177,16 @@ void partners_agree(const CadFace& face, Findings& findings) {
   }
 }
 
-/// Of a point and a curve, the least distance: near the nearest of many points of the curve.
-double distance_to(const Nurbs& curve, Vec2 x) {
-  constexpr int num_samples = 256;
-  const double length = curve.end() - curve.begin();
-  const auto distance_at = [&](double t) {
-    return distance(curve_point(curve, std::clamp(t, curve.begin(), curve.end())), x);
-  };
-  double nearest = curve.begin();
-  for (int k = 1; k <= num_samples; ++k)
-    if (const double t = curve.begin() + length * k / num_samples; distance_at(t) < distance_at(nearest)) nearest = t;
-  double low = nearest - length / num_samples, high = nearest + length / num_samples;
-  for (int k = 0; k < 60; ++k) {
-    const double third = (high - low) / 3;
-    if (distance_at(low + third) < distance_at(high - third))
-      high -= third;
-    else
-      low += third;
-  }
-  return distance_at((low + high) / 2);
-}
-
 /// Greatest distance of the first curve of a pair, moved, from the second one, reversed.
 double periodic_gap(const CadFace& face, const PeriodicPair& pair) {
   const Nurbs &from = face.curves[pair.curves[0]], &to = face.curves[pair.curves[1]];
-  const Vec2 turn = unit(pair.angle);
-  const auto moved = [&](Vec2 x) {
-    const Vec2 p = x + face.origin;
-    return Vec2{turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y} + pair.shift - face.origin;
-  };
-  double gap = std::max(distance(moved(from.poles.front()), to.poles.back()),
-                        distance(moved(from.poles.back()), to.poles.front()));
-  for (int k = 1; k < 16; ++k)
-    gap = std::max(gap, distance_to(to, moved(curve_point(from, from.begin() + (from.end() - from.begin()) * k / 16))));
+  const PeriodicMotion motion(pair, face.origin);
+  double gap = std::max(distance(motion.image(from.poles.front()), to.poles.back()),
+                        distance(motion.image(from.poles.back()), to.poles.front()));
+  for (int k = 1; k < 16; ++k) {
+    const Vec2 x = curve::point(from, from.begin() + (from.end() - from.begin()) * k / 16);
+    gap = std::max(gap, curve::project(to, motion.image(x)).distance);
+  }
   return gap;
 }
 

@@ -2,8 +2,9 @@
 #include <numeric>
 
 #include "base/angle.hpp"
-#include "check/nurbs_rules.hpp"
+#include "base/tolerance.hpp"
 #include "check/rules.hpp"
+#include "curve/nurbs.hpp"
 
 namespace quadrille::check {
 
@@ -66,11 +67,10 @@ void valences_fit_indices(const CriticalPoints& points, Findings& findings) {
 }
 
 void elements_are_sound(const CriticalPoints& points, Findings& findings) {
-  constexpr double tol = 1e-6;
   for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
     if (p.elem < 0) findings.add("critical point {}: elem is negative", i);
-    if (p.xi.x < -1 - tol || p.xi.y < -1 - tol || p.xi.x + p.xi.y > tol)
+    if (std::min(p.xi.x, p.xi.y) < -1 - tolerance::same_point || p.xi.x + p.xi.y > tolerance::same_point)
       findings.add("critical point {}: xi lies outside the reference triangle", i);
   }
 }
@@ -272,7 +272,7 @@ void boundary_nodes_lie_on_curves(const PointsOfMesh& pair, Findings& findings) 
     if (b.t < curve.begin() || b.t > curve.end())
       findings.add("boundary node {}: curve {} has no parameter {}, only {} to {}", i, b.curve, b.t, curve.begin(),
                    curve.end());
-    else if (const Vec2 on_curve = curve_point(curve, b.t); distance(on_curve, b.position) > 1e-9 * face.diameter)
+    else if (const Vec2 on_curve = curve::point(curve, b.t); distance(on_curve, b.position) > 1e-9 * face.diameter)
       findings.add(
           "boundary node {}: its position is not that of curve {} there, which is ({}, {}) relative to the origin", i,
           b.curve, on_curve.x, on_curve.y);
@@ -293,9 +293,7 @@ constexpr Rule<PointsOfMesh> rules_with_field[] = {
 
 std::vector<Violation> violations_of(const CriticalPoints& points, CheckDepth depth) {
   if (points.face.curves.empty()) return apply_rules(rules, points, depth);
-  std::vector<Violation> all = violations_of(points.face, depth);
-  if (!all.empty()) return all;
-  return apply_rules(rules, points, depth);
+  return apply_rules_after(points.face, rules, points, depth);
 }
 
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const TriMesh& mesh) {

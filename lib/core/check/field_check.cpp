@@ -242,9 +242,7 @@ constexpr Rule<Field> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const Field& field, CheckDepth depth) {
-  std::vector<Violation> all = violations_of(field.mesh, depth);
-  if (!all.empty()) return all;
-  return apply_rules(rules, field, depth);
+  return apply_rules_after(field.mesh, rules, field, depth);
 }
 
 template std::vector<Violation> check_stage(const Field&, CheckDepth);

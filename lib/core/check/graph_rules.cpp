@@ -1,13 +1,11 @@
-#include "check/graph_rules.hpp"
-
-#include <algorithm>
 #include <optional>
 
-#include "check/nurbs_rules.hpp"
+#include "check/rules.hpp"
+#include "curve/nurbs.hpp"
 
 namespace quadrille::check {
 
-void splines_are_sound(const GraphView& graph, Findings& findings) {
+void splines_are_sound(const ArcGraph& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.splines.size(); ++i) {
     std::string fault = structure_fault(graph.splines[i]);
     if (fault.empty()) fault = number_fault(graph.splines[i]);
@@ -15,7 +13,7 @@ void splines_are_sound(const GraphView& graph, Findings& findings) {
   }
 }
 
-void graph_indices_exist(const GraphView& graph, Findings& findings) {
+void graph_indices_exist(const ArcGraph& graph, Findings& findings) {
   const std::size_t num_curves = graph.face.curves.size();
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const GraphNode& node = graph.nodes[i];
@@ -45,7 +43,7 @@ bool may_follow(const CadFace& face, const GraphArc& arc, int curve) {
 
 }  // namespace
 
-void pieces_are_sound(const GraphView& graph, Findings& findings) {
+void pieces_are_sound(const ArcGraph& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.nodes.size(); ++i)
     if (!is_finite(graph.nodes[i].position) || !is_finite(graph.nodes[i].t))
       findings.add("node {} contains a number that is not finite", i);
@@ -67,19 +65,11 @@ void pieces_are_sound(const GraphView& graph, Findings& findings) {
   }
 }
 
-namespace {
-
-Vec2 clamped_point(const Nurbs& curve, double t) {
-  return curve_point(curve, std::clamp(t, curve.begin(), curve.end()));
-}
-
-}  // namespace
-
-void arcs_are_chains(const GraphView& graph, Findings& findings) {
+void arcs_are_chains(const ArcGraph& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.splines.size(); ++i)
     if (has_far_pole(graph.splines[i], graph.face))
       findings.add("spline {} has a pole farther out than 1000 diameters", i);
-  const double tol = 1e-5 * graph.face.diameter;  // the gap that FAC-R06 allows at joints
+  const double tol = gap_tol * graph.face.diameter;
   for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
     const GraphArc& arc = graph.arcs[i];
     Vec2 end = graph.nodes[arc.from].position;
@@ -89,8 +79,8 @@ void arcs_are_chains(const GraphView& graph, Findings& findings) {
                      position_text(graph.face, next));
     };
     for (const ArcPiece& piece : arc.pieces) {
-      meet(clamped_point(graph.curve(piece.curve), piece.t0));
-      end = clamped_point(graph.curve(piece.curve), piece.t1);
+      meet(curve::point(graph.curve(piece.curve), piece.t0));
+      end = curve::point(graph.curve(piece.curve), piece.t1);
     }
     meet(graph.nodes[arc.to].position);
   }
@@ -106,7 +96,7 @@ struct Part {
 };
 
 /// Of the boundary arcs, or of the others that follow CAD curves; sorted.
-std::vector<Part> covered_parts(const GraphView& graph, bool by_boundary_arcs) {
+std::vector<Part> covered_parts(const ArcGraph& graph, bool by_boundary_arcs) {
   std::vector<Part> parts;
   for (const GraphArc& arc : graph.arcs)
     for (const ArcPiece& piece : arc.pieces)
@@ -129,7 +119,7 @@ std::optional<double> fault_of_cover(const Nurbs& curve, int c, const std::vecto
 
 }  // namespace
 
-void boundary_is_covered(const GraphView& graph, Findings& findings) {
+void boundary_is_covered(const ArcGraph& graph, Findings& findings) {
   const std::vector<Part> outer = covered_parts(graph, true), inner = covered_parts(graph, false);
   const auto is_of = [](const Part& part, int c) { return part.curve < c; };
   const auto has_part = [&](const std::vector<Part>& parts, int c) {
@@ -152,7 +142,7 @@ void boundary_is_covered(const GraphView& graph, Findings& findings) {
   }
 }
 
-void node_kinds_fit(const GraphView& graph, Findings& findings) {
+void node_kinds_fit(const ArcGraph& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const GraphNode& node = graph.nodes[i];
     const bool must_be_outer = node.kind == NodeKind::corner || node.kind == NodeKind::boundary;
@@ -167,7 +157,7 @@ void node_kinds_fit(const GraphView& graph, Findings& findings) {
     const Nurbs& curve = graph.face.curves[node.curve];
     const double tol = 1e-9 * (curve.end() - curve.begin());
     if (node.t < curve.begin() - tol || node.t > curve.end() + tol ||
-        distance(clamped_point(curve, node.t), node.position) > 1e-5 * graph.face.diameter)
+        distance(curve::point(curve, node.t), node.position) > gap_tol * graph.face.diameter)
       findings.add("node {} does not lie on curve {} at its parameter, near {}", i, node.curve,
                    position_text(graph.face, node.position));
   }

@@ -1,9 +1,4 @@
-#include "check/nurbs_rules.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include "check/rules.hpp"
 
 namespace quadrille::check {
 
@@ -47,12 +42,11 @@ constexpr double max_weight_ratio = 1e8;
 
 std::string number_fault(const Nurbs& curve) {
   for (std::size_t i = 0; i < curve.poles.size(); ++i) {
-    if (!std::isfinite(curve.poles[i].x) || !std::isfinite(curve.poles[i].y))
-      return fmt::format("pole {} is not finite", i);
-    if (!std::isfinite(curve.weights[i]) || curve.weights[i] <= 0) return fmt::format("weight {} is not positive", i);
+    if (!is_finite(curve.poles[i])) return fmt::format("pole {} is not finite", i);
+    if (!is_finite(curve.weights[i]) || curve.weights[i] <= 0) return fmt::format("weight {} is not positive", i);
   }
   for (std::size_t i = 0; i < curve.knots.size(); ++i)
-    if (!std::isfinite(curve.knots[i])) return fmt::format("knot {} is not finite", i);
+    if (!is_finite(curve.knots[i])) return fmt::format("knot {} is not finite", i);
   const auto [least, greatest] = std::minmax_element(curve.weights.begin(), curve.weights.end());
   if (*greatest > max_weight_ratio * *least)
     return fmt::format("weights {:.3g} and {:.3g} differ by more than a factor of {:.0g}", *least, *greatest,
@@ -64,30 +58,6 @@ bool has_far_pole(const Nurbs& curve, const CadFace& face) {
   const Vec2 centre = face.curves.front().poles.front();
   return std::any_of(curve.poles.begin(), curve.poles.end(),
                      [&](Vec2 p) { return !(norm(p - centre) <= 1000 * face.diameter); });
-}
-
-Vec2 curve_point(const Nurbs& curve, double t) {
-  const auto degree = static_cast<std::size_t>(curve.degree);
-  const std::size_t num_poles = curve.poles.size();
-  const auto above = std::upper_bound(curve.knots.begin() + curve.degree + 1,
-                                      curve.knots.begin() + static_cast<std::ptrdiff_t>(num_poles), t);
-  const auto span = static_cast<std::size_t>(above - curve.knots.begin()) - 1;
-  struct Homogeneous {
-    double x, y, w;
-  };
-  std::vector<Homogeneous> d(degree + 1);
-  for (std::size_t j = 0; j <= degree; ++j) {
-    const std::size_t i = span - degree + j;
-    const double w = curve.weights[i];
-    d[j] = {w * curve.poles[i].x, w * curve.poles[i].y, w};
-  }
-  for (std::size_t r = 1; r <= degree; ++r)
-    for (std::size_t j = degree; j >= r; --j) {
-      const double low = curve.knots[span - degree + j], high = curve.knots[span + 1 + j - r];
-      const double s = (t - low) / (high - low);
-      d[j] = {(1 - s) * d[j - 1].x + s * d[j].x, (1 - s) * d[j - 1].y + s * d[j].y, (1 - s) * d[j - 1].w + s * d[j].w};
-    }
-  return {d[degree].x / d[degree].w, d[degree].y / d[degree].w};
 }
 
 }  // namespace quadrille::check

@@ -3,6 +3,7 @@
 
 #include "check/rules.hpp"
 #include "model/interfaces.hpp"
+#include "model/quad_mesh.hpp"
 #include "spectral/quad_map.hpp"
 
 namespace quadrille::check {
@@ -10,13 +11,6 @@ namespace quadrille::check {
 namespace {
 
 std::size_t nodes_per_elem(const QuadMesh& mesh) { return static_cast<std::size_t>(mesh.nodes_per_elem()); }
-
-/// Node j = 0..N of side k of an element, from corner k to corner k + 1.
-int side_node(const QuadMesh& mesh, int elem, int side, int j) {
-  const int n = mesh.order, stride = n + 1;
-  const int local[4] = {j, j * stride + n, n * stride + n - j, (n - j) * stride};
-  return mesh.elem_nodes[static_cast<std::size_t>(elem) * nodes_per_elem(mesh) + static_cast<std::size_t>(local[side])];
-}
 
 void arrays_agree(const QuadMesh& mesh, Findings& findings) {
   if (mesh.order < 1 || mesh.order > 30) return findings.add("order {} is outside 1 to 30", mesh.order);
@@ -320,9 +314,7 @@ std::string validity_warning(const QuadMesh& mesh) {
 }
 
 std::vector<Violation> violations_of(const QuadMesh& mesh, CheckDepth depth) {
-  std::vector<Violation> all = violations_of(mesh.face, depth);
-  if (!all.empty()) return all;
-  return apply_rules(rules, mesh, depth);
+  return apply_rules_after(mesh.face, rules, mesh, depth);
 }
 
 template std::vector<Violation> check_stage(const QuadMesh&, CheckDepth);

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,37 @@ std::vector<Violation> check_stage(const Model& model, CheckDepth depth) {
 std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth);
 std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth);
 
+/// The violations of `part`, which the stage's struct contains; if there is none, those of the rules.
+template <typename Part, typename Stage, std::size_t N>
+std::vector<Violation> apply_rules_after(const Part& part, const Rule<Stage> (&rules)[N], const Stage& stage,
+                                         CheckDepth depth) {
+  std::vector<Violation> all = violations_of(part, depth);
+  return all.empty() ? apply_rules(rules, stage, depth) : all;
+}
+
+/// Curves of STEP files meet within the tolerance of their vertices; a larger distance is a gap in the outline.
+/// Relative to the diameter.
+inline constexpr double gap_tol = 1e-5;
+
+// Of curves.
+
+/// Empty if the arrays of the curve are consistent, else what is wrong (formats/cad-face.md: clamped, never periodic).
+std::string structure_fault(const Nurbs& curve);
+/// Empty if all numbers of the curve are finite, else a message such as "pole 3 is not finite".
+std::string number_fault(const Nurbs& curve);
+/// Whether a pole lies so far outside (1000 diameters from the face's first joint) that arithmetic on the curve loses
+/// its digits.
+bool has_far_pole(const Nurbs& curve, const CadFace& face);
+
+// Rules common to separatrix graphs and block layouts: of their splines, nodes and arcs.
+
+void splines_are_sound(const ArcGraph& graph, Findings& findings);
+void graph_indices_exist(const ArcGraph& graph, Findings& findings);
+void pieces_are_sound(const ArcGraph& graph, Findings& findings);
+void arcs_are_chains(const ArcGraph& graph, Findings& findings);
+void boundary_is_covered(const ArcGraph& graph, Findings& findings);
+void node_kinds_fit(const ArcGraph& graph, Findings& findings);
+
 inline bool is_finite(double x) { return std::isfinite(x); }
 inline bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 template <typename T>
@@ -83,6 +116,11 @@ inline bool are_ascending_indices(const std::vector<int>& list, std::size_t coun
   for (std::size_t k = 0; k < list.size(); ++k)
     if (!is_index(list[k], count) || (k > 0 && list[k] <= list[k - 1])) return false;
   return true;
+}
+/// Whether `offsets` climbs strictly from 0 to `count`.
+inline bool are_offsets(const std::vector<int>& offsets, int count) {
+  return offsets.size() >= 2 && offsets.front() == 0 && offsets.back() == count &&
+         std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal<>()) == offsets.end();
 }
 /// By curve: whether its interface is open. Adds a finding, and returns no entries, unless `open_curves` are curves
 /// with partners, each with its partner, in ascending order.

@@ -2,14 +2,12 @@
 #include <array>
 #include <iterator>
 
-#include "check/graph_rules.hpp"
+#include "check/rules.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::check {
 
 namespace {
-
-GraphView view(const SeparatrixGraph& g) { return {g.face, g.splines, g.nodes, g.arcs}; }
 
 void lines_exist(const SeparatrixGraph& graph, Findings& findings) {
   for (std::size_t i = 0; i < graph.lines.size(); ++i) {
@@ -133,13 +131,13 @@ void certified_layout_conforms(const SeparatrixGraph& graph, Findings& findings)
 }
 
 constexpr Rule<SeparatrixGraph> rules[] = {
-    {"SEP-R01", RuleKind::structure, [](const auto& g, Findings& f) { splines_are_sound(view(g), f); }},
-    {"SEP-R02", RuleKind::structure, [](const auto& g, Findings& f) { graph_indices_exist(view(g), f); }},
+    {"SEP-R01", RuleKind::structure, [](const auto& g, Findings& f) { splines_are_sound(g, f); }},
+    {"SEP-R02", RuleKind::structure, [](const auto& g, Findings& f) { graph_indices_exist(g, f); }},
     {"SEP-R03", RuleKind::structure, lines_exist},
-    {"SEP-R04", RuleKind::structure, [](const auto& g, Findings& f) { pieces_are_sound(view(g), f); }},
-    {"SEP-R05", RuleKind::quick, [](const auto& g, Findings& f) { arcs_are_chains(view(g), f); }},
-    {"SEP-R06", RuleKind::quick, [](const auto& g, Findings& f) { boundary_is_covered(view(g), f); }},
-    {"SEP-R07", RuleKind::quick, [](const auto& g, Findings& f) { node_kinds_fit(view(g), f); }},
+    {"SEP-R04", RuleKind::structure, [](const auto& g, Findings& f) { pieces_are_sound(g, f); }},
+    {"SEP-R05", RuleKind::quick, [](const auto& g, Findings& f) { arcs_are_chains(g, f); }},
+    {"SEP-R06", RuleKind::quick, [](const auto& g, Findings& f) { boundary_is_covered(g, f); }},
+    {"SEP-R07", RuleKind::quick, [](const auto& g, Findings& f) { node_kinds_fit(g, f); }},
     {"SEP-R08", RuleKind::quick, lines_are_chains},
     {"SEP-R09", RuleKind::full, valences_are_arcs},
     {"SEP-R10", RuleKind::full, four_sided_count_holds},
@@ -152,9 +150,7 @@ constexpr Rule<SeparatrixGraph> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const SeparatrixGraph& graph, CheckDepth depth) {
-  std::vector<Violation> all = violations_of(graph.face, depth);
-  if (!all.empty()) return all;
-  return apply_rules(rules, graph, depth);
+  return apply_rules_after(graph.face, rules, graph, depth);
 }
 
 template std::vector<Violation> check_stage(const SeparatrixGraph&, CheckDepth);

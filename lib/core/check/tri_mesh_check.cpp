@@ -2,11 +2,10 @@
 #include <array>
 #include <functional>
 
-#include "check/nurbs_rules.hpp"
 #include "check/rules.hpp"
+#include "curve/nurbs.hpp"
 #include "spectral/tri_bernstein.hpp"
 #include "spectral/tri_map.hpp"
-#include "spectral/tri_nodes.hpp"
 
 namespace quadrille::check {
 
@@ -20,8 +19,7 @@ void regions_have_elements(const TriMesh& mesh, Findings& findings) {
   const std::vector<int>& offsets = mesh.region_elems;
   const int num_regions = mesh.face.num_regions();
   if (offsets.empty() && num_regions == 1) return;
-  const bool climbs = std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal<>()) == offsets.end();
-  if (std::ssize(offsets) != num_regions + 1 || !climbs || offsets.front() != 0 || offsets.back() != mesh.num_elems())
+  if (std::ssize(offsets) != num_regions + 1 || !are_offsets(offsets, mesh.num_elems()))
     findings.add("region_elems must increase from 0 to the number of elements, {}, in {} entries", mesh.num_elems(),
                  num_regions + 1);
 }
@@ -97,14 +95,14 @@ Vec2 end_vertex(const TriMesh& mesh, const BoundaryEdge& edge) {
 }
 
 void boundary_vertices_lie_on_curves(const TriMesh& mesh, Findings& findings) {
-  const double tol = 1e-5 * mesh.face.diameter;  // joints may have the gaps that FAC-R06 allows
+  const double tol = gap_tol * mesh.face.diameter;
   for (std::size_t i = 0; i < mesh.boundary_edges.size(); ++i) {
     const BoundaryEdge& edge = mesh.boundary_edges[i];
     const Nurbs& curve = mesh.face.curves[edge.curve];
     if (edge.t0 < curve.begin() || edge.t1 > curve.end())
       return findings.add("boundary edge {} leaves the domain of curve {}", i, edge.curve);
-    if (distance(start_vertex(mesh, edge), curve_point(curve, edge.t0)) > tol ||
-        distance(end_vertex(mesh, edge), curve_point(curve, edge.t1)) > tol)
+    if (distance(start_vertex(mesh, edge), curve::point(curve, edge.t0)) > tol ||
+        distance(end_vertex(mesh, edge), curve::point(curve, edge.t1)) > tol)
       findings.add("boundary edge {} does not end on curve {} at its parameters, near {}", i, edge.curve,
                    position_text(mesh.face, start_vertex(mesh, edge)));
   }
@@ -310,9 +308,7 @@ constexpr Rule<TriMesh> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth) {
-  std::vector<Violation> all = violations_of(mesh.face, depth);
-  if (!all.empty()) return all;
-  return apply_rules(rules, mesh, depth);
+  return apply_rules_after(mesh.face, rules, mesh, depth);
 }
 
 template std::vector<Violation> check_stage(const TriMesh&, CheckDepth);

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::curve {
 namespace {
 
-constexpr double same_place = 1e-6;     ///< diameters
 constexpr double greatest_snap = 1e-3;  ///< of a chain's length
 constexpr double same_fraction = 1e-12;
 
@@ -89,7 +89,7 @@ bool Chain::is_whole_curve(size_t i) const {
 }
 
 bool Chain::is_at_end(double fraction) const {
-  const double reach = std::clamp(same_place * table_->diameter() / length(), same_fraction, greatest_snap);
+  const double reach = std::clamp(tolerance::same_point * table_->diameter() / length(), same_fraction, greatest_snap);
   const bool is_at_start = fraction < 0.5;
   const double from_end = is_at_start ? fraction : 1 - fraction;
   if (from_end < same_fraction) return true;

@@ -11,22 +11,12 @@
 namespace quadrille::curve {
 namespace {
 
-constexpr double most_turn = 0.25;
-/// The distance of x_+^n / n!, n = 2 or 3, on [-1, 1] from polynomials of degree 7.
-constexpr double jump_error_2 = 5e-3, jump_error_3 = 1e-4;
-constexpr double least_piece = 0.25;
-
-struct Bend {
-  double curvature = 0, slope = 0;
-};
-
-Bend bend_at(const Nurbs& curve, double t, bool from_left) {
-  const auto d = derivatives(curve, t, from_left);
-  const double speed2 = norm2(d[1]);
-  if (speed2 == 0) return {};
-  const double bend = cross(d[1], d[2]);
-  return {bend / std::pow(speed2, 1.5), (cross(d[1], d[3]) - 3 * bend * dot(d[1], d[2]) / speed2) / (speed2 * speed2)};
-}
+constexpr struct {
+  double most_turn = 0.25;  ///< of a cell, radians
+  /// The distance of x_+^n / n!, n = 2 or 3, on [-1, 1] from polynomials of degree 7.
+  double jump_error_2 = 5e-3, jump_error_3 = 1e-4;
+  double least_piece = 0.25;  ///< relative to the distance of jumps
+} fit_constants{};
 
 void set_jumps(FitNode& node, Bend before, Bend after) {
   node.curvature_jump = std::abs(after.curvature - before.curvature);
@@ -48,14 +38,12 @@ double turn_between(const Nurbs& curve, double t0, double t1) {
 // The parameters at which cells end.
 std::vector<double> cell_ends(const Nurbs& curve, const ArcLength& length) {
   std::vector<double> ends{curve.begin()};
-  for (std::size_t i = 1; i < curve.knots.size(); ++i) {
-    const double t0 = curve.knots[i - 1], t1 = curve.knots[i];
-    if (t0 == t1) continue;
-    const int parts = 1 + static_cast<int>(turn_between(curve, t0, t1) / most_turn);
+  for_each_span(curve, [&](double t0, double t1) {
+    const int parts = 1 + static_cast<int>(turn_between(curve, t0, t1) / fit_constants.most_turn);
     const double s0 = length.at(t0), s1 = length.at(t1);
     for (int k = 1; k < parts; ++k) ends.push_back(length.parameter(s0 + (s1 - s0) * k / parts));
     ends.push_back(t1);
-  }
+  });
   return ends;
 }
 
@@ -95,7 +83,7 @@ FitCells fit_cells(const Nurbs& curve) {
     FitNode node{t, length.at(t)};
     const bool is_end = t == ends.front() || t == ends.back();
     const double before = is_end ? ends.back() : t, after = is_end ? ends.front() : t;
-    set_jumps(node, bend_at(curve, before, true), bend_at(curve, after, false));
+    set_jumps(node, bend(curve, before, true), bend(curve, after, false));
     result.nodes.push_back(node);
   }
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
@@ -104,12 +92,12 @@ FitCells fit_cells(const Nurbs& curve) {
 }
 
 std::vector<int> lasting_jumps(const std::vector<FitNode>& nodes, int order, double tolerance) {
-  const double error = order == 2 ? jump_error_2 : jump_error_3;
+  const double error = order == 2 ? fit_constants.jump_error_2 : fit_constants.jump_error_3;
   std::vector<double> jumps;
   for (const FitNode& node : nodes) jumps.push_back(order == 2 ? node.curvature_jump : node.slope_jump);
   std::vector<int> lasting;
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
-    const double reach = least_piece * isolation(nodes, jumps, i);
+    const double reach = fit_constants.least_piece * isolation(nodes, jumps, i);
     if (error * jumps[i] * std::pow(reach, order) > tolerance) lasting.push_back(static_cast<int>(i));
   }
   return lasting;

@@ -68,19 +68,12 @@ std::array<Homogeneous, 4> homogeneous_derivatives(const Nurbs& curve, int k, do
 
 Vec2 vec(Homogeneous h) { return {h.x, h.y}; }
 
-double polygon_length(const Nurbs& curve) {
-  double length = 0;
-  for (size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
-  return length;
+Bend bend_of(const std::array<Vec2, 4>& d) {
+  const double speed2 = norm2(d[1]), turn = cross(d[1], d[2]);
+  if (speed2 == 0) return {};
+  return {turn / std::pow(speed2, 1.5),
+          (cross(d[1], d[3]) * speed2 - 3 * turn * dot(d[1], d[2])) / (speed2 * speed2 * speed2)};
 }
-
-// d kappa / d s from the derivatives of the curve.
-double curvature_slope(const std::array<Vec2, 4>& d) {
-  const double speed2 = norm2(d[1]);
-  return (cross(d[1], d[3]) * speed2 - 3 * cross(d[1], d[2]) * dot(d[1], d[2])) / (speed2 * speed2 * speed2);
-}
-
-double curvature_of(const std::array<Vec2, 4>& d) { return cross(d[1], d[2]) / std::pow(norm2(d[1]), 1.5); }
 
 /// Whether the curve is less than C3 between `before` and `after`: the same knot, or both ends of a closed curve.
 bool is_break(const Nurbs& curve, double before, double after, double length, double tol) {
@@ -88,11 +81,11 @@ bool is_break(const Nurbs& curve, double before, double after, double length, do
   const Vec2 a = tangent(curve, before, true), b = tangent(curve, after, false);
   if (std::abs(std::atan2(cross(a, b), dot(a, b))) > tol) return true;
   if (norm2(left[1]) == 0 || norm2(right[1]) == 0) return true;
-  const double ka = curvature_of(left), kb = curvature_of(right);
-  const double k = std::max({std::abs(ka), std::abs(kb), 1 / length});
-  if (std::abs(ka - kb) > tol * k) return true;
-  const double sa = curvature_slope(left), sb = curvature_slope(right);
-  return std::abs(sa - sb) > tol * std::max({std::abs(sa), std::abs(sb), k * k});
+  const Bend before_it = bend_of(left), after_it = bend_of(right);
+  const double k = std::max({std::abs(before_it.curvature), std::abs(after_it.curvature), 1 / length});
+  if (std::abs(before_it.curvature - after_it.curvature) > tol * k) return true;
+  const double slope = std::max({std::abs(before_it.slope), std::abs(after_it.slope), k * k});
+  return std::abs(before_it.slope - after_it.slope) > tol * slope;
 }
 
 /// The first of the longest spans [knots[j], knots[j + 1]] with j from first to last.
@@ -158,9 +151,9 @@ Vec2 tangent(const Nurbs& curve, double t, bool from_left) {
   throw ComputeError("a curve has no tangent: it is a single point");
 }
 
-double curvature(const Nurbs& curve, double t, bool from_left) {
-  return curvature_of(derivatives(curve, t, from_left));
-}
+Bend bend(const Nurbs& curve, double t, bool from_left) { return bend_of(derivatives(curve, t, from_left)); }
+
+double curvature(const Nurbs& curve, double t, bool from_left) { return bend(curve, t, from_left).curvature; }
 
 Nurbs reversed(const Nurbs& curve) {
   Nurbs r = curve;
@@ -201,6 +194,26 @@ Nurbs trimmed(const Nurbs& curve, double t0, double t1) {
   part.poles.front() = point(curve, t0);
   part.poles.back() = point(curve, t1);
   return part;
+}
+
+Nurbs with_ends(Nurbs curve, Vec2 start, Vec2 end) {
+  if (curve.degree == 1 && curve.poles.size() == 2) return segment(start, end);
+  std::vector<double> lengths = {0};  // of the control polygon up to each pole
+  for (std::size_t i = 1; i < curve.poles.size(); ++i)
+    lengths.push_back(lengths.back() + distance(curve.poles[i - 1], curve.poles[i]));
+  const Vec2 at_start = start - curve.poles.front(), at_end = end - curve.poles.back();
+  for (std::size_t i = 0; i < curve.poles.size(); ++i) {
+    const double fraction = lengths.back() > 0 ? lengths[i] / lengths.back() : 0;
+    curve.poles[i] += (1 - fraction) * at_start + fraction * at_end;
+  }
+  curve.poles.front() = start, curve.poles.back() = end;
+  return curve;
+}
+
+double polygon_length(const Nurbs& curve) {
+  double length = 0;
+  for (size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
+  return length;
 }
 
 Nurbs segment(Vec2 a, Vec2 b) {

@@ -3,6 +3,7 @@
 // the domain are clamped to it. Inner knots must have a multiplicity of at most `degree`.
 
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,16 @@ std::array<Vec2, 4> derivatives(const Nurbs& curve, double t, bool from_left = f
 /// direction, from the next derivative that does not.
 Vec2 tangent(const Nurbs& curve, double t, bool from_left = false);
 
-/// Signed curvature (1 / length; positive: the curve bends to the left), one-sided as above.
+/// Signed curvature (1 / length; positive: the curve bends to the left) and its derivative by arc length; zeros where
+/// the curve has no speed.
+struct Bend {
+  double curvature = 0, slope = 0;
+};
+
+/// One-sided as above.
+Bend bend(const Nurbs& curve, double t, bool from_left = false);
+
+/// bend().curvature.
 double curvature(const Nurbs& curve, double t, bool from_left = false);
 
 /// The same curve in the opposite direction, on the same parameter interval.
@@ -39,6 +49,21 @@ Nurbs reversed(const Nurbs& curve);
 
 /// The part of the curve on [t0, t1], t0 < t1, by knot insertion: exact, with the same parameters.
 Nurbs trimmed(const Nurbs& curve, double t0, double t1);
+
+/// The curve from `start` to `end`, bit for bit. Each pole moves by the displacements of the two ends, interpolated
+/// linearly in the length of the control polygon up to it: poles that coincide remain so, and no leg of the polygon
+/// turns by more than about the displacements over the polygon's length. A segment remains one.
+Nurbs with_ends(Nurbs curve, Vec2 start, Vec2 end);
+
+/// Length of the control polygon.
+double polygon_length(const Nurbs& curve);
+
+/// Calls visit(t0, t1) for each knot span that is not empty.
+template <class Visit>
+void for_each_span(const Nurbs& curve, const Visit& visit) {
+  for (std::size_t i = 1; i < curve.knots.size(); ++i)
+    if (curve.knots[i - 1] < curve.knots[i]) visit(curve.knots[i - 1], curve.knots[i]);
+}
 
 /// A straight segment with parameter 0..length.
 Nurbs segment(Vec2 a, Vec2 b);

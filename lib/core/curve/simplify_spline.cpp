@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/tolerance.hpp"
 #include "curve/fit_cells.hpp"
 #include "curve/nurbs.hpp"
 
@@ -18,20 +19,11 @@ constexpr int least_breaks = 32;
 constexpr int curvature_multiplicity = fit_degree - 1, slope_multiplicity = fit_degree - 2;
 constexpr int max_rounds = 40;
 constexpr int periodic_pieces = 8;
-constexpr double same_tangent = 1e-9;
-/// Middles of pieces nearer to each other, relative to the distance of two nodes, are equally near to both.
-constexpr double same_place = 1e-6;
-
-double polygon_length(const Nurbs& curve) {
-  double length = 0;
-  for (std::size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
-  return length;
-}
 
 bool closes_smoothly(const Nurbs& curve) {
   if (!(distance(curve.poles.front(), curve.poles.back()) <= 1e-12 * polygon_length(curve))) return false;
   const Vec2 a = tangent(curve, curve.end(), true), b = tangent(curve, curve.begin());
-  return std::abs(std::atan2(cross(a, b), dot(a, b))) <= same_tangent;
+  return std::abs(std::atan2(cross(a, b), dot(a, b))) <= tolerance::round_off;
 }
 
 int num_inner_knots(const Nurbs& curve) {
@@ -139,7 +131,7 @@ class Simplifier {
       int after = piece.first + 1;
       while (after + 1 < piece.last && s(after) < middle) ++after;
       const int before = std::max(after - 1, piece.first + 1);
-      const double lead = (middle - s(before)) - (s(after) - middle), same = same_place * (s(after) - s(before));
+      const double lead = (middle - s(before)) - (s(after) - middle), same = tolerance::tied * (s(after) - s(before));
       if (lead <= same) multiplicities_[before] = std::max(multiplicities_[before], 1);
       if (lead >= -same) multiplicities_[after] = std::max(multiplicities_[after], 1);
       is_changed = true;

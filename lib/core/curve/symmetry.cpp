@@ -6,20 +6,14 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/project.hpp"
 
 namespace quadrille::curve {
 namespace {
 
 constexpr double radians_per_diameter = 10;  // tolerance of the angles of crossings
-
-template <class Visit>
-void for_each_span(const Nurbs& curve, Visit visit) {
-  for (std::size_t i = 1; i < curve.knots.size(); ++i)
-    if (curve.knots[i - 1] < curve.knots[i]) visit(curve.knots[i - 1], curve.knots[i]);
-}
 
 /// Centroid of the area: 3 A c = oint x (x cross dx), 2 A = oint x cross dx, relative to a point of the boundary.
 Vec2 centroid(const CadFace& face) {
@@ -136,49 +130,27 @@ std::optional<double> mean_miss(const Isometry& g, const std::vector<Crossing>& 
   return sum / static_cast<double>(crossings.size());
 }
 
-/// A curve with a box around its poles, which encloses the curve.
-struct BoxedCurve {
-  const Nurbs* curve;
-  Vec2 low, high;
-
-  BoxedCurve(const Nurbs& nurbs, double margin) : curve(&nurbs), low(nurbs.poles[0]), high(nurbs.poles[0]) {
-    for (const Vec2 p : nurbs.poles) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    low -= {margin, margin};
-    high += {margin, margin};
-  }
-  bool may_hold(Vec2 x) const { return x.x >= low.x && x.y >= low.y && x.x <= high.x && x.y <= high.y; }
-};
-
 /// Whether an isometry maps sampled points of all curves onto the boundary.
 class BoundaryMap {
  public:
   BoundaryMap(const CadFace& face, double tolerance)
-      : tol_(tolerance * face.diameter), angle_tol_(radians_per_diameter * tolerance) {
+      : boundary_(face.curves), tol_(tolerance * face.diameter), angle_tol_(radians_per_diameter * tolerance) {
     constexpr int steps = 5;  // odd, and different from the samples of the projection
-    for (const Nurbs& curve : face.curves) {
-      boxes_.emplace_back(curve, tol_);
+    for (const Nurbs& curve : face.curves)
       for_each_span(curve, [&](double a, double b) {
         for (int i = 0; i < steps; ++i) points_.push_back(point(curve, a + (b - a) * i / steps));
       });
-    }
   }
   /// Between crossings: only to rule out candidates.
   double angle_tol() const { return angle_tol_; }
   bool is_onto(const Isometry& g) const {
-    return std::all_of(points_.begin(), points_.end(), [&](Vec2 x) { return is_on_boundary(g(x)); });
+    return std::all_of(points_.begin(), points_.end(),
+                       [&](Vec2 x) { return boundary_.nearest(g(x)).distance <= tol_; });
   }
 
  private:
-  bool is_on_boundary(Vec2 x) const {
-    return std::any_of(boxes_.begin(), boxes_.end(),
-                       [&](const BoxedCurve& b) { return b.may_hold(x) && project(*b.curve, x).distance <= tol_; });
-  }
-
+  CurveTree boundary_;
   double tol_, angle_tol_;
-  std::vector<BoxedCurve> boxes_;
   std::vector<Vec2> points_;
 };
 

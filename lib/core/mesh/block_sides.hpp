@@ -1,5 +1,6 @@
 #pragma once
-// Sides of blocks: the sides on an arc, and the sides that continue each other along the boundary.
+// Sides of blocks: the sides on an arc, the sides that continue each other along the boundary, and ends of arcs that
+// continue each other at one node, on both sides of a third arc between two blocks.
 
 #include <vector>
 
@@ -31,5 +32,14 @@ struct ArcEnd {
 
 ArcEnd beginning(HalfEdge half_edge);  ///< the end of the arc at which the half-edge starts
 ArcEnd ending(HalfEdge half_edge);     ///< the other end
+
+/// The first intervals at `a` and `b` are neighbours.
+struct ArcNeighbours {
+  ArcEnd a, b;
+};
+
+/// Both ends of every arc between two blocks, ordered by arc. A block that meets itself has no neighbour there, and
+/// none has one across an interface of two faces: sizes may jump there.
+std::vector<ArcNeighbours> arc_neighbours(const BlockLayout& layout);
 
 }  // namespace quadrille::mesh

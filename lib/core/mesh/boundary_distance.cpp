@@ -9,7 +9,7 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -40,11 +40,6 @@ struct SideMaps {
     to_samples = spectral::interpolation_matrix(spectral::gll_points(order), samples);
   }
 };
-
-const SideMaps& side_maps(int order) {
-  static spectral::PerOrder<SideMaps> cache([](int n) { return SideMaps(n); });
-  return cache[order];
-}
 
 std::vector<Vec2> mapped(const Eigen::MatrixXd& map, const std::vector<Vec2>& nodes) {
   std::vector<Vec2> result(map.rows());
@@ -77,7 +72,7 @@ struct MeshBoundary {
 };
 
 MeshBoundary mesh_boundary(const QuadMesh& mesh) {
-  const SideMaps& maps = side_maps(mesh.order);
+  const SideMaps& maps = spectral::table_per_order<SideMaps>(mesh.order);
   MeshBoundary boundary;
   double length = 0;
   std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
@@ -95,14 +90,12 @@ MeshBoundary mesh_boundary(const QuadMesh& mesh) {
 }
 
 void append_samples(const Nurbs& curve, double spacing, std::vector<Vec2>& samples) {
-  for (std::size_t k = curve.degree; k < curve.poles.size(); ++k) {
-    const double t0 = curve.knots[k], t1 = curve.knots[k + 1];
-    if (!(t0 < t1)) continue;
+  curve::for_each_span(curve, [&](double t0, double t1) {
     const Vec2 middle = curve::point(curve, (t0 + t1) / 2);
     const double length = distance(curve::point(curve, t0), middle) + distance(middle, curve::point(curve, t1));
     const int count = std::max(least_span_samples, static_cast<int>(std::ceil(length / spacing)));
     for (int i = 0; i < count; ++i) samples.push_back(curve::point(curve, t0 + (t1 - t0) * i / count));
-  }
+  });
 }
 
 }  // namespace
@@ -111,8 +104,8 @@ BoundaryDistance boundary_distance(const QuadMesh& mesh) {
   const MeshBoundary boundary = mesh_boundary(mesh);
   std::vector<Vec2> cad_samples;
   for (const Nurbs& curve : mesh.face.curves) append_samples(curve, boundary.spacing, cad_samples);
-  BoundaryDistance result{curve::CurveSet(mesh.face.curves).farthest(boundary.samples),
-                          curve::CurveSet(boundary.curves).farthest(cad_samples)};
+  BoundaryDistance result{curve::CurveTree(mesh.face.curves).farthest(boundary.samples),
+                          curve::CurveTree(boundary.curves).farthest(cad_samples)};
   result.mesh_to_cad.distance += mesh.face.fit_distance;
   result.cad_to_mesh.distance += mesh.face.fit_distance;
   return result;

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "model/half_edge.hpp"
-#include "model/periodic_arcs.hpp"
+#include "model/arc_graph.hpp"
+#include "model/periodic.hpp"
 
 namespace quadrille::mesh {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/position_text.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -27,11 +27,6 @@ struct LobattoRule {
         derivative(spectral::differentiation_matrix(spectral::gll_points(order))) {}
 };
 
-const LobattoRule& lobatto_rule(int order) {
-  static spectral::PerOrder<LobattoRule> cache([](int n) { return LobattoRule(n); });
-  return cache[order];
-}
-
 double ratio_of(double a, double b) {
   const auto [low, high] = std::minmax(a, b);
   return low > high / greatest_ratio ? high / low : greatest_ratio;
@@ -42,7 +37,7 @@ class ElementGrid {
  public:
   ElementGrid(const QuadMesh& mesh, int elem)
       : order_(mesh.order),
-        rule_(lobatto_rule(mesh.order)),
+        rule_(spectral::table_per_order<LobattoRule>(mesh.order)),
         nodes_(mesh.nodes),
         ids_(&mesh.elem_nodes[elem * mesh.nodes_per_elem()]) {}
 

@@ -1,7 +1,7 @@
 #include "mesh/locate.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "spectral/tri_bernstein.hpp"
 
@@ -15,7 +15,6 @@ int bounded_int(double value, int least, int most) {
 
 constexpr double reference_tol = 1e-10;
 constexpr double relative_round_off = 1e-14;  // of positions, relative to the diameter
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The range of a coordinate over the element, from its Bernstein hull.
 std::array<double, 2> hull(int order, const std::vector<double>& coefs) {
@@ -46,8 +45,8 @@ int way_out(Vec2 xi, const std::array<int, 3>& neighbors) {
 Locator::Locator(const TriMesh& mesh, const std::vector<spectral::TriMap>& maps)
     : maps_(&maps), round_off_(relative_round_off * mesh.face.diameter) {
   boxes_.reserve(maps.size());
-  lower_ = {infinity, infinity};
-  Vec2 upper{-infinity, -infinity};
+  lower_ = {HUGE_VAL, HUGE_VAL};
+  Vec2 upper = -lower_;
   for (const spectral::TriMap& map : maps) {
     const auto [x0, x1] = hull(map.order(), map.coefs_x());
     const auto [y0, y1] = hull(map.order(), map.coefs_y());

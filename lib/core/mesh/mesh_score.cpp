@@ -1,18 +1,62 @@
 #include "mesh/mesh_score.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <utility>
 
-#include "mesh/edge_growth.hpp"
+#include "base/tolerance.hpp"
 
 namespace quadrille::mesh {
+
+namespace {
+
+/// An edge at one end of an edge that two elements may share.
+struct Beside {
+  int vertex = 0;     ///< the common vertex
+  double length = 0;  ///< from there along the element's next edge
+};
+
+/// At both ends of side k, the element's edges that continue a line across it; the lower vertex first.
+std::array<Beside, 2> beside_side(const QuadMesh& mesh, int elem, int k) {
+  const auto at = [&](int corner, int next) -> Beside {
+    const int v = side_start(mesh, elem, corner % 4);
+    return {v, distance(mesh.nodes[v], mesh.nodes[side_start(mesh, elem, next % 4)])};
+  };
+  std::array<Beside, 2> both{at(k, k + 3), at(k + 1, k + 2)};
+  if (both[1].vertex < both[0].vertex) std::swap(both[0], both[1]);
+  return both;
+}
+
+}  // namespace
+
+EdgeGrowth edge_growth(const QuadMesh& mesh, double limit) {
+  EdgeGrowth growth;
+  std::map<std::pair<int, int>, std::array<Beside, 2>> open;  // sides met once
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int k = 0; k < 4; ++k) {
+      const std::array<Beside, 2> own = beside_side(mesh, elem, k);
+      const auto [it, is_new] = open.try_emplace({own[0].vertex, own[1].vertex}, own);
+      if (is_new) continue;
+      for (const int end : {0, 1}) {
+        const double a = own[end].length, b = it->second[end].length, ratio = std::max(a / b, b / a);
+        if (ratio > limit) growth.excess += std::pow(std::log(ratio / limit), 2);
+        if (ratio <= growth.greatest * (1 + tolerance::tied)) continue;
+        growth.greatest = ratio;
+        growth.position = mesh.nodes[own[end].vertex];
+      }
+      open.erase(it);
+    }
+  return growth;
+}
+
 namespace {
 
 constexpr double significant = 0.05;
 constexpr double good_quality = 0.7;  ///< a block this good is not skew
-constexpr double same_growth = 1e-6;  ///< relative difference of growth
 
 double log_excess(double value, double limit) { return limit > 0 && value > limit ? std::log(value / limit) : 0; }
 
@@ -30,7 +74,7 @@ bool exceeds(double a, double b) { return a > b + significant || (a > 0 && b == 
 bool is_better(const MeshScore& a, const MeshScore& b) {
   for (const auto value : {&MeshScore::unproved, &MeshScore::distance, &MeshScore::elongation, &MeshScore::skewness})
     if (exceeds(a.*value, b.*value) || exceeds(b.*value, a.*value)) return a.*value < b.*value;
-  return a.growth < b.growth * (1 - same_growth);
+  return a.growth < b.growth * (1 - tolerance::tied);
 }
 
 MeshScore mesh_score(const QuadMesh& mesh, const BoundaryDistance& distance, const ScoreLimits& limits,

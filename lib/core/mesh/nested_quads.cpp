@@ -52,22 +52,10 @@ class Refiner {
     return mesh;
   }
 
-  int coarse_node(int elem, int i, int j) const {
-    return coarse_.elem_nodes[static_cast<std::size_t>(elem) * coarse_.nodes_per_elem() + j * (coarse_.order + 1) + i];
-  }
-  /// Node k = 0..last of a side of a grid with last + 1 nodes in each direction, from corner to corner.
-  static std::array<int, 2> on_side(int side, int k, int last) {
-    const std::array<std::array<int, 2>, 4> at{{{k, 0}, {last, k}, {last - k, last}, {0, last - k}}};
-    return at[side];
-  }
-
   void keep_vertices() {
     vertex_.assign(coarse_.nodes.size(), -1);
     for (int e = 0; e < coarse_.num_elems(); ++e)
-      for (int side = 0; side < 4; ++side) {
-        const auto [i, j] = on_side(side, 0, coarse_.order);
-        vertex_[coarse_node(e, i, j)] = 0;
-      }
+      for (int side = 0; side < 4; ++side) vertex_[side_start(coarse_, e, side)] = 0;
     for (std::size_t n = 0; n < vertex_.size(); ++n)
       if (vertex_[n] == 0) vertex_[n] = append_node(coarse_.nodes[n]);
   }
@@ -79,12 +67,8 @@ class Refiner {
 
   /// The refined nodes of a side from corner to corner. They are made once for both elements, from the end of the lower
   /// number; two sides between the same corners differ in their nodes.
-  std::vector<int> side_nodes(int elem, int side) {
-    std::vector<int> nodes;
-    for (int k = 0; k <= coarse_.order; ++k) {
-      const auto [i, j] = on_side(side, k, coarse_.order);
-      nodes.push_back(coarse_node(elem, i, j));
-    }
+  std::vector<int> refined_side_nodes(int elem, int side) {
+    std::vector<int> nodes = side_nodes(coarse_, elem, side);
     const bool is_turned = nodes.front() > nodes.back();
     if (is_turned) std::reverse(nodes.begin(), nodes.end());
     auto [known, is_new] = sides_.try_emplace(nodes);
@@ -110,17 +94,14 @@ class Refiner {
   std::vector<int> grid_of(int elem) {
     std::vector<int> grid(static_cast<std::size_t>(width_) * width_);
     for (int side = 0; side < 4; ++side) {
-      const std::vector<int> nodes = side_nodes(elem, side);
-      for (int k = 0; k < width_; ++k) {
-        const auto [i, j] = on_side(side, k, width_ - 1);
-        grid[j * width_ + i] = nodes[k];
-      }
+      const std::vector<int> nodes = refined_side_nodes(elem, side);
+      for (int k = 0; k < width_; ++k) grid[local_side_node(width_ - 1, side, k)] = nodes[k];
     }
     const int n = coarse_.order + 1;
     Eigen::MatrixXd x(n, n), y(n, n);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
-        const Vec2 position = coarse_.nodes[coarse_node(elem, i, j)];
+        const Vec2 position = coarse_.nodes[coarse_.elem_nodes[elem * n * n + j * n + i]];
         x(i, j) = position.x, y(i, j) = position.y;
       }
     const Eigen::MatrixXd fine_x = interpolate_ * x * interpolate_.transpose();
@@ -144,10 +125,9 @@ class Refiner {
   std::vector<QuadBoundaryEdge> children_of(const std::vector<QuadBoundaryEdge>& edges) const {
     std::vector<QuadBoundaryEdge> children;
     for (const QuadBoundaryEdge& edge : edges)
-      for (int k = 0; k < parts_; ++k) {
-        const auto [column, row] = on_side(edge.side, k, parts_ - 1);
-        children.push_back({(edge.elem * parts_ + row) * parts_ + column, edge.side, edge.curve});
-      }
+      for (int k = 0; k < parts_; ++k)
+        children.push_back(
+            {edge.elem * parts_ * parts_ + local_side_node(parts_ - 1, edge.side, k), edge.side, edge.curve});
     return children;
   }
 

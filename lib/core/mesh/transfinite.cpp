@@ -1,5 +1,8 @@
 #include "mesh/transfinite.hpp"
 
+#include <vector>
+
+#include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::mesh {
@@ -50,6 +53,21 @@ std::vector<Vec2> TransfiniteMap::sampled(int order) const {
       nodes.push_back(blend_sides({on_sides[0][i], on_sides[1][j], on_sides[2][i], on_sides[3][j]}, corners_,
                                   fractions[i], fractions[j]));
   return nodes;
+}
+
+BlockShape block_shape(const TransfiniteMap& map) {
+  const std::vector<Vec2> nodes = map.sampled(block_order);
+  const spectral::ScaledJacobianMinimum scaled = spectral::quad_scaled_jacobian_minimum(block_order, nodes.data());
+  return {spectral::quad_jacobian_lower_bound(block_order, nodes.data()), scaled.value,
+          spectral::quad_position(block_order, nodes.data(), scaled.xi)};
+}
+
+double scaled_jacobian(const std::vector<Vec2>& nodes) {
+  return spectral::quad_scaled_jacobian(block_order, nodes.data());
+}
+
+bool is_valid_block(const std::vector<Vec2>& nodes) {
+  return scaled_jacobian(nodes) > 0 && spectral::quad_jacobian_lower_bound(block_order, nodes.data()) > 0;
 }
 
 }  // namespace quadrille::mesh

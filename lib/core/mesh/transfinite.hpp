@@ -1,9 +1,11 @@
 #pragma once
-// The exact map of a block: transfinite (Gordon-Hall) blend of its four sides, each by its own arc-length fraction.
+// The exact map of a block, the transfinite (Gordon-Hall) blend of its four sides, each by its own arc-length fraction,
+// and its shape.
 
 #include <array>
 #include <vector>
 
+#include "base/vec2.hpp"
 #include "curve/chain.hpp"
 
 namespace quadrille::mesh {
@@ -34,5 +36,27 @@ class TransfiniteMap {
   std::array<bool, 4> backwards_;
   std::array<Vec2, 4> corners_;
 };
+
+// The shape of a block as ONE quad of order 8, the only measure of block quality: the quad interpolates the block's
+// exact map at the Gauss-Lobatto-Legendre points.
+
+/// Blocks are measured as quads of this order (TransfiniteMap::sampled).
+constexpr int block_order = 8;
+
+struct BlockShape {
+  double jacobian_bound = 0;      ///< least Bernstein bound of det J, length^2 (spectral/quad_map.hpp)
+  double scaled_jacobian = 0;     ///< least sampled value, -1 where det J <= 0
+  Vec2 scaled_jacobian_position;  ///< position of that sample, relative to face.origin
+
+  /// Whether det J is proved positive over the whole block.
+  bool is_valid() const { return scaled_jacobian > 0 && jacobian_bound > 0; }
+};
+
+BlockShape block_shape(const TransfiniteMap& map);
+
+/// BlockShape::scaled_jacobian of a block sampled at block_order (TransfiniteMap::sampled).
+double scaled_jacobian(const std::vector<Vec2>& nodes);
+/// BlockShape::is_valid of it; takes longer.
+bool is_valid_block(const std::vector<Vec2>& nodes);
 
 }  // namespace quadrille::mesh

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "model/arc_graph.hpp"
-#include "model/half_edge.hpp"
 #include "model/provenance.hpp"
 
 namespace quadrille {

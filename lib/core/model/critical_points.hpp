@@ -23,22 +23,12 @@ namespace quadrille {
 /// the valence of that field. `phase`: later stages need a field of the phase form made for these nodes (fieldsolve
 /// --nodes).
 enum class NodeForm { harmonic, phase };
-constexpr auto enum_names(NodeForm) {
-  return std::to_array<EnumName<NodeForm>>({{NodeForm::harmonic, "harmonic"}, {NodeForm::phase, "phase"}});
-}
+constexpr auto enum_names(NodeForm) { return std::to_array({"harmonic", "phase"}); }
 
 /// How nodes and valences were changed. `other`: a kind that a later version of the format added.
 enum class ChangeKind { cluster, cancel, absorb, corner, line, divide, feature, place, other };
 constexpr auto enum_names(ChangeKind) {
-  return std::to_array<EnumName<ChangeKind>>({{ChangeKind::cluster, "cluster"},
-                                              {ChangeKind::cancel, "cancel"},
-                                              {ChangeKind::absorb, "absorb"},
-                                              {ChangeKind::corner, "corner"},
-                                              {ChangeKind::line, "line"},
-                                              {ChangeKind::divide, "divide"},
-                                              {ChangeKind::feature, "feature"},
-                                              {ChangeKind::place, "place"},
-                                              {ChangeKind::other, "other"}});
+  return std::to_array({"cluster", "cancel", "absorb", "corner", "line", "divide", "feature", "place", "other"});
 }
 
 /// The origin of a node or a valence. Nodes: a `zero` of the field or prescribed by `hand`. Corners: the valence
@@ -59,51 +49,15 @@ enum class NodeSource {
   other
 };
 constexpr auto enum_names(NodeSource) {
-  return std::to_array<EnumName<NodeSource>>({{NodeSource::zero, "zero"},
-                                              {NodeSource::hand, "hand"},
-                                              {NodeSource::angle, "angle"},
-                                              {NodeSource::field, "field"},
-                                              {NodeSource::cluster, "cluster"},
-                                              {NodeSource::cancel, "cancel"},
-                                              {NodeSource::absorb, "absorb"},
-                                              {NodeSource::corner, "corner"},
-                                              {NodeSource::line, "line"},
-                                              {NodeSource::divide, "divide"},
-                                              {NodeSource::feature, "feature"},
-                                              {NodeSource::place, "place"},
-                                              {NodeSource::other, "other"}});
+  return std::to_array({"zero", "hand", "angle", "field", "cluster", "cancel", "absorb", "corner", "line", "divide",
+                        "feature", "place", "other"});
 }
 
 /// The source of a node that a change of this kind made: the value of the same name.
-constexpr NodeSource source_of(ChangeKind kind) {
-  switch (kind) {
-    case ChangeKind::cluster:
-      return NodeSource::cluster;
-    case ChangeKind::cancel:
-      return NodeSource::cancel;
-    case ChangeKind::absorb:
-      return NodeSource::absorb;
-    case ChangeKind::corner:
-      return NodeSource::corner;
-    case ChangeKind::line:
-      return NodeSource::line;
-    case ChangeKind::divide:
-      return NodeSource::divide;
-    case ChangeKind::feature:
-      return NodeSource::feature;
-    case ChangeKind::place:
-      return NodeSource::place;
-    case ChangeKind::other:
-      break;
-  }
-  return NodeSource::other;
-}
+inline NodeSource source_of(ChangeKind kind) { return *enum_value<NodeSource>(enum_name(kind)); }
 
 enum class NodeLocation { inside, corner, boundary };
-constexpr auto enum_names(NodeLocation) {
-  return std::to_array<EnumName<NodeLocation>>(
-      {{NodeLocation::inside, "inside"}, {NodeLocation::corner, "corner"}, {NodeLocation::boundary, "boundary"}});
-}
+constexpr auto enum_names(NodeLocation) { return std::to_array({"inside", "corner", "boundary"}); }
 
 struct CriticalPoint {
   Vec2 position;
@@ -161,9 +115,7 @@ struct Cluster {
 
 /// What the search proved about a cell. `zero`: it contains exactly one zero; `open`: undecided, part of a cluster.
 enum class CellVerdict { zero, open };
-constexpr auto enum_names(CellVerdict) {
-  return std::to_array<EnumName<CellVerdict>>({{CellVerdict::zero, "zero"}, {CellVerdict::open, "open"}});
-}
+constexpr auto enum_names(CellVerdict) { return std::to_array({"zero", "open"}); }
 
 /// A cell (triangle in the plane, vertices counter-clockwise) in which the search ended.
 struct CertificateCell {

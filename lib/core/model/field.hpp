@@ -9,7 +9,7 @@
 //
 // A field of kind "phase" (lib/method.md §8) is a unit field with exactly the prescribed irregular nodes:
 //
-//   v(x) = e^(i phi),   phi(x) = explicit part (model/phase_terms.hpp) + s(x),   s(x) = sum_n s_n phi_n(xi)
+//   v(x) = e^(i phi),   phi(x) = explicit part (model/phase_nodes.hpp) + s(x),   s(x) = sum_n s_n phi_n(xi)
 
 #include <array>
 #include <vector>
@@ -17,7 +17,6 @@
 #include "base/enum_names.hpp"
 #include "base/vec2.hpp"
 #include "model/phase_nodes.hpp"
-#include "model/phase_terms.hpp"
 #include "model/provenance.hpp"
 #include "model/tri_mesh.hpp"
 
@@ -59,15 +58,17 @@ struct PhaseForm {
 
 /// Meaning of the coefficients: u and v of a harmonic field, or s of the phase of a unit field.
 enum class FieldKind { harmonic, phase };
-constexpr auto enum_names(FieldKind) {
-  return std::to_array<EnumName<FieldKind>>({{FieldKind::harmonic, "harmonic"}, {FieldKind::phase, "phase"}});
-}
+constexpr auto enum_names(FieldKind) { return std::to_array({"harmonic", "phase"}); }
 
 /// How the field was discretised: continuous Galerkin, or hybridised discontinuous Galerkin.
 enum class FieldMethod { cg, dg };
-constexpr auto enum_names(FieldMethod) {
-  return std::to_array<EnumName<FieldMethod>>({{FieldMethod::cg, "cg"}, {FieldMethod::dg, "dg"}});
-}
+constexpr auto enum_names(FieldMethod) { return std::to_array({"cg", "dg"}); }
+
+/// A prescribed polynomial order for every element (formats/order-map.md).
+struct OrderMap {
+  std::vector<int> elem_order;     ///< one for each element, in the order of the mesh
+  bool of_harmonic_field = false;  ///< those of a field of kind "harmonic"
+};
 
 struct Field {
   Provenance provenance;

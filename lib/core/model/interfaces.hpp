@@ -11,7 +11,6 @@
 
 #include "base/disjoint_sets.hpp"
 #include "model/arc_graph.hpp"
-#include "model/half_edge.hpp"
 
 namespace quadrille {
 

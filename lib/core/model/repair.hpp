@@ -2,6 +2,7 @@
 // What healing changed in the boundary of a CAD face (formats/tri-mesh.md, `repairs`).
 
 #include <array>
+#include <numbers>
 
 #include "base/enum_names.hpp"
 #include "base/vec2.hpp"
@@ -20,14 +21,7 @@ enum class RepairKind {
 };
 
 constexpr auto enum_names(RepairKind) {
-  return std::to_array<EnumName<RepairKind>>({{RepairKind::joint, "joint"},
-                                              {RepairKind::vertex, "vertex"},
-                                              {RepairKind::plane, "plane"},
-                                              {RepairKind::edge, "edge"},
-                                              {RepairKind::cusp, "cusp"},
-                                              {RepairKind::fold, "fold"},
-                                              {RepairKind::knot, "knot"},
-                                              {RepairKind::fit, "fit"}});
+  return std::to_array({"joint", "vertex", "plane", "edge", "cusp", "fold", "knot", "fit"});
 }
 
 struct Repair {
@@ -37,5 +31,9 @@ struct Repair {
   double distance = 0;  ///< how far it was moved, of a fit the most; the length of a removed edge or between merged
                         ///< knots, or that cut off both edges of a cusp
 };
+
+/// Radians: --blunt cuts the tips of corners below this angle off. Edges that meet at it take a number of elements
+/// beside each other that grows like 1 / angle.
+inline constexpr double blunted_angle = 0.2 * (std::numbers::pi / 180.0);
 
 }  // namespace quadrille

@@ -19,12 +19,7 @@ enum class LineKind {
   extended  ///< continued along integer iso-lines of a T-mesh
 };
 
-constexpr auto enum_names(LineKind) {
-  return std::to_array<EnumName<LineKind>>({{LineKind::traced, "traced"},
-                                            {LineKind::merged, "merged"},
-                                            {LineKind::cut, "cut"},
-                                            {LineKind::extended, "extended"}});
-}
+constexpr auto enum_names(LineKind) { return std::to_array({"traced", "merged", "cut", "extended"}); }
 
 /// The history of a separatrix, for people and pictures: origin and end node, and its arcs from one to the other.
 struct SeparatrixLine {
@@ -48,12 +43,7 @@ enum class LayoutMethod {
   midpoint    ///< without separatrices: triangles, each divided into three blocks
 };
 
-constexpr auto enum_names(LayoutMethod) {
-  return std::to_array<EnumName<LayoutMethod>>({{LayoutMethod::traced, "traced"},
-                                                {LayoutMethod::quantized, "quantized"},
-                                                {LayoutMethod::t_mesh, "t-mesh"},
-                                                {LayoutMethod::midpoint, "midpoint"}});
-}
+constexpr auto enum_names(LayoutMethod) { return std::to_array({"traced", "quantized", "t-mesh", "midpoint"}); }
 
 /// Counts of a graph and the method that made it.
 struct LayoutCertificate {

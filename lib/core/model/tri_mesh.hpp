@@ -4,7 +4,7 @@
 // Reference triangle: xi1, xi2 >= -1, xi1 + xi2 <= 0, vertices (-1,-1), (1,-1), (-1,1), counter-clockwise. Local edge
 // k runs from local vertex k to local vertex k+1 (mod 3). Elements are counter-clockwise. An element that is not in
 // `curved_elems` is the affine image of the reference triangle. Curved ones have geometry nodes at
-// spectral/tri_nodes(order), Gauss-Lobatto-Legendre on the edges.
+// spectral/tri_map(order), Gauss-Lobatto-Legendre on the edges.
 
 #include <array>
 #include <vector>
@@ -33,7 +33,7 @@ struct TriMesh {
   std::vector<Vec2> vertices;
   std::vector<std::array<int, 3>> elem2vertices;
   std::vector<int> curved_elems;             ///< ascending
-  std::vector<Vec2> curved_nodes;            ///< (N+1)(N+2)/2 per curved element, in the order of spectral/tri_nodes
+  std::vector<Vec2> curved_nodes;            ///< (N+1)(N+2)/2 per curved element, in the order of spectral/tri_map
   std::vector<BoundaryEdge> boundary_edges;  ///< sorted by curve, then t0: each loop in turn
   std::vector<Repair> repairs;               ///< what healing changed in the boundary of the CAD file
   /// Of several regions, which share no vertex: region r has the elements [region_elems[r], region_elems[r+1]). Empty

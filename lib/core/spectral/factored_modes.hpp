@@ -32,4 +32,7 @@ struct FactoredModes {
 /// The modes of order P >= 1 at a rule of num_points >= 1 points per direction.
 FactoredModes factored_modes(int order, int num_points);
 
+/// Row m: the coefficients of mode m in the orthogonal basis of the same order. Computed once per order.
+const Eigen::MatrixXd& modified_to_orthogonal(int order);
+
 }  // namespace quadrille::spectral

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "spectral/jacobi.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
 

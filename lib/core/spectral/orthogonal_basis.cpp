@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "base/error.hpp"
-#include "spectral/jacobi.hpp"
+#include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
 

@@ -26,4 +26,11 @@ class PerOrder {
   std::map<int, std::unique_ptr<Table>> tables_;
 };
 
+/// The table that its constructor makes from the order.
+template <class Table>
+const Table& table_per_order(int order) {
+  static PerOrder<Table> tables([](int n) { return Table(n); });
+  return tables[order];
+}
+
 }  // namespace quadrille::spectral

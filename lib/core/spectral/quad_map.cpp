@@ -1,14 +1,225 @@
 #include "spectral/quad_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
+#include "base/error.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
-#include "spectral/quad_bernstein.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
+
+namespace {
+
+constexpr double unit_roundoff = 0x1p-53;
+constexpr double extended_roundoff = 0x1p-64;
+
+using Rows = std::vector<long double>;
+
+std::vector<double> binomials(int n) {
+  std::vector<double> row(n + 1, 1.0);
+  for (int k = 1; k < n; ++k) row[k] = std::round(row[k - 1] * (n - k + 1) / k);
+  return row;
+}
+
+/// Column `node` of M: the Lagrange polynomial as a product of linear factors (1 - z_k) X - z_k (1 - X), X in [0, 1].
+void lagrange_column(const std::vector<double>& points, int node, const std::vector<double>& binomial, Rows& m) {
+  const int n = static_cast<int>(points.size()) - 1;
+  Rows product(n + 1, 0.0L);
+  product[0] = 1;
+  int degree = 0;
+  for (int k = 0; k <= n; ++k) {
+    if (k == node) continue;
+    const long double gap = static_cast<long double>(points[node]) - points[k];
+    const long double low = -(1.0L + points[k]) / gap, high = (1.0L - points[k]) / gap;
+    for (int i = ++degree; i > 0; --i) product[i] = product[i] * low + product[i - 1] * high;
+    product[0] *= low;
+  }
+  for (int i = 0; i <= n; ++i) m[i * (n + 1) + node] = product[i] / binomial[i];
+}
+
+double row_norm(const Rows& matrix, int columns) {
+  double norm = 0;
+  for (std::size_t r = 0; r < matrix.size(); r += columns) {
+    long double sum = 0;
+    for (int c = 0; c < columns; ++c) sum += std::abs(matrix[r + c]);
+    norm = std::max(norm, static_cast<double>(sum));
+  }
+  return norm;
+}
+
+/// Tables that depend on the order only.
+struct Tables {
+  Rows value, derivative;  ///< nodes -> Bernstein coefficients of the polynomial and of its derivative by xi in [-1, 1]
+  double value_norm, derivative_norm;
+  std::vector<double> binomial_n, binomial_d, binomial_det;
+
+  explicit Tables(int n) : value((n + 1) * (n + 1)), derivative(n * (n + 1)) {
+    binomial_n = binomials(n);
+    binomial_d = binomials(n - 1);
+    binomial_det = binomials(2 * n - 1);
+    for (int k = 0; k <= n; ++k) lagrange_column(gll_points(n), k, binomial_n, value);
+    for (int i = 0; i < n * (n + 1); ++i) derivative[i] = (value[i + n + 1] - value[i]) * n / 2;
+    value_norm = row_norm(value, n + 1);
+    derivative_norm = row_norm(derivative, n + 1);
+  }
+};
+
+const Tables& tables(int order) {
+  if (order < 1) throw Defect("a quad of order " + std::to_string(order));
+  return table_per_order<Tables>(order);
+}
+
+/// Coefficients of one derivative of one coordinate, scaled by the binomials of its degrees.
+struct Derivative {
+  int rows = 0, columns = 0;   ///< j along xi2, i along xi1
+  std::vector<double> scaled;  ///< coefficient times both binomials
+  double largest = 0, error = 0;
+};
+
+/// `along1` (columns x (N+1)) acts along xi1, `along2` (rows x (N+1)) along xi2.
+Derivative apply(int n, const Rows& along1, const Rows& along2, const Rows& nodal, const std::vector<double>& binomial1,
+                 const std::vector<double>& binomial2) {
+  const int width = n + 1;
+  Derivative d;
+  d.columns = static_cast<int>(along1.size()) / width;
+  d.rows = static_cast<int>(along2.size()) / width;
+  Rows half(width * d.columns, 0.0L);
+  for (int q = 0; q < width; ++q)
+    for (int i = 0; i < d.columns; ++i) {
+      long double sum = 0;
+      for (int p = 0; p < width; ++p) sum += along1[i * width + p] * nodal[q * width + p];
+      half[q * d.columns + i] = sum;
+    }
+  d.scaled.resize(d.rows * d.columns);
+  for (int j = 0; j < d.rows; ++j)
+    for (int i = 0; i < d.columns; ++i) {
+      long double sum = 0;
+      for (int q = 0; q < width; ++q) sum += along2[j * width + q] * half[q * d.columns + i];
+      const double coef = static_cast<double>(sum);
+      d.largest = std::max(d.largest, std::abs(coef));
+      d.scaled[j * d.columns + i] = coef * binomial1[i] * binomial2[j];
+    }
+  return d;
+}
+
+/// Error bound: both sums, the entries of both matrices and the shift of the nodes, each a few units in the last place,
+/// then the rounding to double.
+double conversion_error(int n, const Derivative& d, double largest_node, const Tables& t) {
+  return (12 * n + 32) * extended_roundoff * t.value_norm * t.derivative_norm * largest_node +
+         unit_roundoff * d.largest;
+}
+
+void add_product(const Derivative& a, const Derivative& b, double sign, BernsteinSquare& det) {
+  const int width = det.degree + 1;
+  for (int ja = 0; ja < a.rows; ++ja)
+    for (int ia = 0; ia < a.columns; ++ia) {
+      const double factor = sign * a.scaled[ja * a.columns + ia];
+      for (int jb = 0; jb < b.rows; ++jb) {
+        double* row = &det.coefs[(ja + jb) * width + ia];
+        const double* other = &b.scaled[jb * b.columns];
+        for (int ib = 0; ib < b.columns; ++ib) row[ib] += factor * other[ib];
+      }
+    }
+  // Each coefficient is a convex combination of products a_ij b_kl: errors of the factors enter with weight one.
+  det.error += a.largest * b.error + b.largest * a.error + a.error * b.error +
+               (2 * a.rows * a.columns + 12) * unit_roundoff * a.largest * b.largest;
+}
+
+/// Halves along the rows (stride 1 between the coefficients of a line) or columns by de Casteljau's averages.
+void halve(std::vector<double>& low, std::vector<double>& high, int width, int stride, int line_stride) {
+  high = low;
+  for (int line = 0; line < width; ++line) {
+    double* a = &low[line * line_stride];
+    double* b = &high[line * line_stride];
+    for (int step = 1; step < width; ++step) {
+      for (int i = 0; i < width - step; ++i) b[i * stride] = (b[i * stride] + b[(i + 1) * stride]) / 2;
+      a[step * stride] = b[0];
+    }
+  }
+}
+
+/// The four quarters of the square; the caller sets their `error`.
+std::array<BernsteinSquare, 4> quarters(const BernsteinSquare& whole) {
+  const int width = whole.degree + 1;
+  std::array<BernsteinSquare, 4> parts;
+  for (BernsteinSquare& part : parts) part = {whole.degree, {}, whole.error};
+  parts[0].coefs = whole.coefs;
+  halve(parts[0].coefs, parts[1].coefs, width, 1, width);
+  halve(parts[0].coefs, parts[2].coefs, width, width, 1);
+  halve(parts[1].coefs, parts[3].coefs, width, width, 1);
+  return parts;
+}
+
+/// The least of the coefficients that are values of the polynomial: those at the corners.
+double least_corner(const BernsteinSquare& p) {
+  const int width = p.degree + 1;
+  return std::min({p.coefs.front(), p.coefs[width - 1], p.coefs[width * (width - 1)], p.coefs.back()});
+}
+
+}  // namespace
+
+BernsteinSquare quad_jacobian_det(int order, const Vec2* nodes) {
+  const Tables& t = tables(order);
+  const int n = order, count = (n + 1) * (n + 1);
+  const Vec2 centre = nodes[(n / 2) * (n + 1) + n / 2];
+  Rows x(count), y(count);
+  double size_x = 0, size_y = 0;
+  for (int k = 0; k < count; ++k) {
+    x[k] = static_cast<long double>(nodes[k].x) - centre.x;
+    y[k] = static_cast<long double>(nodes[k].y) - centre.y;
+    size_x = std::max(size_x, std::abs(static_cast<double>(x[k])));
+    size_y = std::max(size_y, std::abs(static_cast<double>(y[k])));
+  }
+  const auto by_xi1 = [&](const Rows& c) { return apply(n, t.derivative, t.value, c, t.binomial_d, t.binomial_n); };
+  const auto by_xi2 = [&](const Rows& c) { return apply(n, t.value, t.derivative, c, t.binomial_n, t.binomial_d); };
+  std::array<Derivative, 4> d{by_xi1(x), by_xi2(y), by_xi2(x), by_xi1(y)};
+  for (int k = 0; k < 4; ++k) d[k].error = conversion_error(n, d[k], k % 2 == 0 ? size_x : size_y, t);
+
+  BernsteinSquare det{2 * n - 1, std::vector<double>(4 * n * n, 0.0), 0};
+  add_product(d[0], d[1], 1, det);
+  add_product(d[2], d[3], -1, det);
+  for (int j = 0; j < 2 * n; ++j)
+    for (int i = 0; i < 2 * n; ++i) det.coefs[j * 2 * n + i] /= t.binomial_det[i] * t.binomial_det[j];
+  return det;
+}
+
+double lower_bound(const BernsteinSquare& polynomial, int depth) {
+  const std::vector<double>& c = polynomial.coefs;
+  const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
+  const double bound = *least - polynomial.error;
+  if (bound > 0 || depth <= 0 || least_corner(polynomial) + polynomial.error <= 0) return bound;
+
+  const double largest = std::max(std::abs(*least), std::abs(*greatest));
+  std::array<BernsteinSquare, 4> parts = quarters(polynomial);
+  for (BernsteinSquare& part : parts)
+    part.error += 2 * polynomial.degree * unit_roundoff * (largest + polynomial.error);
+  double result = lower_bound(parts[0], depth - 1);
+  for (int k = 1; k < 4; ++k) result = std::min(result, lower_bound(parts[k], depth - 1));
+  return result;
+}
+
+double least_value(const BernsteinSquare& polynomial, double tolerance) {
+  constexpr int max_depth = 20;  // beyond it, coefficients differ by rounding only
+  double attained = least_corner(polynomial);
+  std::vector<std::pair<BernsteinSquare, int>> open;
+  open.emplace_back(polynomial, 0);
+  while (!open.empty()) {
+    const auto [part, depth] = std::move(open.back());
+    open.pop_back();
+    if (depth == max_depth || *std::min_element(part.coefs.begin(), part.coefs.end()) >= attained - tolerance) continue;
+    for (BernsteinSquare& quarter : quarters(part)) {
+      attained = std::min(attained, least_corner(quarter));
+      open.emplace_back(std::move(quarter), depth + 1);
+    }
+  }
+  return attained;
+}
+
 namespace {
 
 /// Values and derivatives of the nodal basis at equispaced sample points, ends included.
@@ -24,11 +235,6 @@ struct Samples {
   }
 };
 
-const Samples& samples(int order) {
-  static PerOrder<Samples> cache([](int n) { return Samples(n); });
-  return cache[order];
-}
-
 }  // namespace
 
 double quad_jacobian_lower_bound(int order, const Vec2* nodes, int depth) {
@@ -38,7 +244,7 @@ double quad_jacobian_lower_bound(int order, const Vec2* nodes, int depth) {
 double quad_scaled_jacobian(int order, const Vec2* nodes) { return quad_scaled_jacobian_minimum(order, nodes).value; }
 
 ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes) {
-  const Samples& s = samples(order);
+  const Samples& s = table_per_order<Samples>(order);
   const int n = order + 1;
   Eigen::MatrixXd x(n, n), y(n, n);  // row: xi1, column: xi2
   for (int k = 0; k < n * n; ++k) {

@@ -13,9 +13,7 @@ enum class AdaptPolicy {
   predict,  ///< to the order that the decay of the modes predicts; later rounds only raise
   paper     ///< by one in each round: Algorithm 1 of the paper
 };
-constexpr auto enum_names(AdaptPolicy) {
-  return std::to_array<EnumName<AdaptPolicy>>({{AdaptPolicy::predict, "predict"}, {AdaptPolicy::paper, "paper"}});
-}
+constexpr auto enum_names(AdaptPolicy) { return std::to_array({"predict", "paper"}); }
 
 struct AdaptOptions {
   AdaptPolicy policy = AdaptPolicy::predict;

@@ -17,10 +17,7 @@ namespace quadrille::adapt {
 
 /// The components that enter the sensor.
 enum class SensorKind { vector, u, v };
-constexpr auto enum_names(SensorKind) {
-  return std::to_array<EnumName<SensorKind>>(
-      {{SensorKind::vector, "vector"}, {SensorKind::u, "u"}, {SensorKind::v, "v"}});
-}
+constexpr auto enum_names(SensorKind) { return std::to_array({"vector", "u", "v"}); }
 
 /// The reference scale of the tail.
 enum class SensorScale {
@@ -29,10 +26,7 @@ enum class SensorScale {
   relative   ///< as in the paper: norm of the selected components on the element, no weights; 0/0 counts as 0
 };
 
-constexpr auto enum_names(SensorScale) {
-  return std::to_array<EnumName<SensorScale>>(
-      {{SensorScale::absolute, "absolute"}, {SensorScale::relative, "relative"}});
-}
+constexpr auto enum_names(SensorScale) { return std::to_array({"absolute", "relative"}); }
 
 /// For every element and each degree d = 0 .. P: the S_e that the modes of degree d give.
 std::vector<std::vector<double>> degree_sensors(const Field& field, SensorKind kind, SensorScale scale);

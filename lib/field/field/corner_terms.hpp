@@ -1,5 +1,5 @@
 #pragma once
-// The part of the explicit terms (model/phase_terms.hpp) that does not depend on the irregular nodes inside the domain:
+// The part of the explicit terms (model/phase_nodes.hpp) that does not depend on the irregular nodes inside the domain:
 // apexes, corner angles, and the turns about the holes. One object serves all sets of nodes with the same valences on
 // the boundary.
 
@@ -14,7 +14,6 @@
 #include "field/mirror_images.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
-#include "model/phase_terms.hpp"
 
 namespace quadrille::field {
 

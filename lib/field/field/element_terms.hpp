@@ -1,6 +1,6 @@
 #pragma once
 // The explicit terms of a field (liftings, or those of a phase) for evaluation on one element: most apexes, nodes and
-// holes are far from it, and the sum of their angles is one power series there (base/angle_expansion). Where there are
+// holes are far from it, and the sum of their angles is one power series there (base/angle_sum). Where there are
 // many terms, those far from a group of elements are summed once for the group, and again for each of the cells of
 // which it consists.
 
@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "base/angle_expansion.hpp"
+#include "base/angle_sum.hpp"
 #include "model/field.hpp"
 #include "spectral/tri_map.hpp"
 

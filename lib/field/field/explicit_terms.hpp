@@ -1,14 +1,13 @@
 #pragma once
-// The explicit terms of a phase with prescribed nodes (model/phase_terms.hpp): turns about the nodes, about one point
+// The explicit terms of a phase with prescribed nodes (model/phase_nodes.hpp): turns about the nodes, about one point
 // and the foci of each hole, and about the mirror images of the nodes; and a multiple of theta_c for each corner.
 
 #include <vector>
 
-#include "base/angle_expansion.hpp"
+#include "base/angle_sum.hpp"
 #include "field/corner_terms.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
-#include "model/phase_terms.hpp"
 
 namespace quadrille::field {
 

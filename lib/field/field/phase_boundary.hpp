@@ -22,7 +22,6 @@
 #include "field/followed_angles.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
-#include "model/phase_terms.hpp"
 
 namespace quadrille::field {
 

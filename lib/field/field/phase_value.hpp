@@ -1,8 +1,8 @@
 #pragma once
-// Value and gradient of the explicit part of a phase (model/phase_terms.hpp; lib/method.md §8.3 and §8.4).
+// Value and gradient of the explicit part of a phase (model/phase_nodes.hpp; lib/method.md §8.3 and §8.4).
 
 #include "base/vec2.hpp"
-#include "model/phase_terms.hpp"
+#include "model/phase_nodes.hpp"
 
 namespace quadrille::field {
 

@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/make_sparse_solver.hpp"
-#include "spectral/modified_to_orthogonal.hpp"
+#include "spectral/factored_modes.hpp"
 #include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {

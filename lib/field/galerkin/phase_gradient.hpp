@@ -2,7 +2,7 @@
 // The gradient of the energy W with respect to the positions of irregular nodes (galerkin/phase_energy.hpp).
 
 #include "mesh/locate.hpp"
-#include "model/phase_terms.hpp"
+#include "model/phase_nodes.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
 

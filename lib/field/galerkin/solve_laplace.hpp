@@ -17,9 +17,7 @@ enum class CornerData {
   lift,  ///< represented by exact harmonic liftings (field/corner_lifting.hpp)
   dg     ///< kept in the data, as in the paper; discontinuous elements only
 };
-constexpr auto enum_names(CornerData) {
-  return std::to_array<EnumName<CornerData>>({{CornerData::lift, "lift"}, {CornerData::dg, "dg"}});
-}
+constexpr auto enum_names(CornerData) { return std::to_array({"lift", "dg"}); }
 
 struct LaplaceOptions {
   FieldMethod method = FieldMethod::cg;  ///< orders 1 to max_field_order(method)

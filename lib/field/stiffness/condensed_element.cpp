@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "spectral/modified_to_orthogonal.hpp"
+#include "spectral/factored_modes.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "stiffness/element_matrices.hpp"
 #include "stiffness/harmonic_coefs.hpp"

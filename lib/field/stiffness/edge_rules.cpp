@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "spectral/jacobi.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
 
 namespace quadrille::stiffness {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "spectral/modified_to_orthogonal.hpp"
+#include "spectral/factored_modes.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
 #include "stiffness/condense.hpp"

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "base/blunted_angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "model/repair.hpp"
 #include "triangulate/junction_clearance.hpp"
 #include "triangulate/singularity.hpp"
 #include "triangulate/triangle_sizes.hpp"

@@ -7,7 +7,6 @@
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_bernstein.hpp"
 #include "spectral/tri_map.hpp"
-#include "spectral/tri_nodes.hpp"
 
 namespace quadrille::triangulate {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
-#include "mesh/quality.hpp"
+#include "mesh/tri_maps.hpp"
 #include "triangulate/corner_fans.hpp"
 #include "triangulate/curve_elements.hpp"
 #include "triangulate/cut_slits.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/name_text.hpp"
 #include "export/periodic_edges.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/numbered_names.hpp"
+#include "base/assign_names.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 namespace {

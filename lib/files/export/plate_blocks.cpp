@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "export/periodic_edges.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -1,6 +1,6 @@
 #include "export/renode.hpp"
 
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 

@@ -1,6 +1,6 @@
 #include "io/cad_face_io.hpp"
 
-#include "base/numbered_names.hpp"
+#include "base/assign_names.hpp"
 
 namespace quadrille::io {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/input_file.hpp"
-#include "model/order_map.hpp"
+#include "model/field.hpp"
 
 namespace quadrille::io {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "base/numbered_names.hpp"
+#include "base/assign_names.hpp"
 #include "io/cad_face_io.hpp"
 #include "io/instantiate_io.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/assign_names.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/numbered_names.hpp"
 #include "base/position_text.hpp"
 #include "graph/face_corners.hpp"
 #include "mesh/chords.hpp"

@@ -7,7 +7,7 @@
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
-#include "mesh/block_shape.hpp"
+#include "mesh/transfinite.hpp"
 #include "model/interfaces.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quad_map.hpp"

@@ -15,7 +15,7 @@
 #include "graph/face_corners.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
-#include "model/periodic_arcs.hpp"
+#include "model/periodic.hpp"
 #include "simplify/simplify.hpp"
 
 namespace quadrille::couple {

@@ -9,7 +9,7 @@
 #include "graph/face_corners.hpp"
 #include "layout/midpoint_layout.hpp"
 #include "midpoint/midpoint_graph.hpp"
-#include "model/periodic_arcs.hpp"
+#include "model/periodic.hpp"
 #include "regions/region_numbers.hpp"
 #include "regions/split.hpp"
 

@@ -6,7 +6,6 @@
 
 #include "curve/chain.hpp"
 #include "model/arc_graph.hpp"
-#include "model/half_edge.hpp"
 
 namespace quadrille::graph {
 

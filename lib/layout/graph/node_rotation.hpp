@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "model/arc_graph.hpp"
-#include "model/half_edge.hpp"
 
 namespace quadrille::graph {
 

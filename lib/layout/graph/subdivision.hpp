@@ -1,7 +1,7 @@
 #pragma once
 // A planar subdivision: a domain cut into faces by arcs on curves, with its topology.
 //
-// The geometry is an ArcGraph (model/arc_graph.hpp). The topology is a table over half-edges (model/half_edge.hpp):
+// The geometry is an ArcGraph (model/arc_graph.hpp). The topology is a table over half-edges (model/arc_graph.hpp):
 //
 //        ^                        next(h)      the half-edge that follows h around the face on its left
 //        | next(h)                face(h)      that face; -1 where the outside of the domain is on the left
@@ -26,7 +26,6 @@
 #include <vector>
 
 #include "model/arc_graph.hpp"
-#include "model/half_edge.hpp"
 
 namespace quadrille::graph {
 

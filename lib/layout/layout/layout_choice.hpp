@@ -10,12 +10,6 @@ namespace quadrille::layout {
 /// The method of computing the layout (layout/compute_layout.hpp).
 enum class LayoutChoice { traced, quantized, automatic, t_mesh, midpoint };
 
-constexpr auto enum_names(LayoutChoice) {
-  return std::to_array<EnumName<LayoutChoice>>({{LayoutChoice::traced, "traced"},
-                                                {LayoutChoice::quantized, "quantized"},
-                                                {LayoutChoice::automatic, "auto"},
-                                                {LayoutChoice::t_mesh, "t-mesh"},
-                                                {LayoutChoice::midpoint, "midpoint"}});
-}
+constexpr auto enum_names(LayoutChoice) { return std::to_array({"traced", "quantized", "auto", "t-mesh", "midpoint"}); }
 
 }  // namespace quadrille::layout

@@ -18,10 +18,7 @@ enum class SimplifyLevel {
   coarsest  ///< if block quality stays acceptable
 };
 
-constexpr auto enum_names(SimplifyLevel) {
-  return std::to_array<EnumName<SimplifyLevel>>(
-      {{SimplifyLevel::none, "none"}, {SimplifyLevel::normal, "normal"}, {SimplifyLevel::coarsest, "coarsest"}});
-}
+constexpr auto enum_names(SimplifyLevel) { return std::to_array({"none", "normal", "coarsest"}); }
 
 struct LayoutOptions {
   trace::TraceOptions trace;

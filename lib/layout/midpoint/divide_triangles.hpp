@@ -13,7 +13,7 @@
 #include <array>
 
 #include "mesh/tri_topology.hpp"
-#include "model/half_edge.hpp"
+#include "model/arc_graph.hpp"
 #include "model/separatrix_graph.hpp"
 
 namespace quadrille::midpoint {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "curve/chain.hpp"
-#include "mesh/block_shape.hpp"
+#include "mesh/transfinite.hpp"
 
 namespace quadrille::midpoint {
 namespace {

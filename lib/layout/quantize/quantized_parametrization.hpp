@@ -12,7 +12,7 @@ namespace quadrille::quantize {
 /// Of each arc: the fraction of its length at which an iso-line crosses it, by the number of the point.
 using CrossingFractions = std::vector<std::map<int, double>>;
 
-/// The faces with each arc replaced by the one that `same` has for it (model/periodic_arcs.hpp, first_arcs): what lies
+/// The faces with each arc replaced by the one that `same` has for it (model/periodic.hpp, first_arcs): what lies
 /// beyond a periodic side is then the face inside the other one. Without any, the faces themselves.
 std::vector<TFace> faces_across_periodic_sides(std::vector<TFace> faces, const std::vector<HalfEdge>& same);
 

@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "curve/chain.hpp"
 #include "graph/node_rotation.hpp"
-#include "mesh/block_shape.hpp"
+#include "mesh/transfinite.hpp"
 
 namespace quadrille::simplify {
 namespace {

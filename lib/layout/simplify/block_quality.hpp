@@ -12,7 +12,7 @@ namespace quadrille::simplify {
 /// The worst values over a set of blocks.
 struct BlockQuality {
   double least_angle = 4, greatest_angle = 0;  ///< at corners, radians
-  double least_scaled_jacobian = 1;            ///< of blocks as quads of order 8 (mesh/block_shape.hpp)
+  double least_scaled_jacobian = 1;            ///< of blocks as quads of order 8 (mesh/transfinite.hpp)
 
   void add(const BlockQuality& other);
 };

@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "curve/mean_width.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/pole_box.hpp"
-#include "model/far_field.hpp"
-#include "model/offset_names.hpp"
+#include "model/special_names.hpp"
 
 namespace quadrille::features {
 namespace {

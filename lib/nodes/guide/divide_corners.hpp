@@ -10,10 +10,7 @@ namespace quadrille::guide {
 
 /// Treatment of corners that are too sharp for a block: midpoint division, or none.
 enum class DegeneratePolicy { divide, keep };
-constexpr auto enum_names(DegeneratePolicy) {
-  return std::to_array<EnumName<DegeneratePolicy>>(
-      {{DegeneratePolicy::divide, "divide"}, {DegeneratePolicy::keep, "keep"}});
-}
+constexpr auto enum_names(DegeneratePolicy) { return std::to_array({"divide", "keep"}); }
 
 /// Corners of valence 0 get valence 1 and a node of valence 3 in the middle of their wedge, at a distance of a quarter
 /// of the wedge's length, at most half the shorter side, half the distance to any other node, and what a bent wedge

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/tolerance.hpp"
-#include "curve/mean_width.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::placement {

@@ -29,9 +29,7 @@ namespace quadrille::placement {
 
 /// Which nodes are placed. `keep`: those without a position of their own; `energy`: all.
 enum class PlaceRule { keep, energy };
-constexpr auto enum_names(PlaceRule) {
-  return std::to_array<EnumName<PlaceRule>>({{PlaceRule::keep, "keep"}, {PlaceRule::energy, "energy"}});
-}
+constexpr auto enum_names(PlaceRule) { return std::to_array({"keep", "energy"}); }
 
 struct PlacementOptions {
   double weight = 2;         ///< w >= 0; 0: the pure energy

@@ -11,9 +11,7 @@ namespace quadrille::ties {
 
 /// Treatment of corners near a tie: their valences are chosen, or they are those of the field.
 enum class TiePolicy { choose, field };
-constexpr auto enum_names(TiePolicy) {
-  return std::to_array<EnumName<TiePolicy>>({{TiePolicy::choose, "choose"}, {TiePolicy::field, "field"}});
-}
+constexpr auto enum_names(TiePolicy) { return std::to_array({"choose", "field"}); }
 
 struct TieOptions {
   guide::SearchOptions search;

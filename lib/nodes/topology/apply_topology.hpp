@@ -14,12 +14,7 @@ namespace quadrille::topology {
 /// no node is required, or as few as possible. `by_grid`: `fewest` if a kind of grid is chosen, and
 /// between walls and their offset curves, where layers run; else `field`.
 enum class NodeRule { by_grid, none, fewest, field };
-constexpr auto enum_names(NodeRule) {
-  return std::to_array<EnumName<NodeRule>>({{NodeRule::by_grid, "auto"},
-                                            {NodeRule::none, "none"},
-                                            {NodeRule::fewest, "fewest"},
-                                            {NodeRule::field, "field"}});
-}
+constexpr auto enum_names(NodeRule) { return std::to_array({"auto", "none", "fewest", "field"}); }
 
 struct TopologyOptions {
   NodeRule nodes = NodeRule::by_grid;

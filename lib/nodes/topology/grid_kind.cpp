@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
 #include "guide/admissible_valence.hpp"
-#include "model/far_field.hpp"
+#include "model/special_names.hpp"
 
 namespace quadrille::topology {
 namespace {

@@ -24,13 +24,7 @@ namespace quadrille::topology {
 
 /// `by_outline`: that of the far field; `none`: corner valences as in any face.
 enum class GridKind { by_outline, c, o, h, none };
-constexpr auto enum_names(GridKind) {
-  return std::to_array<EnumName<GridKind>>({{GridKind::by_outline, "auto"},
-                                            {GridKind::c, "c"},
-                                            {GridKind::o, "o"},
-                                            {GridKind::h, "h"},
-                                            {GridKind::none, "none"}});
-}
+constexpr auto enum_names(GridKind) { return std::to_array({"auto", "c", "o", "h", "none"}); }
 
 /// The grid that the outline of a face (of one region) with holes means, if all its curves are called `farfield`: O
 /// without corners around one body, C with two corners, H with four, otherwise none. Where a slit (a wake) joins the

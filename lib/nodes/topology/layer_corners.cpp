@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "guide/tie_measures.hpp"
-#include "model/offset_names.hpp"
+#include "model/special_names.hpp"
 #include "topology/grid_kind.hpp"
 
 namespace quadrille::topology {

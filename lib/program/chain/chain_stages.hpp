@@ -11,14 +11,8 @@ namespace quadrille::chain {
 
 enum class ChainStage { cad2tri, fieldsolve, padapt, critpoints, separatrix, blocksplit, quadrefine, quadexport };
 constexpr auto enum_names(ChainStage) {
-  return std::to_array<EnumName<ChainStage>>({{ChainStage::cad2tri, "cad2tri"},
-                                              {ChainStage::fieldsolve, "fieldsolve"},
-                                              {ChainStage::padapt, "padapt"},
-                                              {ChainStage::critpoints, "critpoints"},
-                                              {ChainStage::separatrix, "separatrix"},
-                                              {ChainStage::blocksplit, "blocksplit"},
-                                              {ChainStage::quadrefine, "quadrefine"},
-                                              {ChainStage::quadexport, "quadexport"}});
+  return std::to_array(
+      {"cad2tri", "fieldsolve", "padapt", "critpoints", "separatrix", "blocksplit", "quadrefine", "quadexport"});
 }
 constexpr int num_stages = 8;
 

@@ -10,8 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
-#include "base/option_interval.hpp"
-#include "base/option_record.hpp"
+#include "base/options.hpp"
 #include "cli/option_values.hpp"
 
 namespace quadrille::cli {

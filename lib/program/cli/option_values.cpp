@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "base/error.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 
 namespace quadrille::cli {
 

@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "base/name_text.hpp"
-#include "base/processors.hpp"
+#include "base/parallel.hpp"
 #include "base/version.hpp"
 #include "cli/messages.hpp"
 

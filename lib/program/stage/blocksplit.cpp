@@ -1,6 +1,6 @@
 #include "stage/blocksplit.hpp"
 
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "block/make_blocks.hpp"
 #include "block/name_blocks.hpp"
 #include "block/report_layout.hpp"

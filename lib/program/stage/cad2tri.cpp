@@ -12,7 +12,7 @@
 #include "base/angle.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "cad/curve_names.hpp"
 #include "cad/face_table.hpp"
 #include "cad/file_kind.hpp"

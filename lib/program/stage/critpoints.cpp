@@ -6,7 +6,7 @@
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "check/check.hpp"
 #include "features/automatic_size.hpp"
 #include "field/error_estimate.hpp"

@@ -9,7 +9,7 @@
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
 #include "field/error_estimate.hpp"

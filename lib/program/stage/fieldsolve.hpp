@@ -9,7 +9,6 @@
 #include "galerkin/solve_laplace.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
-#include "model/order_map.hpp"
 #include "stage/stage_input.hpp"
 
 namespace quadrille::stage {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "adapt/adapt_loop.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "check/check.hpp"
 #include "regions/join.hpp"
 #include "regions/region_work.hpp"

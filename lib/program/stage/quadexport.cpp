@@ -7,7 +7,7 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "export/format_table.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "check/check.hpp"
 #include "curve/named_curves.hpp"
 #include "layers/layer_law.hpp"

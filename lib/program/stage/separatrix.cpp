@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/option_interval.hpp"
+#include "base/options.hpp"
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
 #include "couple/couple_layouts.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/option_record.hpp"
+#include "base/options.hpp"
 #include "base/version.hpp"
 #include "model/provenance.hpp"
 

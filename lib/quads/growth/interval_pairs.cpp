@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mesh/arc_neighbours.hpp"
+#include "mesh/block_sides.hpp"
 
 namespace quadrille::growth {
 namespace {

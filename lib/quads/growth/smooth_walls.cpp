@@ -11,7 +11,6 @@
 #include "base/counted.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
-#include "mesh/edge_growth.hpp"
 #include "mesh/mesh_score.hpp"
 #include "prescribe/named_arcs.hpp"
 

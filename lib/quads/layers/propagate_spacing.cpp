@@ -6,7 +6,7 @@
 
 #include "layers/divide_chord.hpp"
 #include "layers/layer_rules.hpp"
-#include "mesh/arc_neighbours.hpp"
+#include "mesh/block_sides.hpp"
 
 namespace quadrille::layers {
 namespace {

@@ -17,7 +17,7 @@
 #include "layers/propagate_spacing.hpp"
 #include "layers/request_layers.hpp"
 #include "mesh/block_sides.hpp"
-#include "model/offset_names.hpp"
+#include "model/special_names.hpp"
 
 namespace quadrille::layers {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/half_edge.hpp"
+#include "model/arc_graph.hpp"
 #include "sizing/measured_layout.hpp"
 
 namespace quadrille::prescribe {

@@ -5,7 +5,7 @@
 
 #include "base/angle.hpp"
 #include "curve/project.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 #include "sizing/interval_error.hpp"
 #include "spectral/quadrature.hpp"
 

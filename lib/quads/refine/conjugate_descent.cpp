@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::refine {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "model/periodic_arcs.hpp"
+#include "model/periodic.hpp"
 #include "sizing/arc_division.hpp"
 
 namespace quadrille::refine {

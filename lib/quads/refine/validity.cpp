@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "mesh/element_sizes.hpp"
-#include "spectral/quad_bernstein.hpp"
 #include "spectral/quad_map.hpp"
 
 namespace quadrille::refine {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "model/far_field.hpp"
+#include "model/special_names.hpp"
 #include "sizing/boundary_sizes.hpp"
 #include "sizing/curve_sizes.hpp"
 #include "sizing/element_limit.hpp"

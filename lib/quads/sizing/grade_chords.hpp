@@ -16,9 +16,7 @@ enum class SizeRule {
   nearest,  ///< least deviation (sizing/chord_sections)
   at_most   ///< no edge is longer than prescribed
 };
-constexpr auto enum_names(SizeRule) {
-  return std::to_array<EnumName<SizeRule>>({{SizeRule::nearest, "nearest"}, {SizeRule::at_most, "at-most"}});
-}
+constexpr auto enum_names(SizeRule) { return std::to_array({"nearest", "at-most"}); }
 
 /// A prescribed count.
 struct ChordCount {

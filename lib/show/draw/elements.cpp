@@ -2,7 +2,7 @@
 
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
-#include "spectral/tri_nodes.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille::draw {
 

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "base/angle.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 #include "page/instantiate_sheet.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"

@@ -7,9 +7,7 @@ namespace {
 
 namespace elsewhere {
 enum class Speed { slow, fast, nameless };
-constexpr auto enum_names(Speed) {
-  return std::to_array<EnumName<Speed>>({{Speed::slow, "slow"}, {Speed::fast, "very-fast"}});
-}
+constexpr auto enum_names(Speed) { return std::to_array({"slow", "very-fast"}); }
 enum class Unnamed { a };
 }  // namespace elsewhere
 

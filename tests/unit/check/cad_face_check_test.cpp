@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "../region_samples.hpp"
-#include "check/nurbs_rules.hpp"
 #include "rules_of.hpp"
 
 namespace quadrille::check {
@@ -180,13 +179,6 @@ TEST(CadFaceCheck, FacR12MotionsMapTheFirstCurveOntoTheSecond) {
               f.periodic_pairs = {{{0, 3}, samples::pi / 2, {0, 0}}};
             }),
             Rules{"FAC-R12"});
-}
-
-TEST(NurbsRules, AQuarterCircleIsRound) {
-  const Nurbs arc{2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, 1}, {0, 1}}, {1, std::sqrt(0.5), 1}};
-  for (const double t : {0.0, 0.25, 0.5, 0.9, 1.0}) EXPECT_NEAR(norm(curve_point(arc, t)), 1, 1e-15);
-  EXPECT_EQ(curve_point(arc, 0), (Vec2{1, 0}));
-  EXPECT_EQ(curve_point(arc, 1), (Vec2{0, 1}));
 }
 
 }  // namespace

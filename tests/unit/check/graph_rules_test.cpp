@@ -1,5 +1,3 @@
-#include "check/graph_rules.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -8,11 +6,12 @@
 #include <vector>
 
 #include "../samples.hpp"
+#include "check/rules.hpp"
 
 namespace quadrille::check {
 namespace {
 
-using Rule = void (*)(const GraphView&, Findings&);
+using Rule = void (*)(const ArcGraph&, Findings&);
 using Texts = std::vector<std::string>;
 
 /// What a rule finds in the sample, two blocks in a square, after some damage.
@@ -20,7 +19,7 @@ Texts findings_of(Rule rule, const std::function<void(SeparatrixGraph&)>& damage
   SeparatrixGraph graph = samples::separatrix_graph();
   damage(graph);
   Findings findings("RULE");
-  rule({graph.face, graph.splines, graph.nodes, graph.arcs}, findings);
+  rule(graph, findings);
   Texts texts;
   for (const Violation& v : findings.take()) texts.push_back(v.text);
   return texts;

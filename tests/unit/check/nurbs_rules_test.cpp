@@ -1,9 +1,9 @@
-#include "check/nurbs_rules.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "check/rules.hpp"
 
 namespace quadrille::check {
 namespace {
@@ -51,14 +51,6 @@ TEST(NurbsRules, NumbersThatNoCurveHasAreNamed) {
                                 c.weights.push_back(1);
                               })),
             "the curve is broken at knot 3");
-}
-
-TEST(NurbsRules, PointsLieOnTheCurve) {
-  const Nurbs circle = arc();
-  for (const double t : {0.0, 0.25, 0.5, 1.0}) EXPECT_NEAR(norm(curve_point(circle, t)), 1, 1e-15);
-  EXPECT_EQ(curve_point(circle, 1), (Vec2{0, 1}));
-  EXPECT_EQ(curve_point(kinked(), 1), (Vec2{2, 0})) << "the pole at the double knot";
-  EXPECT_EQ(curve_point(kinked(), 2), (Vec2{2, 2}));
 }
 
 TEST(NurbsRules, PolesBeyondAThousandDiametersAreFar) {

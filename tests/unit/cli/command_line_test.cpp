@@ -9,9 +9,7 @@ namespace quadrille::cli {
 namespace {
 
 enum class Speed { slow, fast };
-constexpr auto enum_names(Speed) {
-  return std::to_array<EnumName<Speed>>({{Speed::slow, "slow"}, {Speed::fast, "very-fast"}});
-}
+constexpr auto enum_names(Speed) { return std::to_array({"slow", "very-fast"}); }
 
 /// A command line with an option by enum, a number and a flag.
 class CommandLineTest : public testing::Test {

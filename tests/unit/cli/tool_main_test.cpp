@@ -5,7 +5,7 @@
 #include <new>
 
 #include "base/error.hpp"
-#include "base/processors.hpp"
+#include "base/parallel.hpp"
 
 namespace quadrille::cli {
 namespace {

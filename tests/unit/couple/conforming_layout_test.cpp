@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "couple/join_layouts.hpp"
 #include "graph/face_corners.hpp"
-#include "model/periodic_arcs.hpp"
+#include "model/periodic.hpp"
 #include "rectangles.hpp"
 
 namespace quadrille::couple {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/periodic_arcs.hpp"
+#include "model/periodic.hpp"
 #include "rectangles.hpp"
 
 namespace quadrille::couple {

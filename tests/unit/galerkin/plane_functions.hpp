@@ -9,7 +9,7 @@
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
 #include "spectral/orthogonal_basis.hpp"
-#include "spectral/tri_nodes.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille::galerkin {
 

@@ -11,7 +11,7 @@
 #include "field/evaluate.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "spectral/orthogonal_basis.hpp"
-#include "spectral/tri_nodes.hpp"
+#include "spectral/tri_map.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::galerkin {

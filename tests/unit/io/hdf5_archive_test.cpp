@@ -11,9 +11,7 @@ namespace quadrille::io {
 namespace {
 
 enum class Colour { red, blue };
-constexpr auto enum_names(Colour) {
-  return std::to_array<EnumName<Colour>>({{Colour::red, "red"}, {Colour::blue, "blue"}});
-}
+constexpr auto enum_names(Colour) { return std::to_array({"red", "blue"}); }
 
 struct Ball {
   int number = 0;

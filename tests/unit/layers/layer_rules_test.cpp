@@ -14,7 +14,7 @@
 #include "layers/layer_law.hpp"
 #include "layers/propagate_spacing.hpp"
 #include "line_samples.hpp"
-#include "mesh/arc_neighbours.hpp"
+#include "mesh/block_sides.hpp"
 #include "sizing/interval_error.hpp"
 
 namespace quadrille::layers {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "model/half_edge.hpp"
+#include "model/arc_graph.hpp"
 #include "quantize/t_mesh_faces.hpp"
 
 namespace quadrille::quantize {

@@ -9,7 +9,7 @@
 #include "../support/refined.hpp"
 #include "base/error.hpp"
 #include "block/split_chord.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::refine {
 namespace {

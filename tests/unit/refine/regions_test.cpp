@@ -8,7 +8,7 @@
 #include "../support/refined.hpp"
 #include "../support/region_graphs.hpp"
 #include "curve/project.hpp"
-#include "model/quad_sides.hpp"
+#include "model/quad_mesh.hpp"
 #include "refine/relax.hpp"
 #include "sizing/make_size_field.hpp"
 

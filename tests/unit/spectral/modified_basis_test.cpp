@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "spectral/modified_to_orthogonal.hpp"
+#include "spectral/factored_modes.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_map.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "spectral/jacobi.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {

@@ -7,7 +7,7 @@
 #include "../test_meshes.hpp"
 #include "base/angle.hpp"
 #include "mesh/tri_maps.hpp"
-#include "spectral/tri_nodes.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille::stiffness {
 namespace {

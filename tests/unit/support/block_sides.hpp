@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "model/half_edge.hpp"
+#include "model/arc_graph.hpp"
 
 namespace quadrille {
 

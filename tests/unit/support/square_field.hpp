@@ -9,7 +9,7 @@
 #include "mesh/tri_maps.hpp"
 #include "model/field.hpp"
 #include "spectral/orthogonal_basis.hpp"
-#include "spectral/tri_nodes.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille {
 

@@ -1,8 +1,7 @@
-#include "model/periodic_arcs.hpp"
-
 #include <gtest/gtest.h>
 
 #include "../support/grid_layout.hpp"
+#include "model/periodic.hpp"
 
 namespace quadrille {
 namespace {

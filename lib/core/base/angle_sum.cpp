@@ -1,10 +1,11 @@
-#include "base/angle_expansion.hpp"
+#include "base/angle_sum.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace quadrille {
+
 namespace {
 
 constexpr double least_distance = 3;  // of far points, in radii
