@@ -24,6 +24,11 @@ struct Exported {
   /// A file beside the main one is called * and its ending there.
   std::vector<std::string> losses;
   LengthScale length{};  ///< of the coordinates, set by export_mesh
+
+  /// A sentence; nothing if it is empty.
+  void add_loss(const std::string& loss) {
+    if (!loss.empty()) losses.push_back(loss);
+  }
 };
 
 }  // namespace quadrille::exports

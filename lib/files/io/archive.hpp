@@ -124,6 +124,21 @@ class Archive {
         [&](Archive& archive, std::size_t i) { describe(archive, i == declared ? empty : values[i]); });
   }
 
+  // Members that files may lack: those that a later minor version added, and lists that are written only where they are
+  // not empty.
+  template <typename Value>
+  void later_field(const char* name, Value& value, Doc doc = {}) {
+    if (has(name)) field(name, value, doc);
+  }
+  template <typename Member, typename Describe>
+  void nonempty_field(const char* name, std::vector<Member>& values, const Describe& describe) {
+    if (is_reading() ? has(name) : !values.empty()) field(name, values, describe);
+  }
+  template <typename Member>
+  void nonempty_field(const char* name, std::vector<Member>& values, Doc doc) {
+    nonempty_field<Member, Doc>(name, values, doc);
+  }
+
  private:
   /// Writes the value's name, or reads the value if its name is known; returns the text.
   template <NamedEnum Enum>

@@ -7,7 +7,7 @@ namespace quadrille::io {
 
 namespace {
 
-constexpr std::string_view mark = "QUADSUM1";
+constexpr std::string_view checksum_mark = "QUADSUM1";
 
 /// FNV-1a over little-endian words of 8 bytes (the last one padded with zeros), then the length. Every step is a
 /// bijection of the state, so one damaged word is always detected.
@@ -29,7 +29,7 @@ std::uint64_t checksum(std::string_view bytes) {
 }
 
 std::string trailer_of(std::string_view image) {
-  std::string trailer(mark);
+  std::string trailer(checksum_mark);
   const std::uint64_t sum = checksum(image);
   for (int i = 0; i < 8; ++i) trailer += static_cast<char>((sum >> (8 * i)) & 0xff);
   return trailer;
@@ -44,11 +44,11 @@ Checksum verify_checksum(const std::string& bytes, std::string_view& image) {
   if (bytes.size() < checksum_size) return Checksum::missing;
   const std::string_view sealed = image.substr(0, bytes.size() - checksum_size), trailer = image.substr(sealed.size());
   const std::string expected = trailer_of(sealed);
-  const bool has_mark = trailer.substr(0, mark.size()) == mark;
-  const bool has_sum = trailer.substr(mark.size()) == std::string_view(expected).substr(mark.size());
+  const bool has_mark = trailer.substr(0, checksum_mark.size()) == checksum_mark;
+  const bool has_sum = trailer.substr(checksum_mark.size()) == std::string_view(expected).substr(checksum_mark.size());
   if (!has_mark && !has_sum) return Checksum::missing;
   image = sealed;
-  return has_mark && has_sum ? Checksum::right : Checksum::wrong;  // the right sum without the mark: a damaged mark
+  return has_mark && has_sum ? Checksum::right : Checksum::wrong;  // the right sum without the checksum_mark: a damaged checksum_mark
 }
 
 }  // namespace quadrille::io

@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-class Writer : public Archive {
+class ObjectWriter : public Archive {
  public:
-  explicit Writer(Json& object) : object_(object) { object_ = Json::object(); }
+  explicit ObjectWriter(Json& object) : object_(object) { object_ = Json::object(); }
 
   bool is_reading() const override { return false; }
   bool has(const char*) const override { return true; }
@@ -41,14 +41,14 @@ class Writer : public Archive {
   }
   void text_list(const char* name, std::vector<std::string>& values, Doc) override { object_[name] = values; }
   void object(const char* name, const std::function<void(Archive&)>& describe) override {
-    Writer inner(object_[name]);
+    ObjectWriter inner(object_[name]);
     describe(inner);
   }
   void records(const char* name, std::size_t count, const std::function<void(std::size_t)>&,
                const Each& each) override {
     Json& list = object_[name] = Json::array();
     for (std::size_t i = 0; i < count; ++i) {
-      Writer inner(list.emplace_back());
+      ObjectWriter inner(list.emplace_back());
       each(inner, i);
     }
   }
@@ -73,9 +73,9 @@ class Writer : public Archive {
   Json& object_;
 };
 
-class Reader : public Archive {
+class ObjectReader : public Archive {
  public:
-  Reader(const Json& object, std::string file, std::string path)
+  ObjectReader(const Json& object, std::string file, std::string path)
       : object_(object), file_(std::move(file)), path_(std::move(path)) {
     if (!object_.is_object()) throw FormatError(fmt::format("{}: {} must be an object", file_, here()));
   }
@@ -112,7 +112,7 @@ class Reader : public Archive {
     rows(name, values, 1, [&](const Json& json) { return string(name, json); });
   }
   void object(const char* name, const std::function<void(Archive&)>& describe) override {
-    Reader inner(get(name), file_, fmt::format("{}{}.", path_, name));
+    ObjectReader inner(get(name), file_, fmt::format("{}{}.", path_, name));
     describe(inner);
   }
   void records(const char* name, std::size_t, const std::function<void(std::size_t)>& resize,
@@ -120,7 +120,7 @@ class Reader : public Archive {
     const Json& list = array(name);
     resize(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
-      Reader inner(list[i], file_, fmt::format("{}{}[{}].", path_, name, i));
+      ObjectReader inner(list[i], file_, fmt::format("{}{}[{}].", path_, name, i));
       each(inner, i);
     }
   }
@@ -198,7 +198,7 @@ void require_shallow(const std::string& bytes, const std::string& file_name) {
 
 struct JsonWriter::Impl {
   Json json;
-  Writer writer{json};
+  ObjectWriter writer{json};
 };
 
 JsonWriter::JsonWriter() : impl_(std::make_unique<Impl>()) {}
@@ -210,7 +210,7 @@ std::string JsonWriter::flat_text() const { return impl_->json.dump(); }
 struct JsonReader::Impl {
   Impl(Json parsed, const std::string& file_name) : json(std::move(parsed)), reader(json, file_name, "") {}
   Json json;
-  Reader reader;
+  ObjectReader reader;
 };
 
 JsonReader::JsonReader(const std::string& bytes, const std::string& file_name) {

@@ -1,9 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "io/input_file.hpp"
 #include "io/json_text.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::io {
 

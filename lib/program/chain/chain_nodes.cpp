@@ -9,7 +9,7 @@
 #include "chain/quad_inputs.hpp"
 #include "check/check.hpp"
 #include "cli/stage_words.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -7,7 +7,7 @@
 #include "base/version.hpp"
 #include "chain/helper_programs.hpp"
 #include "cli/outcome.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -8,7 +8,7 @@
 #include "base/json_string.hpp"
 #include "chain/helper_programs.hpp"
 #include "chain/quad_inputs.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -17,7 +17,7 @@
 #include "chain/supervisor.hpp"
 #include "cli/outcome.hpp"
 #include "cli/signals.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -13,8 +13,7 @@
 #include "chain/watched_child.hpp"
 #include "cli/outcome.hpp"
 #include "cli/session.hpp"
-#include "io/input_file.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

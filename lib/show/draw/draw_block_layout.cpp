@@ -8,8 +8,7 @@
 #include <set>
 
 #include "curve/nurbs.hpp"
-#include "draw/curve_labels.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "model/interfaces.hpp"
 
@@ -115,7 +114,7 @@ void draw_block(Picture& picture, const BlockLayout& layout, int block, const st
 
 }  // namespace
 
-std::string picture_of(const BlockLayout& layout, const DrawOptions& options) {
+std::string draw_stage(const BlockLayout& layout, const DrawOptions& options) {
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
   const std::vector<double>& quality = layout.block_scaled_jacobian;
   const int worst = worst_to_mark(quality);
@@ -156,7 +155,5 @@ std::string picture_of(const BlockLayout& layout, const DrawOptions& options) {
   legend_scale(picture, layout.face);
   return picture.str();
 }
-
-template std::string draw_stage(const BlockLayout&, const DrawOptions&);
 
 }  // namespace quadrille::draw

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
-#include "draw/curve_labels.hpp"
 #include "draw/elements.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
+#include "model/quad_sides.hpp"
 
 namespace quadrille::draw {
 
@@ -22,7 +22,7 @@ std::vector<std::pair<int, int>> block_borders(const QuadMesh& mesh) {
   std::vector<std::pair<int, int>> borders;
   for (int e = 0; e < mesh.num_elems(); ++e)
     for (int side = 0; side < 4; ++side) {
-      const int a = quad_side_node(mesh, e, side, 0), b = quad_side_node(mesh, e, side, mesh.order);
+      const int a = side_start(mesh, e, side), b = side_node(mesh, e, side, mesh.order);
       const auto [known, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::pair{e, side});
       if (!is_new && mesh.elem_block[known->second.first] != mesh.elem_block[e]) borders.push_back(known->second);
     }
@@ -40,7 +40,7 @@ double ring_radius(const Picture& picture, const QuadMesh& mesh, int elem) {
   const Vec2 c = centre(mesh, elem);
   double radius = 0;
   for (int side = 0; side < 4; ++side)
-    radius = std::max(radius, picture.scale() * distance(c, mesh.nodes[quad_side_node(mesh, elem, side, 0)]));
+    radius = std::max(radius, picture.scale() * distance(c, mesh.nodes[side_start(mesh, elem, side)]));
   return radius + 2;
 }
 
@@ -89,7 +89,7 @@ std::string caption(const QuadMesh& mesh) {
 
 }  // namespace
 
-std::string picture_of(const QuadMesh& mesh, const DrawOptions& options) {
+std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Quad mesh", caption(mesh));
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
@@ -103,7 +103,7 @@ std::string picture_of(const QuadMesh& mesh, const DrawOptions& options) {
   picture.close_group();
   PathData borders;
   for (const auto& [elem, side] : block_borders(mesh)) {
-    borders.move_to(picture.at(mesh.nodes[quad_side_node(mesh, elem, side, 0)]));
+    borders.move_to(picture.at(mesh.nodes[side_start(mesh, elem, side)]));
     append_curve(borders, quad_side(picture, mesh, elem, side), 0, 1);
   }
   if (!borders.empty()) picture.add(svg_element("path", {{"class", "edge"}, {"d", borders.str()}}));
@@ -122,7 +122,5 @@ std::string picture_of(const QuadMesh& mesh, const DrawOptions& options) {
   legend_scale(picture, mesh.face);
   return picture.str();
 }
-
-template std::string draw_stage(const QuadMesh&, const DrawOptions&);
 
 }  // namespace quadrille::draw

@@ -4,8 +4,7 @@
 
 #include <array>
 
-#include "draw/curve_labels.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 #include "model/interfaces.hpp"
@@ -101,7 +100,7 @@ std::string certificate_text(const LayoutCertificate& certificate) {
 
 }  // namespace
 
-std::string picture_of(const SeparatrixGraph& graph, const DrawOptions& options) {
+std::string draw_stage(const SeparatrixGraph& graph, const DrawOptions& options) {
   std::string caption = fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
                                     counted(static_cast<int>(graph.nodes.size()), "node"),
                                     counted(static_cast<int>(graph.arcs.size()), "arc")) +
@@ -130,7 +129,5 @@ std::string picture_of(const SeparatrixGraph& graph, const DrawOptions& options)
   legend_scale(picture, graph.face);
   return picture.str();
 }
-
-template std::string draw_stage(const SeparatrixGraph&, const DrawOptions&);
 
 }  // namespace quadrille::draw

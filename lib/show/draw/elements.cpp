@@ -1,26 +1,11 @@
 #include "draw/elements.hpp"
 
+#include "model/quad_sides.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_nodes.hpp"
 
 namespace quadrille::draw {
-
-std::vector<spectral::TriMap> element_maps(const TriMesh& mesh) {
-  const std::size_t nodes_per_elem = static_cast<std::size_t>(mesh.order + 1) * (mesh.order + 2) / 2;
-  std::vector<spectral::TriMap> maps;
-  maps.reserve(mesh.elem2vertices.size());
-  std::size_t curved = 0;
-  for (int e = 0; e < mesh.num_elems(); ++e) {
-    if (curved < mesh.curved_elems.size() && mesh.curved_elems[curved] == e) {
-      maps.emplace_back(mesh.order, &mesh.curved_nodes[nodes_per_elem * curved++]);
-    } else {
-      const auto& v = mesh.elem2vertices[e];
-      maps.emplace_back(std::array<Vec2, 3>{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]});
-    }
-  }
-  return maps;
-}
 
 PathData tri_outline(const Picture& picture, const spectral::TriMap& map) {
   PathData path;
@@ -40,27 +25,12 @@ PathData tri_outline(const Picture& picture, const spectral::TriMap& map) {
   return path;
 }
 
-int quad_side_node(const QuadMesh& mesh, int elem, int side, int i) {
-  const int n = mesh.order, m = n + 1;
-  const int first = elem * m * m;
-  switch (side) {
-    case 0:
-      return mesh.elem_nodes[first + i];
-    case 1:
-      return mesh.elem_nodes[first + i * m + n];
-    case 2:
-      return mesh.elem_nodes[first + n * m + n - i];
-    default:
-      return mesh.elem_nodes[first + (n - i) * m];
-  }
-}
-
 PixelCurve quad_side(const Picture& picture, const QuadMesh& mesh, int elem, int side) {
   const std::vector<double>& points = spectral::gll_points(mesh.order);
   const Eigen::Index m = mesh.order + 1;
   Eigen::MatrixXd positions(m, 2);
   for (int i = 0; i < m; ++i) {
-    const Vec2 x = picture.at(mesh.nodes[quad_side_node(mesh, elem, side, i)]);
+    const Vec2 x = picture.at(mesh.nodes[side_node(mesh, elem, side, i)]);
     positions.row(i) << x.x, x.y;
   }
   const Eigen::MatrixXd derivatives = spectral::differentiation_matrix(points) * positions;
@@ -73,7 +43,7 @@ PixelCurve quad_side(const Picture& picture, const QuadMesh& mesh, int elem, int
 
 PathData quad_outline(const Picture& picture, const QuadMesh& mesh, int elem) {
   PathData path;
-  path.move_to(picture.at(mesh.nodes[quad_side_node(mesh, elem, 0, 0)]));
+  path.move_to(picture.at(mesh.nodes[side_start(mesh, elem, 0)]));
   for (int side = 0; side < 4; ++side) append_curve(path, quad_side(picture, mesh, elem, side), 0, 1);
   path.close();
   return path;

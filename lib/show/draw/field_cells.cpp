@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/angle.hpp"
+#include "regions/split.hpp"
 
 namespace quadrille::draw {
 
@@ -127,6 +128,10 @@ void draw_crosses(Picture& picture, const field::FieldEvaluator& evaluator, doub
       }
     }
   if (!path.empty()) picture.add(svg_element("path", {{"class", "cross"}, {"d", path.str()}}));
+}
+
+RegionFields::RegionFields(const Field& field) : fields(regions::split(field)) {
+  for (const Field& part : fields) evaluators.emplace_back(part);
 }
 
 }  // namespace quadrille::draw

@@ -176,6 +176,17 @@ void legend_scale(Picture& picture, const CadFace& face) {
   picture.legend_scale(unit_symbol(face));
 }
 
+std::string square_mark(const std::string& fill) {
+  return svg_element("rect", {{"x", "-7"},
+                              {"y", "-7"},
+                              {"width", "14"},
+                              {"height", "14"},
+                              {"rx", "2"},
+                              {"fill", fill},
+                              {"stroke", "#5b6f82"},
+                              {"stroke-width", ".6"}});
+}
+
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title) {
   return svg_element(
       "circle",
@@ -196,7 +207,7 @@ std::string boundary_mark(Vec2 centre, int valence, double radius, const std::st
 }
 
 std::string arrow_mark(Vec2 from, Vec2 to) {
-  constexpr double head_length = 7, head_width = 2.6;
+  const double head_length = 7, head_width = 2.6;  // pixels
   const Vec2 along = normalized(to - from), across = head_width * left_of(along);
   const Vec2 neck = to - head_length * along;
   PathData shaft, head;
@@ -218,10 +229,8 @@ void legend_valences(Picture& picture, std::vector<int> valences) {
 }
 
 int worst_to_mark(const std::vector<double>& scaled_jacobians) {
-  constexpr double poor_quality = 0.5;
   const auto worst = std::min_element(scaled_jacobians.begin(), scaled_jacobians.end());
-  return worst != scaled_jacobians.end() && *worst < poor_quality ? static_cast<int>(worst - scaled_jacobians.begin())
-                                                                  : -1;
+  return worst != scaled_jacobians.end() && *worst < 0.5 ? static_cast<int>(worst - scaled_jacobians.begin()) : -1;
 }
 
 std::string position_text(Vec2 x, Vec2 origin) { return position_text(x + origin); }

@@ -45,6 +45,8 @@ std::string valence_outline(Vec2 centre, int valence, double radius, const std::
 std::string boundary_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
 /// A thin line with its head at `to`; at least 9 pixels long.
 std::string arrow_mark(Vec2 from, Vec2 to);
+/// The colour of an element in the legend.
+std::string square_mark(const std::string& fill);
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title = {});
 
 /// Legend entries for the valences that occur, each once, ascending.

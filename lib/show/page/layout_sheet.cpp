@@ -7,7 +7,7 @@
 
 #include "base/enum_names.hpp"
 #include "model/interfaces.hpp"
-#include "page/instantiate_sheet.hpp"
+#include "page/sheet.hpp"
 
 namespace quadrille::page {
 
@@ -85,7 +85,7 @@ NamedChains lines_of(const SeparatrixGraph& graph, const PageFrame& frame) {
 
 }  // namespace
 
-Sheet sheet_of(const SeparatrixGraph& graph, const PageFrame& frame) {
+Sheet stage_sheet(const SeparatrixGraph& graph, const PageFrame& frame) {
   Sheet sheet;
   sheet.title = "Separatrices";
   sheet.caption = fmt::format("{} separatrices, {} nodes", graph.lines.size(), graph.nodes.size());
@@ -95,7 +95,7 @@ Sheet sheet_of(const SeparatrixGraph& graph, const PageFrame& frame) {
   return sheet;
 }
 
-Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame) {
+Sheet stage_sheet(const BlockLayout& layout, const PageFrame& frame) {
   Sheet sheet;
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
   sheet.title = "Blocks";
@@ -112,8 +112,5 @@ Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame) {
   sheet.layers.push_back(marks_of(layout, frame, false).layer("nodes", "irregular nodes"));
   return sheet;
 }
-
-template Sheet stage_sheet(const SeparatrixGraph&, const PageFrame&);
-template Sheet stage_sheet(const BlockLayout&, const PageFrame&);
 
 }  // namespace quadrille::page

@@ -1,3 +1,4 @@
+// The colours of lib/show/draw/palette.hpp for the page's script.
 #include "page/page_data.hpp"
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include <cmath>
 
 #include "base/json_string.hpp"
+#include "draw/palette.hpp"
 
 namespace quadrille::page {
 
@@ -32,6 +34,26 @@ std::string without_markup(const std::string& text, const Escape& escape) {
     else
       out += c;
   return out;
+}
+
+/// [[position, colour], ...].
+std::string ramp_json(const draw::Ramp& ramp) {
+  std::vector<std::string> stops;
+  for (const draw::ColourStop& stop : ramp)
+    stops.push_back(json_list({fmt::format("{:.4g}", stop.position), script_string(stop.colour)}));
+  return json_list(stops);
+}
+
+std::string palette_json(draw::Paper paper) {
+  const draw::Palette& colours = draw::palette(paper);
+  JsonObject object;
+  object.json("quality", ramp_json(colours.quality)).json("amount", ramp_json(colours.amount));
+  object.json("angle", ramp_json(draw::cross_angle_ramp(paper)));
+  object.text("calm", draw::cross_angle_colour(paper, 0, 0));
+  object.json("blocks", json_texts(colours.blocks)).json("lines", json_texts(colours.lines));
+  object.json("contours", json_texts({colours.u_contour, colours.v_contour}));
+  object.text("interface", colours.interface);
+  return object.text("few", colours.few).text("many", colours.many).text("other", colours.other).str();
 }
 
 }  // namespace
@@ -92,6 +114,12 @@ JsonObject& JsonObject::json(const std::string& key, const std::string& value) {
 
 JsonObject& JsonObject::number(const std::string& key, double value) {
   return json(key, std::isfinite(value) ? fmt::format("{:.17g}", value) : "null");
+}
+
+std::string palettes_json() {
+  JsonObject object;
+  object.json("light", palette_json(draw::Paper::light));
+  return object.json("dark", palette_json(draw::Paper::dark)).str();
 }
 
 }  // namespace quadrille::page

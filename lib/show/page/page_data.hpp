@@ -29,8 +29,13 @@ std::string json_list(const std::vector<std::string>& values);
 /// A JSON array of strings.
 std::string json_texts(const std::vector<std::string>& texts);
 
-/// The colours of drawings, light and dark (page_palette.cpp).
+/// The colours of drawings, light and dark.
 std::string palettes_json();
+
+// The parts of a page that do not depend on its data, compiled in from view/ (CMakeLists.txt).
+std::string page_style();   ///< view/view.css
+std::string page_body();    ///< view/body.html
+std::string page_script();  ///< view/*.js in one function
 
 /// A JSON object, key by key.
 class JsonObject {

@@ -10,7 +10,7 @@
 
 #include "base/angle.hpp"
 #include "model/quad_sides.hpp"
-#include "page/instantiate_sheet.hpp"
+#include "page/sheet.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -130,7 +130,7 @@ JsonObject cells_layer(const QuadMesh& mesh, const Cells& cells) {
 
 }  // namespace
 
-Sheet sheet_of(const QuadMesh& mesh, const PageFrame& frame) {
+Sheet stage_sheet(const QuadMesh& mesh, const PageFrame& frame) {
   Sheet sheet;
   const Cells cells = cells_of(mesh, frame);
   const int num_blocks =
@@ -142,7 +142,5 @@ Sheet sheet_of(const QuadMesh& mesh, const PageFrame& frame) {
   sheet.layers.push_back(cells_layer(mesh, cells));
   return sheet;
 }
-
-template Sheet stage_sheet(const QuadMesh&, const PageFrame&);
 
 }  // namespace quadrille::page

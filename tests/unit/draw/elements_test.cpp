@@ -4,30 +4,12 @@
 
 #include <algorithm>
 
-#include "../samples.hpp"
 #include "../test_meshes.hpp"
+#include "mesh/tri_maps.hpp"
 #include "small_picture.hpp"
 
 namespace quadrille::draw {
 namespace {
-
-TEST(Elements, MapsAreThoseOfTheVerticesOrOfTheCurvedNodes) {
-  const TriMesh mesh = disc_mesh(5, 6);
-  const std::vector<spectral::TriMap> maps = element_maps(mesh);
-  ASSERT_EQ(maps.size(), 5u);
-  for (int e = 0; e < 5; ++e) {
-    EXPECT_FALSE(maps[e].is_affine());
-    EXPECT_NEAR(norm(maps[e].position(spectral::tri_edge_point(1, 0.5))), 1, 1e-6) << "on the circle";
-  }
-  TriMesh mixed = samples::tri_mesh();  // its first element is curved, the others are not
-  const std::vector<spectral::TriMap> all = element_maps(mixed);
-  for (int e = 0; e < 4; ++e)
-    for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(distance(all[e].position(std::array{Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}}[k]),
-                           mixed.vertices[mixed.elem2vertices[e][k]]),
-                  0, 1e-14);
-  EXPECT_TRUE(all[1].is_affine());
-}
 
 TEST(Elements, AStraightTriangleIsClosedByThePathItself) {
   const spectral::TriMap map({Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}});
@@ -38,21 +20,8 @@ TEST(Elements, AStraightTriangleIsClosedByThePathItself) {
 }
 
 TEST(Elements, ACurvedSideIsACurve) {
-  const std::string path = tri_outline(small_picture(), element_maps(disc_mesh(5, 6))[0]).str();
+  const std::string path = tri_outline(small_picture(), mesh::tri_maps(disc_mesh(5, 6))[0]).str();
   EXPECT_GE(std::count(path.begin(), path.end(), 'C'), 1) << path;
-}
-
-TEST(Elements, SideNodesRunCounterClockwiseFromTheFirstCorner) {
-  QuadMesh mesh;
-  mesh.order = 2;
-  for (int k = 0; k < 9; ++k) mesh.elem_nodes.push_back(k);
-  const auto side = [&](int s) {
-    return std::array{quad_side_node(mesh, 0, s, 0), quad_side_node(mesh, 0, s, 1), quad_side_node(mesh, 0, s, 2)};
-  };
-  EXPECT_EQ(side(0), (std::array{0, 1, 2}));
-  EXPECT_EQ(side(1), (std::array{2, 5, 8}));
-  EXPECT_EQ(side(2), (std::array{8, 7, 6}));
-  EXPECT_EQ(side(3), (std::array{6, 3, 0}));
 }
 
 TEST(Elements, ASideIsThePolynomialThroughItsNodes) {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "export/block_mesh_dict.hpp"
+#include "export/writers.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {

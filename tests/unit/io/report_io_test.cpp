@@ -3,7 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 #include "scratch.hpp"
 
 namespace quadrille::io {

@@ -5,6 +5,7 @@
 #include <limits>
 
 namespace quadrille::page {
+
 namespace {
 
 TEST(PageData, Base64IsThatOfTheStandard) {
@@ -35,4 +36,5 @@ TEST(PageData, ObjectsKeepTheOrderOfTheirKeys) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::page
