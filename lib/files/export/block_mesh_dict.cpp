@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "export/cyclic_patches.hpp"
 #include "export/element_blend.hpp"
-#include "export/group_names.hpp"
+#include "export/groups.hpp"
+#include "export/patches.hpp"
 #include "export/plate_blocks.hpp"
 #include "export/writers.hpp"
 

@@ -14,6 +14,39 @@ namespace quadrille::exports {
 
 namespace {
 
+/// The element rebuilt by the reader: nodes as in model/quad_mesh.hpp, from the sides of `nodes` alone.
+std::vector<Vec2> transfinite_element(int order, const Vec2* nodes) {
+  const int n = order, width = n + 1;
+  const std::vector<double>& points = spectral::gll_points(n);
+  const auto at = [&](int i, int j) { return nodes[j * width + i]; };
+  std::vector<Vec2> rebuilt(nodes, nodes + width * width);
+  for (int j = 1; j < n; ++j)
+    for (int i = 1; i < n; ++i) {
+      const double s = (1 + points[i]) / 2, t = (1 + points[j]) / 2;
+      rebuilt[j * width + i] =
+          (1 - s) * at(0, j) + s * at(n, j) + (1 - t) * at(i, 0) + t * at(i, n) -
+          ((1 - t) * ((1 - s) * at(0, 0) + s * at(n, 0)) + t * ((1 - s) * at(0, n) + s * at(n, n)));
+    }
+  return rebuilt;
+}
+
+/// The same if the reader knows only the ends and the middle of each side: an element of order 2.
+std::vector<Vec2> quadratic_element(int order, const Vec2* nodes) {
+  const int n = order, width = n + 1;
+  const auto corner = [&](int i, int j) { return nodes[j * n * width + i * n]; };
+  std::vector<Vec2> nine(9);
+  for (const int j : {0, 1})
+    for (const int i : {0, 1}) nine[6 * j + 2 * i] = corner(i, j);
+  const Eigen::MatrixXd middle = spectral::interpolation_matrix(spectral::gll_points(n), {0.0});
+  for (int k = 0; k <= n; ++k) {
+    nine[1] += middle(0, k) * nodes[k];
+    nine[7] += middle(0, k) * nodes[n * width + k];
+    nine[3] += middle(0, k) * nodes[k * width];
+    nine[5] += middle(0, k) * nodes[k * width + n];
+  }
+  return transfinite_element(2, nine.data());
+}
+
 /// `nodes` as an element of order 2 at the points of the given order.
 std::vector<Vec2> raised(const std::vector<Vec2>& quadratic, const Eigen::MatrixXd& basis) {
   const auto width = basis.rows();
@@ -82,37 +115,6 @@ class Meter {
 };
 
 }  // namespace
-
-std::vector<Vec2> transfinite_element(int order, const Vec2* nodes) {
-  const int n = order, width = n + 1;
-  const std::vector<double>& points = spectral::gll_points(n);
-  const auto at = [&](int i, int j) { return nodes[j * width + i]; };
-  std::vector<Vec2> rebuilt(nodes, nodes + width * width);
-  for (int j = 1; j < n; ++j)
-    for (int i = 1; i < n; ++i) {
-      const double s = (1 + points[i]) / 2, t = (1 + points[j]) / 2;
-      rebuilt[j * width + i] =
-          (1 - s) * at(0, j) + s * at(n, j) + (1 - t) * at(i, 0) + t * at(i, n) -
-          ((1 - t) * ((1 - s) * at(0, 0) + s * at(n, 0)) + t * ((1 - s) * at(0, n) + s * at(n, n)));
-    }
-  return rebuilt;
-}
-
-std::vector<Vec2> quadratic_element(int order, const Vec2* nodes) {
-  const int n = order, width = n + 1;
-  const auto corner = [&](int i, int j) { return nodes[j * n * width + i * n]; };
-  std::vector<Vec2> nine(9);
-  for (const int j : {0, 1})
-    for (const int i : {0, 1}) nine[6 * j + 2 * i] = corner(i, j);
-  const Eigen::MatrixXd middle = spectral::interpolation_matrix(spectral::gll_points(n), {0.0});
-  for (int k = 0; k <= n; ++k) {
-    nine[1] += middle(0, k) * nodes[k];
-    nine[7] += middle(0, k) * nodes[n * width + k];
-    nine[3] += middle(0, k) * nodes[k * width];
-    nine[5] += middle(0, k) * nodes[k * width + n];
-  }
-  return transfinite_element(2, nine.data());
-}
 
 TransfiniteLoss transfinite_loss(const QuadMesh& mesh, RebuiltFrom from, const std::string& reader) {
   return Meter(mesh, from, reader).measure();

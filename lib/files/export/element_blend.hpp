@@ -13,12 +13,6 @@
 
 namespace quadrille::exports {
 
-/// The element rebuilt by the reader: nodes as in model/quad_mesh.hpp, from the sides of `nodes` alone.
-std::vector<Vec2> transfinite_element(int order, const Vec2* nodes);
-
-/// The same if the reader knows only the ends and the middle of each side: an element of order 2.
-std::vector<Vec2> quadratic_element(int order, const Vec2* nodes);
-
 enum class RebuiltFrom { sides, quadratic_sides };
 
 struct TransfiniteLoss {

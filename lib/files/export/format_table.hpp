@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "export/exported.hpp"
-#include "export/frame.hpp"
-#include "export/patch_types.hpp"
+#include "export/patches.hpp"
 #include "model/length_scale.hpp"
 #include "model/quad_mesh.hpp"
 

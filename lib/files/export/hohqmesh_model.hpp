@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "export/exported.hpp"
-#include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {

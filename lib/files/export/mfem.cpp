@@ -6,7 +6,6 @@
 
 #include "base/counted.hpp"
 #include "export/edge_numbering.hpp"
-#include "export/group_names.hpp"
 #include "export/groups.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/writers.hpp"

@@ -9,7 +9,6 @@
 
 #include "export/edge_numbering.hpp"
 #include "export/element_blend.hpp"
-#include "export/group_names.hpp"
 #include "export/groups.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/writers.hpp"

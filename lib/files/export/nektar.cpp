@@ -7,10 +7,10 @@
 #include <iterator>
 #include <map>
 
-#include "export/cyclic_patches.hpp"
 #include "export/edge_numbering.hpp"
 #include "export/element_blend.hpp"
 #include "export/groups.hpp"
+#include "export/patches.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/writers.hpp"
 

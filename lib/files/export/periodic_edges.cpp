@@ -10,14 +10,13 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "model/periodic.hpp"
 #include "model/quad_sides.hpp"
 
 namespace quadrille::exports {
 
 namespace {
-
-constexpr double relative_same = 1e-9;  // of the diameter
 
 using Triple = std::array<double, 3>;
 
@@ -83,7 +82,7 @@ int ambiguous_edge(const EdgeNumbering& numbering, Identified& sets) {
 std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh) {
   std::vector<PeriodicEdges> result;
   const std::vector<std::vector<int>> edges = edges_of_curves(mesh);
-  const double same = relative_same * mesh.face.diameter;
+  const double same = tolerance::round_off * mesh.face.diameter;
   for (int p = 0; p < static_cast<int>(mesh.face.periodic_pairs.size()); ++p) {
     const PeriodicPair& pair = mesh.face.periodic_pairs[p];
     const PeriodicMotion motion(pair, mesh.face.origin);

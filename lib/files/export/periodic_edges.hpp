@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "export/edge_numbering.hpp"
-#include "export/frame.hpp"
+#include "export/exported.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {

@@ -150,4 +150,30 @@ class Archive {
   }
 };
 
+/// An archive whose values of all types go through two templates of `Derived`: fixed(name, values, count, doc) for
+/// members of fixed size, list(name, flat, width, doc) for lists.
+template <typename Derived>
+class TypedArchive : public Archive {
+ public:
+  void integers(const char* name, int* values, std::size_t count, Doc doc) override {
+    self().fixed(name, values, count, doc);
+  }
+  void reals(const char* name, double* values, std::size_t count, Doc doc) override {
+    self().fixed(name, values, count, doc);
+  }
+  void text(const char* name, std::string& value, Doc doc) override { self().fixed(name, &value, 1, doc); }
+  void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc doc) override {
+    self().list(name, flat, width, doc);
+  }
+  void real_list(const char* name, std::vector<double>& flat, std::size_t width, Doc doc) override {
+    self().list(name, flat, width, doc);
+  }
+  void text_list(const char* name, std::vector<std::string>& values, Doc doc) override {
+    self().list(name, values, 1, doc);
+  }
+
+ private:
+  Derived& self() { return static_cast<Derived&>(*this); }
+};
+
 }  // namespace quadrille::io

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "io/json_archive.hpp"
 
 namespace quadrille::io {
 
@@ -24,6 +25,7 @@ struct Dialect {
 constexpr Dialect boundary_names{"near", true}, block_names{"at", false};
 
 Json parsed_rules(const InputFile& file) {
+  require_shallow(file.bytes, file.name);
   std::set<std::string> keys;
   const auto refuse_twins = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth == 1 && event == Json::parse_event_t::key && !keys.insert(value.get<std::string>()).second)

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/describe.hpp"
 #include "io/hdf5_file.hpp"
-#include "io/header.hpp"
+#include "io/json_archive.hpp"
 #include "io/stage_files.hpp"
 
 namespace quadrille::io {
@@ -27,6 +28,7 @@ std::vector<int> version_of(const nlohmann::json& json) {
 }
 
 std::vector<int> parsed_orders(const InputFile& file) {
+  require_shallow(file.bytes, file.name);
   nlohmann::json json;
   try {
     json = nlohmann::json::parse(file.bytes);

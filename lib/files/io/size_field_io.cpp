@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "io/header.hpp"
+#include "io/describe.hpp"
 #include "io/json_archive.hpp"
 
 namespace quadrille::io {

@@ -14,7 +14,7 @@
 
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
-#include "io/sha256.hpp"
+#include "io/digest.hpp"
 
 namespace quadrille::io {
 

@@ -18,7 +18,7 @@ struct Tool {
   std::vector<std::string> examples;  ///< commands that run in a folder with the stage files of half_disc
   std::function<void(Options&)> options;
   std::function<void(Session&)> run;
-  /// io/output_file's write_report; cli itself does not access files.
+  /// io/whole_file's write_report; cli itself does not access files.
   std::function<void(const std::string& path, const std::string& tool, const std::string& version, const Report&)>
       report_writer;
 };

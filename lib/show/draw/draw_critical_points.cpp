@@ -22,10 +22,6 @@ struct MarkRadii {
 };
 constexpr MarkRadii mark_radii{};
 
-std::string cell_path(const std::string& css_class, const std::string& d, const std::string& title = {}) {
-  return svg_element("path", {{"class", css_class}, {"d", d}}, title);
-}
-
 std::string cell_outline(const Picture& picture, const CertificateCell& cell) {
   const auto& v = cell.vertices;
   PathData path;
@@ -96,7 +92,7 @@ std::string cross_mark(Vec2 at) {
   path.line_to(at + Vec2{arm, arm});
   path.move_to(at + Vec2{-arm, arm});
   path.line_to(at + Vec2{arm, -arm});
-  return cell_path("change", path.str());
+  return path_element("change", path.str());
 }
 
 std::string change_marks(const Picture& picture, const NodeChange& change) {
@@ -124,7 +120,7 @@ void draw_certificate(Picture& picture, const Certificate& certificate, const Ca
   for (const CertificateCell& cell : certificate.cells) {
     const bool is_open = cell.verdict == CellVerdict::open;
     (is_open ? has_open : has_zero) = true;
-    picture.add(cell_path(
+    picture.add(path_element(
         is_open ? "cell-open" : "cell-zero", cell_outline(picture, cell),
         fmt::format("cell in element {}: {}", cell.elem, is_open ? "could not be decided" : "holds exactly one zero")));
   }
@@ -133,8 +129,8 @@ void draw_certificate(Picture& picture, const Certificate& certificate, const Ca
                             picture.scale() * certificate.disc_radii[i],
                             fmt::format("left to the corner: radius {:.3g}", certificate.disc_radii[i])));
   picture.close_group();
-  if (has_zero) picture.legend_mark(cell_path("cell-zero", "M-7 -5L7 -5L0 7z"), "cell with one zero");
-  if (has_open) picture.legend_mark(cell_path("cell-open", "M-7 -5L7 -5L0 7z"), "undecided cell");
+  if (has_zero) picture.legend_mark(path_element("cell-zero", "M-7 -5L7 -5L0 7z"), "cell with one zero");
+  if (has_open) picture.legend_mark(path_element("cell-open", "M-7 -5L7 -5L0 7z"), "undecided cell");
   if (num_discs > 0) picture.legend_mark(circle_mark("disc", {0, 0}, 7), "left to the corner");
 }
 
@@ -143,10 +139,10 @@ void draw_clusters(Picture& picture, const std::vector<Cluster>& clusters, Vec2 
   for (const Cluster& cluster : clusters) {
     const Vec2 at = picture.at(cluster.centre);
     const double radius = std::max(mark_radii.cluster, picture.scale() * cluster.radius);
-    picture.add(circle_mark("cluster", at, radius,
-                            fmt::format("cluster of index {} at {}, radius {:.3g}, {}", cluster.index,
-                                        position_text(cluster.centre, origin), cluster.radius,
-                                        counted(static_cast<int>(cluster.members.size()), "member"))));
+    picture.add(circle_mark(
+        "cluster", at, radius,
+        fmt::format("cluster of index {} at {}, radius {:.3g}, {}", cluster.index,
+                    position_text(cluster.centre, origin), cluster.radius, counted(cluster.members.size(), "member"))));
     for (const Vec2 member : cluster.members) picture.add(circle_mark("member", picture.at(member), 2));
     picture.text(at + (radius + 12) * normalized({1, 1}), "label", fmt::format("{:+}", cluster.index));
   }
@@ -212,9 +208,7 @@ Vec2 label_direction(const Picture& picture, const CadFace* face, const Corner& 
 }
 
 std::string caption(const CriticalPoints& points) {
-  const auto count = [](const auto& list, const std::string& noun) {
-    return counted(static_cast<int>(list.size()), noun);
-  };
+  const auto count = [](const auto& list, const std::string& noun) { return counted(list.size(), noun); };
   const bool is_phase = points.form == NodeForm::phase;
   std::string text = fmt::format("{}, {}", count(points.critical_points, is_phase ? "node" : "critical point"),
                                  count(points.corners, "corner"));

@@ -9,7 +9,6 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
-#include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
@@ -63,7 +62,7 @@ std::string caption(const Field& field) {
   const std::string coefficients = is_phase(field) ? fmt::format("{} coefficients", field.coef_offsets.back())
                                                    : fmt::format("{} coefficients per component", field.u.size());
   std::string text = fmt::format("{}, {}, {}", counted(field.mesh.num_elems(), "triangle"), orders, coefficients);
-  if (!field.liftings.empty()) text += ", " + counted(static_cast<int>(field.liftings.size()), "lifting");
+  if (!field.liftings.empty()) text += ", " + counted(field.liftings.size(), "lifting");
   if (is_phase(field)) text += ", " + asked_text(phases_of(field));
   return text + regions_text(field.mesh.face);
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "draw/elements.hpp"
+#include "draw/figures.hpp"
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
@@ -53,9 +53,9 @@ void draw_unproved(Picture& picture, const QuadMesh& mesh) {
   for (int e = 0; e < mesh.num_elems(); ++e)
     if (is_unproved(mesh, e))
       picture.add(
-          svg_element("path", {{"class", "worst"}, {"d", quad_outline(picture, mesh, e).str()}},
-                      fmt::format("quad {} is not proved valid: det J >= {:.3g}", e, mesh.elem_jacobian_bound[e])));
-  picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6 -6L6 -6L6 6L-6 6Z"}}),
+          path_element("worst", quad_outline(picture, mesh, e).str(),
+                       fmt::format("quad {} is not proved valid: det J >= {:.3g}", e, mesh.elem_jacobian_bound[e])));
+  picture.legend_mark(path_element("worst", "M-6 -6L6 -6L6 6L-6 6Z"),
                       fmt::format("not proved valid ({})", mesh.num_unproved()));
 }
 
@@ -79,11 +79,9 @@ std::string elem_text(const QuadMesh& mesh, int elem, double quality) {
 std::string caption(const QuadMesh& mesh) {
   const auto& quality = mesh.elem_scaled_jacobian;
   const double worst = quality.empty() ? 0 : *std::min_element(quality.begin(), quality.end());
-  const int num_blocks =
-      mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
   return fmt::format("{}{} of order {} in {}{}, {}, worst scaled Jacobian {:.3f}{}",
                      mesh.is_valid ? "" : "NOT VALID: ", counted(mesh.num_elems(), "quad"), mesh.order,
-                     counted(num_blocks, "block"), regions_text(mesh.face),
+                     counted(num_blocks(mesh), "block"), regions_text(mesh.face),
                      counted(mesh.num_irregular, "irregular node"), worst, sizes_text(mesh));
 }
 
@@ -106,7 +104,7 @@ std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options) {
     borders.move_to(picture.at(mesh.nodes[side_start(mesh, elem, side)]));
     append_curve(borders, quad_side(picture, mesh, elem, side), 0, 1);
   }
-  if (!borders.empty()) picture.add(svg_element("path", {{"class", "edge"}, {"d", borders.str()}}));
+  if (!borders.empty()) picture.add(path_element("edge", borders.str()));
   draw_boundary(picture, mesh.face);
   const int worst = worst_to_mark(mesh.elem_scaled_jacobian);
   if (worst >= 0) {

@@ -65,7 +65,7 @@ void draw_loose_arcs(Picture& picture, const SeparatrixGraph& graph) {
     if (is_drawn[a] || is_on_cad_curve(graph, graph.arcs[a])) continue;
     PathData path;
     append_arc(path, picture, graph, static_cast<int>(a));
-    picture.add(svg_element("path", {{"class", "edge"}, {"d", path.str()}}, fmt::format("arc {}", a)));
+    picture.add(path_element("edge", path.str(), fmt::format("arc {}", a)));
   }
 }
 
@@ -101,9 +101,8 @@ std::string certificate_text(const LayoutCertificate& certificate) {
 }  // namespace
 
 std::string draw_stage(const SeparatrixGraph& graph, const DrawOptions& options) {
-  std::string caption = fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
-                                    counted(static_cast<int>(graph.nodes.size()), "node"),
-                                    counted(static_cast<int>(graph.arcs.size()), "arc")) +
+  std::string caption = fmt::format("{}, {}, {}", counted(graph.lines.size(), "line"),
+                                    counted(graph.nodes.size(), "node"), counted(graph.arcs.size(), "arc")) +
                         regions_text(graph.face);
   if (graph.certificate.method) caption += "; " + certificate_text(graph.certificate);
   Picture picture(shown_box(bounding_box(graph.face), graph.face.origin, options), options, "Separatrices", caption);

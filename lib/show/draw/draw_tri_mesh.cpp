@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "draw/elements.hpp"
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "mesh/tri_maps.hpp"

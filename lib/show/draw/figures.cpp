@@ -168,13 +168,15 @@ std::vector<Figure> figures_of(const BlockLayout& layout) {
           {"irregular nodes", irregular_count(layout)}};
 }
 
+int num_blocks(const QuadMesh& mesh) {
+  return mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
+}
+
 std::vector<Figure> figures_of(const QuadMesh& mesh) {
-  const int num_blocks =
-      mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
   return {{"quads", std::to_string(mesh.num_elems())},
           {"order", std::to_string(mesh.order)},
           {"mesh nodes", std::to_string(mesh.nodes.size())},
-          {"blocks", std::to_string(num_blocks)},
+          {"blocks", std::to_string(num_blocks(mesh))},
           {"irregular nodes", std::to_string(mesh.num_irregular)},
           {"proved valid", mesh.is_valid ? "yes" : fmt::format("no: {} are not", mesh.num_unproved())}};
 }

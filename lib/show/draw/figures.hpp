@@ -21,6 +21,9 @@ std::vector<Figure> figures_of(const SeparatrixGraph& graph);
 std::vector<Figure> figures_of(const BlockLayout& layout);
 std::vector<Figure> figures_of(const QuadMesh& mesh);
 
+/// That have elements.
+int num_blocks(const QuadMesh& mesh);
+
 /// Of the measures of shape that a comparison adds: least or greatest, and median.
 std::vector<Figure> quality_figures_of(const SeparatrixGraph& graph);
 std::vector<Figure> quality_figures_of(const BlockLayout& layout);

@@ -219,7 +219,7 @@ class Labels {
     PathData path;
     path.move_to(points.front());
     path.line_to(points.back());
-    picture_.add(svg_element("path", {{"class", "edge"}, {"d", path.str()}}));
+    picture_.add(path_element("edge", path.str()));
     ink_.insert(ink_.end(), points.begin(), points.end() - 1);
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Marks that several pictures have in common: the boundary, corners, irregular nodes, curve pieces.
+// What several pictures have in common: the boundary, corners, irregular nodes, curve pieces, outlines of elements.
 
 #include <string>
 #include <vector>
@@ -7,11 +7,15 @@
 #include "base/counted.hpp"
 #include "draw/picture.hpp"
 #include "model/separatrix_graph.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille::draw {
 
 /// Appends `curve` between two parameters; an empty path begins at its start.
 void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1);
+
+/// The pieces of a side of a block, in the direction of the side.
+std::vector<ArcPiece> side_pieces(const BlockLayout& layout, HalfEdge side);
 
 /// The number of the tint of each region (region_colour()): that of its name, because a face that embedded curves
 /// divide has several regions of one name.
@@ -58,5 +62,14 @@ int worst_to_mark(const std::vector<double>& scaled_jacobians);
 
 /// "(0.5, -0.25)" with the face's origin added.
 std::string position_text(Vec2 x, Vec2 origin);
+
+/// The closed outline of a triangle.
+PathData tri_outline(const Picture& picture, const spectral::TriMap& map);
+
+/// The side of a quad from corner `side` to the next, as position and derivative along s in [0, 1], in pixels.
+PixelCurve quad_side(const Picture& picture, const QuadMesh& mesh, int elem, int side);
+
+/// The closed outline of a quad.
+PathData quad_outline(const Picture& picture, const QuadMesh& mesh, int elem);
 
 }  // namespace quadrille::draw

@@ -115,4 +115,8 @@ void append_curve(PathData& path, const PixelCurve& curve, double t0, double t1)
   append_cubics(path, curve, t0, curve(t0), t1, curve(t1), 0);
 }
 
+std::string path_element(const std::string& css_class, const std::string& d, const std::string& title) {
+  return svg_element("path", {{"class", css_class}, {"d", d}}, title);
+}
+
 }  // namespace quadrille::draw

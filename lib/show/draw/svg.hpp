@@ -53,4 +53,7 @@ using PixelCurve = std::function<CurvePoint(double)>;
 /// lines. The distance to the curve is below 0.05 pixels at the sampled points.
 void append_curve(PathData& path, const PixelCurve& curve, double t0, double t1);
 
+/// A <path> of a class.
+std::string path_element(const std::string& css_class, const std::string& d, const std::string& title = {});
+
 }  // namespace quadrille::draw

@@ -308,8 +308,8 @@ void draw_zero_contours(Picture& picture, const RegionFields& regions) {
   }
   const auto add = [&](const std::string& css_class, const std::vector<Polyline>& lines, const std::string& label) {
     if (lines.empty()) return;
-    picture.add(svg_element("path", {{"class", css_class}, {"d", path_of(lines)}}, label));
-    picture.legend_mark(svg_element("path", {{"class", css_class}, {"d", "M-9 0L9 0"}}), label);
+    picture.add(path_element(css_class, path_of(lines), label));
+    picture.legend_mark(path_element(css_class, "M-9 0L9 0"), label);
   };
   add("zero-u", u_zero, "u = 0");
   add("zero-v", v_zero, "v = 0");

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/enum_names.hpp"
+#include "draw/marks.hpp"
 #include "model/interfaces.hpp"
 #include "page/sheet.hpp"
 
@@ -32,19 +33,11 @@ void append_arc(Chains& chains, const ArcGraph& graph, int arc, const PageFrame&
   chains.append(frame, graph.arcs[arc].pieces, [&](int id) -> const Nurbs& { return graph.curve(id); });
 }
 
-std::vector<ArcPiece> side_pieces(const BlockLayout& layout, HalfEdge side) {
-  std::vector<ArcPiece> pieces = layout.arcs[side.arc].pieces;
-  if (!side.is_backwards) return pieces;
-  std::reverse(pieces.begin(), pieces.end());
-  for (ArcPiece& piece : pieces) std::swap(piece.t0, piece.t1);
-  return pieces;
-}
-
 NamedChains blocks_of(const BlockLayout& layout, const PageFrame& frame) {
   NamedChains blocks;
   for (int b = 0; b < layout.num_blocks(); ++b) {
     for (const HalfEdge side : layout.block2arcs[b])
-      for (const ArcPiece& piece : side_pieces(layout, side))
+      for (const ArcPiece& piece : draw::side_pieces(layout, side))
         blocks.chains.append_piece(frame, layout.curve(piece.curve), piece.t0, piece.t1);
     blocks.chains.close_chain();
     blocks.names.push_back(b < static_cast<int>(layout.block_names.size()) ? layout.block_names[b] : "");

@@ -7,7 +7,6 @@
 #include "draw/figures.hpp"
 #include "model/stage_formats.hpp"
 #include "page/page_data.hpp"
-#include "page/page_geometry.hpp"
 
 namespace quadrille::page {
 
