@@ -137,8 +137,8 @@ def check_paths(file, text):
         for path in re.findall(rf"(?<![\w/.\"<-])((?:{'|'.join(FOLDERS)})/[a-z]\w+(?:\.[hc]pp)?)\b", text):
             if not is_placeholder(path):
                 count += 1
-                file = path if path.endswith("pp") else path + ".[hc]pp"
-                if not (ROOT / "lib" / path).is_dir() and not list((ROOT / "lib").glob(f"*/{file}")):
+                pattern = path if path.endswith("pp") else path + ".[hc]pp"
+                if not (ROOT / "lib" / path).is_dir() and not list((ROOT / "lib").glob(f"*/{pattern}")):
                     fault(file, f"names {path}, which is not in lib")
     return count
 

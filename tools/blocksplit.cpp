@@ -4,8 +4,8 @@
 
 #include "cli/tool_main.hpp"
 #include "io/name_rules_io.hpp"
-#include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 
 using namespace quadrille;
 

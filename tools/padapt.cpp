@@ -3,8 +3,8 @@
 #include "stage/padapt.hpp"
 
 #include "cli/tool_main.hpp"
-#include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 
 using namespace quadrille;
 

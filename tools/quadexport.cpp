@@ -6,8 +6,8 @@
 
 #include "cli/tool_main.hpp"
 #include "export/format_table.hpp"
-#include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 
 using namespace quadrille;
 

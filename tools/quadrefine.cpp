@@ -3,9 +3,9 @@
 #include "stage/quadrefine.hpp"
 
 #include "cli/tool_main.hpp"
-#include "io/output_file.hpp"
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 #include "triangulate/size_triangles.hpp"
 
 using namespace quadrille;

@@ -3,8 +3,8 @@
 #include "stage/separatrix.hpp"
 
 #include "cli/tool_main.hpp"
-#include "io/output_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 #include "triangulate/coarse_triangles.hpp"
 
 using namespace quadrille;

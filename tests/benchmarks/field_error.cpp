@@ -17,8 +17,8 @@
 #include "check/check.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/solve_laplace.hpp"
-#include "io/input_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <string>
 
-#include "io/input_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 #include "placement/smooth_boundary_distance.hpp"
 
 using namespace quadrille;

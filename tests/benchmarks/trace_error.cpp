@@ -18,8 +18,8 @@
 
 #include "check/check.hpp"
 #include "field/evaluate.hpp"
-#include "io/input_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 #include "trace/adams_bashforth.hpp"
 #include "trace/fixed_nodes.hpp"
 #include "trace/launch_all.hpp"

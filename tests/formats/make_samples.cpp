@@ -7,9 +7,9 @@
 #include <iostream>
 
 #include "../unit/region_layout_samples.hpp"
-#include "io/output_file.hpp"
+#include "io/describe.hpp"
 #include "io/stage_files.hpp"
-#include "io/stage_io.hpp"
+#include "io/whole_file.hpp"
 
 using namespace quadrille;
 

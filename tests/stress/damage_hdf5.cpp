@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "io/checksum.hpp"
+#include "io/digest.hpp"
 #include "io/hdf5_file.hpp"
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "model/arc_graph.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille {
 
@@ -85,6 +86,16 @@ inline void scale_lengths(ArcGraph& graph, const LengthScale& scale) {
   for (Nurbs& curve : graph.splines)
     for (Vec2& pole : curve.poles) pole = scale.factor * pole;
   for (GraphNode& node : graph.nodes) node.position = scale.factor * node.position;
+}
+
+/// Areas and Jacobians get the square of the factor.
+inline void scale_lengths(QuadMesh& mesh, const LengthScale& scale) {
+  const double factor = scale.factor;
+  scale_lengths(mesh.face, scale);
+  for (Vec2& node : mesh.nodes) node = factor * node;
+  for (double& bound : mesh.elem_jacobian_bound) bound *= factor * factor;
+  mesh.least_jacobian_bound *= factor * factor;
+  for (double& length : mesh.elem_node_distance) length *= factor;
 }
 
 }  // namespace quadrille

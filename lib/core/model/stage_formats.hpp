@@ -50,6 +50,11 @@ constexpr const StageFormat& format_of() {
   return stage_formats[row];
 }
 
+/// The provenance of a stage.
+inline const Provenance& provenance_of(const StageModel& stage) {
+  return std::visit([](const auto& model) -> const Provenance& { return model.provenance; }, stage);
+}
+
 /// A tool that reads what others wrote.
 struct StageTool {
   std::string_view name;

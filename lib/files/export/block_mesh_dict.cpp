@@ -1,15 +1,13 @@
-#include "export/block_mesh_dict.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "export/cyclic_patches.hpp"
-#include "export/names_table.hpp"
-#include "export/plain_names.hpp"
+#include "export/element_blend.hpp"
+#include "export/groups.hpp"
+#include "export/patches.hpp"
 #include "export/plate_blocks.hpp"
-#include "export/transfinite_loss.hpp"
+#include "export/writers.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -18,9 +16,9 @@ namespace {
 constexpr double thickness_share = 0.1;
 constexpr const char* front_and_back = "frontAndBack";
 
-class Writer {
+class BlockMeshWriter : TextWriter {
  public:
-  Writer(const QuadMesh& mesh, const Frame& frame, const PlateBlocks& plates)
+  BlockMeshWriter(const QuadMesh& mesh, const Frame& frame, const PlateBlocks& plates)
       : mesh_(mesh), frame_(frame), plates_(plates), above_(static_cast<int>(plates.vertices.size())) {}
 
   std::string text(const std::vector<std::string>& patches, const std::vector<std::string>& types,
@@ -36,15 +34,10 @@ class Writer {
     write_blocks(zones);
     write_patches(patches, types, cyclic);
     print("mergePatchPairs\n(\n);\n");
-    return fmt::to_string(out_);
+    return std::move(out_);
   }
 
  private:
-  template <class... Args>
-  void print(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
-  }
-
   double scale() const { return mesh_.face.metres_per_unit > 0 ? mesh_.face.metres_per_unit : 1.0; }
 
   double height(bool is_above) const { return is_above ? thickness_share * mesh_.face.diameter : 0.0; }
@@ -149,7 +142,6 @@ class Writer {
   const PlateBlocks& plates_;
   int above_;          ///< number of a vertex in the upper plane less its number in the lower one
   double metres_ = 1;  ///< factor of all written lengths; `scale` has the rest
-  fmt::memory_buffer out_;
 };
 
 /// Largest distance of the boundary's points from the straight sides of the cells.
@@ -173,21 +165,6 @@ void report_losses(const QuadMesh& mesh, const PlateBlocks& plates, std::vector<
                                  length_text(plates.moved, diameter)));
 }
 
-/// Single words for the groups' names, and a report of the loss.
-struct Words {
-  std::vector<std::string> patches, zones;
-
-  Words(const Groups& groups, Exported& exported)
-      : patches(plain_names(groups.boundary_names, {front_and_back})), zones(plain_names(groups.region_names)) {
-    const std::string patch_loss = renamed_loss(groups.boundary_names, patches);
-    const std::string zone_loss = renamed_loss(groups.region_names, zones);
-    for (const std::string& loss : {patch_loss, zone_loss})
-      if (!loss.empty()) exported.losses.push_back(loss);
-    if (patch_loss.empty() && zone_loss.empty()) return;
-    exported.side_files.push_back(plain_names_table(groups, patches, zones));
-  }
-};
-
 }  // namespace
 
 Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) {
@@ -199,14 +176,11 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::ve
   Exported exported;
   report_losses(mesh, plates, exported.losses);
   if (const std::string interfaces = interface_loss(groups); !interfaces.empty())
-    exported.losses.push_back(interfaces +
-                              " (blockMesh makes no face zones; splitMeshRegions -cellZones divides the mesh)");
-  const std::string loss = cyclic_loss(mesh.face, groups, cyclic,
-                                       "a cyclic patch has periodic curves of one motion only, and no type by "
-                                       "--patch-type");
-  if (!loss.empty()) exported.losses.push_back(loss);
-  const Words words(groups, exported);
-  exported.bytes = Writer(mesh, frame, plates).text(words.patches, type_names, cyclic, words.zones);
+    exported.add_loss(interfaces + " (blockMesh makes no face zones; splitMeshRegions -cellZones divides the mesh)");
+  exported.add_loss(cyclic_loss(mesh.face, groups, cyclic,
+                                "a cyclic patch has periodic curves of one motion only, and no type by --patch-type"));
+  const auto [patches, zones] = add_plain_names(groups, true, {front_and_back}, exported);
+  exported.bytes = BlockMeshWriter(mesh, frame, plates).text(patches, type_names, cyclic, zones);
   return exported;
 }
 

@@ -5,18 +5,9 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "export/abaqus_inp.hpp"
-#include "export/block_mesh_dict.hpp"
-#include "export/gmsh.hpp"
 #include "export/groups.hpp"
-#include "export/hohqmesh_ism.hpp"
-#include "export/mfem.hpp"
-#include "export/names_table.hpp"
-#include "export/nek_re2.hpp"
-#include "export/nektar.hpp"
 #include "export/periodic_edges.hpp"
-#include "export/scale_mesh.hpp"
-#include "export/vtu.hpp"
+#include "export/writers.hpp"
 
 namespace quadrille::exports {
 
@@ -69,7 +60,7 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
                     "lower --order",
                     format.name, format.max_order, mesh.order));
   const LengthScale length = length_scale(mesh.face, options.length);
-  if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_mesh(mesh, length);
+  if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_lengths(mesh, length);
   if (options.block_groups) separate_blocks(mesh);
   const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
   Exported exported =

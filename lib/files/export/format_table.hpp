@@ -4,12 +4,20 @@
 #include <string_view>
 #include <vector>
 
-#include "export/export_options.hpp"
 #include "export/exported.hpp"
-#include "export/frame.hpp"
+#include "export/patches.hpp"
+#include "model/length_scale.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
+
+/// What a user can choose.
+struct ExportOptions {
+  ScaleRequest length{};                 ///< unit and factor of the coordinates
+  bool in_space = false;                 ///< coordinates of the CAD model rather than of the face's plane
+  std::vector<PatchType> patch_types{};  ///< of formats whose boundaries have types
+  bool block_groups = false;  ///< each block without a name of its own is a region of its own (export/groups)
+};
 
 struct ExportFormat {
   std::string_view name;     ///< for --format

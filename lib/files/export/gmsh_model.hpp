@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "export/frame.hpp"
+#include "export/exported.hpp"
 #include "export/groups.hpp"
 #include "export/skeleton.hpp"
 

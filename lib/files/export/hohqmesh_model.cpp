@@ -6,24 +6,17 @@
 #include <map>
 #include <utility>
 
-#include "export/chebyshev_lobatto.hpp"
 #include "export/edge_numbering.hpp"
+#include "export/element_blend.hpp"
 #include "export/groups.hpp"
-#include "export/names_table.hpp"
 #include "export/periodic_edges.hpp"
-#include "export/plain_names.hpp"
 #include "export/renode.hpp"
-#include "export/side_blend.hpp"
 #include "export/skeleton.hpp"
-#include "export/transfinite_loss.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-/// Whether the file stores the region of each element.
-enum class Materials { lost, kept };
 
 void number_corners(const EdgeNumbering& numbering, HohqmeshModel& model) {
   model.corners = numbering.vertices;
@@ -47,9 +40,7 @@ void find_edges(const EdgeNumbering& numbering, HohqmeshModel& model) {
 void mark_curved_sides(const QuadMesh& mesh, HohqmeshModel& model) {
   model.is_curved.resize(mesh.elem_block.size());
   for (const HohqmeshEdge& e : model.edges) {
-    const std::vector<int> nodes = side_nodes(mesh, e.elem, e.side);
-    const double length = distance(mesh.nodes[nodes.front()], mesh.nodes[nodes.back()]);
-    const bool is_curved = distance_from_chord(mesh, nodes) > 1e-10 * length + 1e-14 * mesh.face.diameter;
+    const bool is_curved = !is_straight_edge(mesh, side_nodes(mesh, e.elem, e.side));
     model.is_curved[e.elem][e.side] = is_curved;
     if (e.other_elem >= 0) model.is_curved[e.other_elem][e.other_side] = is_curved;
   }
@@ -61,32 +52,25 @@ void find_boundaries(const QuadMesh& mesh, const Groups& groups, HohqmeshModel& 
 }
 
 void name_groups(const QuadMesh& mesh, const Groups& groups, Materials materials, HohqmeshModel& model) {
-  model.names = plain_names(groups.boundary_names);
-  std::vector<std::string> regions;
-  if (materials == Materials::kept) regions = plain_names(groups.region_names);
+  const PlainNames plain = add_plain_names(groups, materials == Materials::kept, {}, model);
+  model.names = plain.boundaries;
   for (const int block : mesh.elem_block)
-    if (!regions.empty()) model.materials.push_back(regions[groups.block2region[block]]);
-  std::vector<std::string> renamed{renamed_loss(groups.boundary_names, model.names)};
-  if (!regions.empty()) renamed.push_back(renamed_loss(groups.region_names, regions));
-  std::erase(renamed, "");
-  if (renamed.empty()) return;
-  model.losses.insert(model.losses.end(), renamed.begin(), renamed.end());
-  model.side_files.push_back(plain_names_table(groups, model.names, regions));
+    if (!plain.regions.empty()) model.materials.push_back(plain.regions[groups.block2region[block]]);
 }
 
-void tell_losses(const QuadMesh& mesh, const Groups& groups, Materials materials, HohqmeshModel& model) {
+void report_losses(const QuadMesh& mesh, const Groups& groups, Materials materials, HohqmeshModel& model) {
   const TransfiniteLoss loss = transfinite_loss(mesh, RebuiltFrom::sides, "a reader of this format");
   if (loss.interior > 1e-12 * mesh.face.diameter)
-    model.losses.push_back(fmt::format(
-        "nodes inside elements are not stored; a reader rebuilds them from the sides, which moves them by up "
-        "to {}",
+    model.add_loss(fmt::format(
+        "nodes inside elements are not stored; a reader rebuilds them from the sides, which moves them by up to {}",
         length_text(loss.interior, mesh.face.diameter)));
-  if (const std::string interfaces = interface_loss(groups); !interfaces.empty()) model.losses.push_back(interfaces);
-  if (const std::string regions = region_loss(groups); !regions.empty() && materials == Materials::lost)
-    model.losses.push_back(regions);
+  model.add_loss(interface_loss(groups));
+  if (materials == Materials::lost) model.add_loss(region_loss(groups));
 }
 
-HohqmeshModel make_model(const QuadMesh& mesh, const Frame& frame, Materials materials) {
+}  // namespace
+
+HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame, Materials materials) {
   HohqmeshModel model;
   const Groups groups = mesh_groups(mesh);
   const EdgeNumbering numbering = number_edges(mesh);
@@ -98,24 +82,14 @@ HohqmeshModel make_model(const QuadMesh& mesh, const Frame& frame, Materials mat
       spectral::interpolation_matrix(spectral::gll_points(mesh.order), chebyshev_lobatto_points(mesh.order));
   for (const Vec2 x : renoded(mesh, to_chebyshev)) model.points.push_back(frame.at(x));
   name_groups(mesh, groups, materials, model);
-  tell_losses(mesh, groups, materials, model);
+  report_losses(mesh, groups, materials, model);
   return model;
 }
-
-}  // namespace
 
 const std::string& HohqmeshModel::name(int elem, int side) const {
   static const std::string inside = "---";
   const int group = boundary[elem][side];
   return group < 0 ? inside : names[group];
-}
-
-HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame) {
-  return make_model(mesh, frame, Materials::lost);
-}
-
-HohqmeshModel hohqmesh_model_with_materials(const QuadMesh& mesh, const Frame& frame) {
-  return make_model(mesh, frame, Materials::kept);
 }
 
 void join_periodic_edges(const QuadMesh& mesh, HohqmeshModel& model) {

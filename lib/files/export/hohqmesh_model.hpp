@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "export/exported.hpp"
-#include "export/frame.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -20,7 +19,8 @@ struct HohqmeshEdge {
   int other_elem = -1, other_side = -1;  ///< -1 on the boundary; may lie across a periodic side
 };
 
-struct HohqmeshModel {
+/// With the losses and side files of the format.
+struct HohqmeshModel : Exported {
   std::vector<int> corners;                      ///< mesh node of each corner, in the order of the elements
   std::vector<std::array<int, 4>> elem_corners;  ///< from 1
   std::vector<std::array<bool, 4>> is_curved;    ///< by element and side, the same for both elements of an edge
@@ -31,17 +31,16 @@ struct HohqmeshModel {
   /// By mesh node: positions; the nodes of a side moved from its Gauss-Lobatto-Legendre to its Chebyshev-Lobatto
   /// points.
   std::vector<std::array<double, 3>> points;
-  std::vector<std::string> losses;
-  std::vector<SideFile> side_files;
 
   /// The name of a side; "---" inside.
   const std::string& name(int elem, int side) const;
 };
 
+/// Whether the file stores the region of each element.
+enum class Materials { lost, kept };
+
 /// Throws ComputeError where an element would be folded once its interior is rebuilt from its sides.
-HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame);
-/// The same with the region of each element.
-HohqmeshModel hohqmesh_model_with_materials(const QuadMesh& mesh, const Frame& frame);
+HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame, Materials materials);
 
 /// Makes one edge of the two of each periodic pair whose motion is a translation, between the elements on both sides;
 /// it has no name any more.

@@ -1,15 +1,14 @@
-#include "export/mfem.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 
+#include "base/counted.hpp"
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
-#include "export/names_table.hpp"
-#include "export/periodic_vertices.hpp"
+#include "export/periodic_edges.hpp"
+#include "export/writers.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -17,12 +16,8 @@ namespace {
 /// MFEM's numbers of its geometries (geom.hpp of its source).
 constexpr int segment_type = 1, square_type = 3;
 
-std::string counted(int count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 /// As std::quoted writes it, which is how MFEM reads it.
-std::string quoted(const std::string& text) {
+std::string mfem_quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -31,9 +26,9 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-class Writer {
+class MfemWriter : TextWriter {
  public:
-  Writer(const QuadMesh& mesh, const Frame& frame, bool with_names)
+  MfemWriter(const QuadMesh& mesh, const Frame& frame, bool with_names)
       : mesh_(mesh), frame_(frame), with_names_(with_names), edges_(number_edges(mesh)), groups_(mesh_groups(mesh)) {
     require_edges_known_by_ends(mesh_, edges_, "MFEM");
     number_vertices();
@@ -54,11 +49,6 @@ class Writer {
   }
 
  private:
-  template <class... Args>
-  void print(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
-  }
-
   /// Vertices of periodic sides are one in the file; without periodic sides they have the numbers of edges_.
   void number_vertices() {
     periodic_ = periodic_vertices(mesh_, edges_, Motions::all, "MFEM");
@@ -97,7 +87,7 @@ class Writer {
 
   void write_sets(const char* title, const std::vector<std::string>& names) {
     print("\n{}\n{}\n", title, names.size());
-    for (std::size_t k = 0; k < names.size(); ++k) print("{} 1 {}\n", quoted(names[k]), k + 1);
+    for (std::size_t k = 0; k < names.size(); ++k) print("{} 1 {}\n", mfem_quoted(names[k]), k + 1);
   }
 
   int space_dim() const { return frame_.is_plane() ? 2 : 3; }
@@ -151,14 +141,13 @@ class Writer {
   PeriodicVertices periodic_;
   std::vector<int> vertex_numbers_;  ///< by vertex of edges_
   int num_vertices_ = 0;
-  std::string out_;
 };
 
-Exported exported(const QuadMesh& mesh, const Frame& frame, bool with_names) {
-  Writer writer(mesh, frame, with_names);
+Exported mfem_mesh(const QuadMesh& mesh, const Frame& frame, bool with_names) {
+  MfemWriter writer(mesh, frame, with_names);
   Exported result;
   result.bytes = writer.text();
-  if (!writer.periodic_loss().empty()) result.losses.push_back(writer.periodic_loss());
+  result.add_loss(writer.periodic_loss());
   return result;
 }
 
@@ -166,15 +155,16 @@ Exported exported(const QuadMesh& mesh, const Frame& frame, bool with_names) {
 
 Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame) {
   const Groups groups = mesh_groups(mesh);
-  Exported result = exported(mesh, frame, false);
-  result.side_files.push_back(names_table(groups));
-  result.losses.push_back(fmt::format(
-      "MFEM v1.0 stores {} and {} by number only; their names are in *.names.json "
-      "(--format mfem13 keeps them, for MFEM 4.7 and later)",
-      counted(groups.num_boundaries(), "boundary", "boundaries"), counted(groups.num_regions(), "region", "regions")));
+  Exported result = mfem_mesh(mesh, frame, false);
+  result.side_files.push_back(names_table(groups, groups.boundary_names, groups.region_names, true));
+  result.add_loss(
+      fmt::format("MFEM v1.0 stores {} and {} by number only; their names are in *.names.json "
+                  "(--format mfem13 keeps them, for MFEM 4.7 and later)",
+                  groups.num_boundaries() == 1 ? "1 boundary" : fmt::format("{} boundaries", groups.num_boundaries()),
+                  counted(groups.num_regions(), "region")));
   return result;
 }
 
-Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) { return exported(mesh, frame, true); }
+Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame) { return mfem_mesh(mesh, frame, true); }
 
 }  // namespace quadrille::exports

@@ -1,32 +1,38 @@
-#include "export/nek_re2.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "export/edge_numbering.hpp"
+#include "export/element_blend.hpp"
 #include "export/groups.hpp"
-#include "export/little_endian.hpp"
-#include "export/names_table.hpp"
-#include "export/nek_field.hpp"
 #include "export/periodic_edges.hpp"
-#include "export/plain_names.hpp"
-#include "export/side_blend.hpp"
-#include "export/transfinite_loss.hpp"
+#include "export/writers.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::exports {
+
 namespace {
 
 constexpr float byte_order_mark = 6.54321F;
 
-class Writer {
+/// Appends the 4 or 8 bytes of a number, the lowest first.
+template <class Number>
+void append_little_endian(std::string& bytes, Number number) {
+  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
+  static_assert(sizeof(Number) == sizeof(Bits));
+  const Bits bits = std::bit_cast<Bits>(number);
+  for (std::size_t k = 0; k < sizeof(Bits); ++k) bytes += static_cast<char>((bits >> (8 * k)) & 0xff);
+}
+
+class Re2Writer {
  public:
-  Writer(const QuadMesh& mesh, const Frame& frame, const Groups& groups)
+  Re2Writer(const QuadMesh& mesh, const Frame& frame, const Groups& groups)
       : mesh_(mesh), frame_(frame), groups_(groups), edges_(number_edges(mesh)) {
     require_edges_known_by_ends(mesh, edges_, "Nek5000");
   }
@@ -70,8 +76,7 @@ class Writer {
     const Eigen::MatrixXd to_middle = spectral::interpolation_matrix(spectral::gll_points(mesh_.order), {0.0});
     for (const NumberedEdge& edge : edges_.edges) {
       const std::vector<int> nodes = edge_nodes(mesh_, edge);
-      const double length = distance(mesh_.nodes[nodes.front()], mesh_.nodes[nodes.back()]);
-      is_curved.push_back(distance_from_chord(mesh_, nodes) > 1e-10 * length + 1e-14 * mesh_.face.diameter);
+      is_curved.push_back(!is_straight_edge(mesh_, nodes));
       Vec2 middle;
       for (int k = 0; k <= mesh_.order; ++k) middle += to_middle(0, k) * mesh_.nodes[nodes[k]];
       middles.push_back(frame_.at(middle));
@@ -119,25 +124,48 @@ class Writer {
   std::string out_;
 };
 
-std::vector<std::string> told_losses(const QuadMesh& mesh, const Groups& groups) {
-  std::vector<std::string> losses;
+void report_losses(const QuadMesh& mesh, const Groups& groups, Exported& exported) {
   const TransfiniteLoss loss = transfinite_loss(mesh, RebuiltFrom::quadratic_sides, "Nek5000");
   const double diameter = mesh.face.diameter, least = 1e-12 * diameter;
   if (loss.sides > least)
-    losses.push_back(
-        fmt::format("sides are stored as parabolas, which moves them by up to {}; *0.f00000 contains the "
-                    "geometry of order {}",
-                    length_text(loss.sides, diameter), mesh.order));
+    exported.add_loss(fmt::format(
+        "sides are stored as parabolas, which moves them by up to {}; *0.f00000 contains the geometry of order {}",
+        length_text(loss.sides, diameter), mesh.order));
   else if (loss.interior > least)
-    losses.push_back(
+    exported.add_loss(
         fmt::format("nodes inside elements are rebuilt from the sides, which moves them by up to {}; "
                     "*0.f00000 contains the original ones",
                     length_text(loss.interior, diameter)));
-  losses.push_back("names are stored as numbers, which *.names.json lists");
-  if (const std::string interfaces = interface_loss(groups); !interfaces.empty()) losses.push_back(interfaces);
-  const bool has_groups = !mesh.block_region.empty();
-  if (const std::string regions = region_loss(groups); !regions.empty() && !has_groups) losses.push_back(regions);
-  return losses;
+  exported.add_loss("names are stored as numbers, which *.names.json lists");
+  exported.add_loss(interface_loss(groups));
+  if (mesh.block_region.empty()) exported.add_loss(region_loss(groups));
+}
+
+constexpr std::size_t header_length = 132;
+
+/// Word size, points in each direction, elements here and in all, time, step, file and number of files, contents,
+/// thermodynamic pressure, no pressure on the velocity's points.
+std::string field_header(const QuadMesh& mesh) {
+  const int width = mesh.order + 1, count = mesh.num_elems();
+  std::string line = fmt::format("#std {:1} {:2} {:2} {:2} {:10} {:10} {:>20} {:9} {:6} {:6} {:<10}{:15} F", 8, width,
+                                 width, 1, count, count, "0.0000000000000E+00", 0, 0, 1, "X", "  1.0000000E+00");
+  line.resize(header_length, ' ');
+  return line;
+}
+
+/// The geometry at Gauss-Lobatto-Legendre points, which Nek5000 uses as the positions of its own points.
+std::string geometry_field(const QuadMesh& mesh, const Frame& frame) {
+  std::string bytes = field_header(mesh);
+  const std::size_t num_values = 2 * mesh.elem_nodes.size();
+  bytes.reserve(bytes.size() + 4 * (1 + mesh.elem_block.size()) + 8 * num_values);
+  append_little_endian(bytes, byte_order_mark);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) append_little_endian(bytes, elem + 1);
+  const int count = mesh.nodes_per_elem();
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int axis = 0; axis < 2; ++axis)
+      for (int k = 0; k < count; ++k)
+        append_little_endian(bytes, frame.at(mesh.nodes[mesh.elem_nodes[elem * count + k]])[axis]);
+  return bytes;
 }
 
 }  // namespace
@@ -145,12 +173,12 @@ std::vector<std::string> told_losses(const QuadMesh& mesh, const Groups& groups)
 Exported nek_re2(const QuadMesh& mesh, const Frame& frame) {
   const Groups groups = mesh_groups(mesh);
   Exported exported;
-  exported.losses = told_losses(mesh, groups);
-  exported.bytes = Writer(mesh, frame, groups).bytes();
+  report_losses(mesh, groups, exported);
+  exported.bytes = Re2Writer(mesh, frame, groups).bytes();
   exported.is_binary = true;
   const std::vector<std::string> regions = mesh.block_region.empty() ? std::vector<std::string>() : groups.region_names;
-  exported.side_files.push_back(plain_names_table(groups, groups.boundary_names, regions));
-  if (mesh.order > 1) exported.side_files.push_back({nek_field_name, nek_geometry_field(mesh, frame), true});
+  exported.side_files.push_back(names_table(groups, groups.boundary_names, regions));
+  if (mesh.order > 1) exported.side_files.push_back({nek_field_name, geometry_field(mesh, frame), true});
   return exported;
 }
 

@@ -1,7 +1,5 @@
 // The XML is a fixed skeleton around numbers, so it is printed as it stands; a document tree of an XML library would
 // store 100,000 quads several times, and only the escaping of names would be gained.
-#include "export/nektar.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,20 +7,19 @@
 #include <iterator>
 #include <map>
 
-#include "export/chord_directions.hpp"
-#include "export/cyclic_patches.hpp"
+#include "export/edge_numbering.hpp"
+#include "export/element_blend.hpp"
 #include "export/groups.hpp"
+#include "export/patches.hpp"
 #include "export/periodic_edges.hpp"
-#include "export/side_blend.hpp"
+#include "export/writers.hpp"
 
 namespace quadrille::exports {
 namespace {
 
-/// An edge is straight if it lies within this part of its length from the segment between its ends (at constant speed),
-/// and an element is the blend of its sides within this part of its shortest one: round-off would cost elements that
-/// are listed as curved their constant Jacobian.
-constexpr double straight_tol = 1e-10;
-constexpr double round_off = 1e-14;  ///< of the blend, in diameters
+/// An element is the blend of its sides within this part of its shortest one: round-off would cost elements that are
+/// listed as curved their constant Jacobian.
+constexpr double blend_tol = 1e-10;
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
@@ -64,34 +61,31 @@ struct CurvedParts {
   std::vector<bool> edges, faces;
 };
 
-double chord_length(const QuadMesh& mesh, const std::vector<int>& nodes) {
-  return distance(mesh.nodes[nodes.front()], mesh.nodes[nodes.back()]);
+bool is_side_blend(const QuadMesh& mesh, int elem) {
+  double shortest = mesh.face.diameter;
+  for (int k = 0; k < 4; ++k)
+    shortest = std::min(
+        shortest, distance(mesh.nodes[side_start(mesh, elem, k)], mesh.nodes[side_start(mesh, elem, (k + 1) % 4)]));
+  return distance_from_side_blend(mesh, elem) <= std::max(blend_tol * shortest, 1e-14 * mesh.face.diameter);
 }
 
 CurvedParts curved_parts(const QuadMesh& mesh, const EdgeNumbering& numbering) {
   CurvedParts curved{std::vector<bool>(numbering.num_edges()), std::vector<bool>(mesh.num_elems())};
   if (mesh.order == 1) return curved;
-  std::vector<double> lengths;
-  for (int edge = 0; edge < numbering.num_edges(); ++edge) {
-    const std::vector<int> nodes = edge_nodes(mesh, numbering.edges[edge]);
-    lengths.push_back(chord_length(mesh, nodes));
-    curved.edges[edge] = distance_from_chord(mesh, nodes) > straight_tol * lengths.back();
-  }
+  for (int edge = 0; edge < numbering.num_edges(); ++edge)
+    curved.edges[edge] = !is_straight_edge(mesh, edge_nodes(mesh, numbering.edges[edge]));
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const int* edges = &numbering.elem2edges[4 * elem];
-    const double shortest = std::min({lengths[edges[0]], lengths[edges[1]], lengths[edges[2]], lengths[edges[3]]});
-    if (distance_from_side_blend(mesh, elem) <= std::max(straight_tol * shortest, round_off * mesh.face.diameter))
-      continue;
-    curved.faces[elem] = true;
-    for (int side = 0; side < 4; ++side) curved.edges[edges[side]] = true;
+    curved.faces[elem] = !is_side_blend(mesh, elem);
+    for (int side = 0; side < 4 && curved.faces[elem]; ++side)
+      curved.edges[numbering.elem2edges[4 * elem + side]] = true;
   }
   return curved;
 }
 
 /// Writes a mesh that is turned along its chords.
-class Writer {
+class NektarWriter : TextWriter {
  public:
-  Writer(const QuadMesh& mesh, const Frame& frame)
+  NektarWriter(const QuadMesh& mesh, const Frame& frame)
       : mesh_(mesh), frame_(frame), edges_(number_directed_edges(mesh)), groups_(mesh_groups(mesh)) {}
 
   std::string text() {
@@ -109,11 +103,6 @@ class Writer {
   }
 
  private:
-  template <class... Args>
-  void print(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
-  }
-
   /// With as many digits as needed to read back the same bits.
   void print_position(int node) {
     const auto x = frame_.at(mesh_.nodes[node]);
@@ -224,29 +213,28 @@ class Writer {
   EdgeNumbering edges_;
   Groups groups_;
   std::vector<int> region_ids_;
-  std::string out_;
 };
 
-std::vector<std::string> losses_of(const QuadMesh& mesh) {
+void report_losses(const QuadMesh& mesh, Exported& exported) {
   const Groups groups = mesh_groups(mesh);
-  std::vector<std::string> losses;
-  const std::string periodic = cyclic_loss(mesh.face, groups, cyclic_patches(mesh, groups, {}),
-                                           "a composite has periodic curves of one motion only");
-  if (!periodic.empty()) losses.push_back(periodic);
+  exported.add_loss(cyclic_loss(mesh.face, groups, cyclic_patches(mesh, groups, {}),
+                                "a composite has periodic curves of one motion only"));
   std::size_t count = 0;
   for (const auto* names : {&groups.boundary_names, &groups.interface_names, &groups.region_names})
     count += std::count_if(names->begin(), names->end(),
                            [](const std::string& name) { return std::any_of(name.begin(), name.end(), is_control); });
   if (count > 0)
-    losses.push_back(
+    exported.add_loss(
         fmt::format("XML cannot represent control characters: those of {} names are replaced by underscores", count));
-  return losses;
 }
 
 }  // namespace
 
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame) {
-  return {Writer(turned_along_chords(mesh), frame).text(), false, {}, losses_of(mesh)};
+  Exported exported;
+  exported.bytes = NektarWriter(turned_along_chords(mesh), frame).text();
+  report_losses(mesh, exported);
+  return exported;
 }
 
 }  // namespace quadrille::exports

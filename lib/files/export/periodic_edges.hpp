@@ -1,12 +1,15 @@
 #pragma once
 // Periodic sides of a mesh, as formats with periodic boundaries need them.
+//
+// Periodic sides as formats state them that know elements by their vertices: the vertices of both sides are one.
 
 #include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "export/frame.hpp"
+#include "export/edge_numbering.hpp"
+#include "export/exported.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -34,5 +37,23 @@ std::string periodic_names(const CadFace& face, const std::vector<PeriodicPair>&
 /// A sentence that the format does not store that the sides of `pairs` are periodic, and why, if that is not empty.
 /// Empty if there are no pairs.
 std::string periodic_loss(const CadFace& face, const std::vector<PeriodicPair>& pairs, std::string_view why = {});
+
+struct PeriodicVertices {
+  /// By vertex of the numbering: the vertex of least number that it is identified with. Empty: there are no such sides,
+  /// or they are not identified (`loss`).
+  std::vector<int> same;
+  std::string loss;  ///< why the sides are not identified; empty if they are
+
+  bool are_identified() const { return !same.empty(); }
+  int operator()(int vertex) const { return are_identified() ? same[vertex] : vertex; }
+};
+
+/// Which periodic sides are identified.
+enum class Motions { all, translations };
+
+/// A program that knows edges by their ends must be able to distinguish them afterwards: sides are not identified if
+/// two edges would have the same ends, or an edge twice the same one. `reader` is the program, for the sentence.
+PeriodicVertices periodic_vertices(const QuadMesh& mesh, const EdgeNumbering& numbering, Motions motions,
+                                   const char* reader);
 
 }  // namespace quadrille::exports

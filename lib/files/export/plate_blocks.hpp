@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "export/block_grid.hpp"
-#include "export/divided_edge.hpp"
 #include "export/groups.hpp"
 
 namespace quadrille::exports {

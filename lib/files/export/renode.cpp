@@ -1,8 +1,14 @@
 #include "export/renode.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "model/quad_mesh.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/quadrature.hpp"
 
 namespace quadrille::exports {
+
 namespace {
 
 void move_edge(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll, const std::vector<int>& edge,
@@ -28,6 +34,18 @@ void move_inside(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll, const in
     }
 }
 
+/// Row i: the Bernstein polynomials of degree N at Gauss-Lobatto-Legendre point i.
+Eigen::MatrixXd bernstein_at_gll(int order) {
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(order + 1, order + 1);
+  for (int i = 0; i <= order; ++i) {
+    const double t = (1 + spectral::gll_points(order)[i]) / 2;
+    values(i, 0) = 1;
+    for (int degree = 1; degree <= order; ++degree)  // de Casteljau's triangle
+      for (int k = degree; k >= 0; --k) values(i, k) = (1 - t) * values(i, k) + (k > 0 ? t * values(i, k - 1) : 0.0);
+  }
+  return values;
+}
+
 }  // namespace
 
 std::vector<Vec2> renoded(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll) {
@@ -44,6 +62,21 @@ std::vector<Vec2> renoded(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll)
     move_inside(mesh, from_gll, &mesh.elem_nodes[elem * mesh.nodes_per_elem()], moved);
   }
   return moved;
+}
+
+std::vector<Vec2> bezier_points(const QuadMesh& mesh) { return renoded(mesh, bernstein_at_gll(mesh.order).inverse()); }
+
+std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh) {
+  if (mesh.order <= 2) return mesh.nodes;  // the same points
+  std::vector<double> points;
+  for (int i = 0; i <= mesh.order; ++i) points.push_back(-1 + 2.0 * i / mesh.order);
+  return renoded(mesh, spectral::interpolation_matrix(spectral::gll_points(mesh.order), points));
+}
+
+std::vector<double> chebyshev_lobatto_points(int order) {
+  std::vector<double> points;
+  for (int j = 0; j <= order; ++j) points.push_back(std::sin(std::numbers::pi * (2 * j - order) / (2 * order)));
+  return points;
 }
 
 }  // namespace quadrille::exports

@@ -1,15 +1,115 @@
-#include "export/vtu.hpp"
-
 #include <fmt/format.h>
 
-#include "export/bezier_points.hpp"
-#include "export/equispaced.hpp"
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <iterator>
+#include <span>
+
 #include "export/groups.hpp"
+#include "export/renode.hpp"
 #include "export/skeleton.hpp"
-#include "export/vtk_xml.hpp"
+#include "export/writers.hpp"
 
 namespace quadrille::exports {
+
 namespace {
+
+/// An array: of cells one value each, of field data any number.
+template <typename Value>
+struct VtkArray {
+  std::string name;
+  std::vector<Value> values;
+};
+
+/// One unstructured grid of cells of one type.
+struct VtkGrid {
+  std::vector<std::array<double, 3>> points;
+  std::uint8_t cell_type = 0;
+  int nodes_per_cell = 0;
+  std::vector<int> connectivity;  ///< nodes_per_cell for each cell
+  std::vector<VtkArray<int>> cell_integers;
+  std::vector<VtkArray<double>> cell_reals;
+  std::vector<VtkArray<std::string>> texts;
+};
+
+static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
+
+void append_base64(std::span<const std::uint8_t> bytes, std::string& text) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k) word = (word << 8) | (k < count ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[(word >> (18 - 6 * k)) & 63u] : '=';
+  }
+}
+
+/// The length in bytes, then the bytes: VTK requires the two to be encoded separately.
+template <class T>
+void append_array(const char* type, const std::string& attributes, std::span<const T> values, std::string& text) {
+  const auto bytes = [](const auto* first, std::size_t size) {
+    return std::span(reinterpret_cast<const std::uint8_t*>(first), size);
+  };
+  const std::uint64_t size = values.size_bytes();
+  text.reserve(text.size() + size / 3 * 4 + 256);
+  fmt::format_to(std::back_inserter(text), "<DataArray type=\"{}\" {} format=\"binary\">\n", type, attributes);
+  append_base64(bytes(&size, sizeof size), text);
+  append_base64(bytes(values.data(), size), text);
+  text += "\n</DataArray>\n";
+}
+
+void append_integers(const std::string& attributes, std::span<const int> values, std::string& text) {
+  static_assert(sizeof(int) == 4);
+  append_array("Int32", attributes, values, text);
+}
+
+std::string named(const std::string& name) { return fmt::format("Name=\"{}\"", name); }
+
+/// VTK writes texts as the numbers of their bytes, each text ended by 0.
+void append_texts(const VtkArray<std::string>& texts, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "<DataArray type=\"String\" {} NumberOfTuples=\"{}\" format=\"ascii\">\n",
+                 named(texts.name), texts.values.size());
+  for (const std::string& value : texts.values) {
+    for (const char c : value) fmt::format_to(std::back_inserter(text), "{} ", static_cast<unsigned char>(c));
+    text += "0\n";
+  }
+  text += "</DataArray>\n";
+}
+
+void append_cells(const VtkGrid& grid, std::string& text) {
+  const std::size_t count = grid.connectivity.size() / grid.nodes_per_cell;
+  std::vector<int> ends(count);
+  for (std::size_t i = 0; i < count; ++i) ends[i] = static_cast<int>(i + 1) * grid.nodes_per_cell;
+  text += "<Cells>\n";
+  append_integers(named("connectivity"), grid.connectivity, text);
+  append_integers(named("offsets"), ends, text);
+  const std::vector<std::uint8_t> types(count, grid.cell_type);
+  append_array<std::uint8_t>("UInt8", named("types"), types, text);
+  text += "</Cells>\n";
+}
+
+// Arrays inline, base64, little endian.
+std::string vtk_xml(const VtkGrid& grid) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<UnstructuredGrid>\n<FieldData>\n";
+  for (const VtkArray<std::string>& texts : grid.texts) append_texts(texts, text);
+  text += fmt::format("</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData>\n",
+                      grid.points.size(), grid.connectivity.size() / grid.nodes_per_cell);
+  for (const VtkArray<int>& data : grid.cell_integers) append_integers(named(data.name), data.values, text);
+  for (const VtkArray<double>& data : grid.cell_reals)
+    append_array<double>("Float64", named(data.name), data.values, text);
+  text += "</CellData>\n<Points>\n";
+  const double* first = grid.points.empty() ? nullptr : grid.points.front().data();
+  append_array<double>("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", {first, 3 * grid.points.size()}, text);
+  text += "</Points>\n";
+  append_cells(grid, text);
+  text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return text;
+}
 
 struct CellTypes {
   std::uint8_t curve, quad;
@@ -18,7 +118,7 @@ constexpr CellTypes lagrange_cells{68, 70}, bezier_cells{75, 77};
 
 /// VTK's order of the local nodes: corners, the sides bottom, right, top, left all in the direction of rising xi, then
 /// the inner ones, xi1 fastest.
-std::vector<int> quad_node_order(int order) {
+std::vector<int> vtk_node_order(int order) {
   std::vector<int> node_order;
   const auto add = [&](int i, int j) { node_order.push_back(j * (order + 1) + i); };
   add(0, 0), add(order, 0), add(order, order), add(0, order);
@@ -38,7 +138,7 @@ std::vector<std::string> provenance_lines(const Provenance& chain) {
   return lines;
 }
 
-std::vector<VtkTexts> texts_of(const QuadMesh& mesh, const Groups& groups) {
+std::vector<VtkArray<std::string>> texts_of(const QuadMesh& mesh, const Groups& groups) {
   std::vector<std::string> line_names = groups.boundary_names;
   line_names.insert(line_names.end(), groups.interface_names.begin(), groups.interface_names.end());
   return {{"format", {"quad-mesh"}},
@@ -49,9 +149,9 @@ std::vector<VtkTexts> texts_of(const QuadMesh& mesh, const Groups& groups) {
           {"boundary_names", line_names}};
 }
 
-class Writer {
+class VtuWriter {
  public:
-  Writer(const QuadMesh& mesh, const Frame& frame, const std::vector<Vec2>& nodes, CellTypes types)
+  VtuWriter(const QuadMesh& mesh, const Frame& frame, const std::vector<Vec2>& nodes, CellTypes types)
       : mesh_(mesh), groups_(mesh_groups(mesh)), types_(types) {
     positions_.reserve(nodes.size());
     for (const Vec2 x : nodes) positions_.push_back(frame.at(x));
@@ -63,11 +163,11 @@ class Writer {
     grid.cell_type = types_.quad;
     grid.nodes_per_cell = mesh_.nodes_per_elem();
     grid.connectivity.reserve(mesh_.elem_nodes.size());
-    const std::vector<int> node_order = quad_node_order(mesh_.order);
+    const std::vector<int> node_order = vtk_node_order(mesh_.order);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem)
       for (const int local : node_order)
         grid.connectivity.push_back(mesh_.elem_nodes[elem * mesh_.nodes_per_elem() + local]);
-    VtkIntegers ids{"element_id", {}}, regions{"region_id", {}}, attributes{"attribute", {}};
+    VtkArray<int> ids{"element_id", {}}, regions{"region_id", {}}, attributes{"attribute", {}};
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
       ids.values.push_back(elem);
       regions.values.push_back(groups_.block2region[mesh_.elem_block[elem]]);
@@ -84,8 +184,8 @@ class Writer {
     VtkGrid grid;
     grid.cell_type = types_.curve;
     grid.nodes_per_cell = mesh_.order + 1;
-    VtkIntegers curve_ids{"curve_id", {}}, names{"name_id", {}}, insides{"is_interface", {}};
-    VtkIntegers lefts{"left_block", {}}, rights{"right_block", {}};
+    VtkArray<int> curve_ids{"curve_id", {}}, names{"name_id", {}}, insides{"is_interface", {}};
+    VtkArray<int> lefts{"left_block", {}}, rights{"right_block", {}};
     std::vector<int> point_of(positions_.size(), -1);
     for (const SkeletonCurve& curve : mesh_skeleton(mesh_).curves)
       for (const SkeletonEdge& edge : curve.edges) {
@@ -121,18 +221,18 @@ class Writer {
   std::vector<std::array<double, 3>> positions_;
 };
 
-Exported exported(const Writer& writer) {
+Exported vtu_files(const VtuWriter& writer) {
   return {vtk_xml(writer.quads()), false, {{vtu_curves_name, vtk_xml(writer.curves())}}, {}};
 }
 
 }  // namespace
 
 Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame) {
-  return exported(Writer(mesh, frame, equispaced_nodes(mesh), lagrange_cells));
+  return vtu_files(VtuWriter(mesh, frame, equispaced_nodes(mesh), lagrange_cells));
 }
 
 Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame) {
-  return exported(Writer(mesh, frame, bezier_points(mesh), bezier_cells));
+  return vtu_files(VtuWriter(mesh, frame, bezier_points(mesh), bezier_cells));
 }
 
 }  // namespace quadrille::exports

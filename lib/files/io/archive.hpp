@@ -124,6 +124,21 @@ class Archive {
         [&](Archive& archive, std::size_t i) { describe(archive, i == declared ? empty : values[i]); });
   }
 
+  // Members that files may lack: those that a later minor version added, and lists that are written only where they are
+  // not empty.
+  template <typename Value>
+  void later_field(const char* name, Value& value, Doc doc = {}) {
+    if (has(name)) field(name, value, doc);
+  }
+  template <typename Member, typename Describe>
+  void nonempty_field(const char* name, std::vector<Member>& values, const Describe& describe) {
+    if (is_reading() ? has(name) : !values.empty()) field(name, values, describe);
+  }
+  template <typename Member>
+  void nonempty_field(const char* name, std::vector<Member>& values, Doc doc) {
+    nonempty_field<Member, Doc>(name, values, doc);
+  }
+
  private:
   /// Writes the value's name, or reads the value if its name is known; returns the text.
   template <NamedEnum Enum>
@@ -133,6 +148,32 @@ class Archive {
     value = enum_value<Enum>(text_of_value).value_or(value);
     return text_of_value;
   }
+};
+
+/// An archive whose values of all types go through two templates of `Derived`: fixed(name, values, count, doc) for
+/// members of fixed size, list(name, flat, width, doc) for lists.
+template <typename Derived>
+class TypedArchive : public Archive {
+ public:
+  void integers(const char* name, int* values, std::size_t count, Doc doc) override {
+    self().fixed(name, values, count, doc);
+  }
+  void reals(const char* name, double* values, std::size_t count, Doc doc) override {
+    self().fixed(name, values, count, doc);
+  }
+  void text(const char* name, std::string& value, Doc doc) override { self().fixed(name, &value, 1, doc); }
+  void integer_list(const char* name, std::vector<int>& flat, std::size_t width, Doc doc) override {
+    self().list(name, flat, width, doc);
+  }
+  void real_list(const char* name, std::vector<double>& flat, std::size_t width, Doc doc) override {
+    self().list(name, flat, width, doc);
+  }
+  void text_list(const char* name, std::vector<std::string>& values, Doc doc) override {
+    self().list(name, values, 1, doc);
+  }
+
+ private:
+  Derived& self() { return static_cast<Derived&>(*this); }
 };
 
 }  // namespace quadrille::io

@@ -1,6 +1,4 @@
-#include "base/assign_names.hpp"
-#include "io/cad_face_io.hpp"
-#include "io/instantiate_io.hpp"
+#include "io/describe.hpp"
 
 namespace quadrille::io {
 
@@ -28,23 +26,11 @@ void describe(Archive& archive, BlockLayout& layout) {
   archive.field("arc_chord", layout.arc_chord, {"", "chord of each arc"});
   archive.field("block_jacobian_bound", layout.block_jacobian_bound,
                 {"length^2", "least Bernstein bound of det J of the block as one order-8 quad"});
-  if (archive.has("block_scaled_jacobian"))
-    archive.field("block_scaled_jacobian", layout.block_scaled_jacobian,
-                  {"1", "least scaled Jacobian of the block as one order-8 quad"});
-  if (archive.has("block_boundary_distance"))
-    archive.field("block_boundary_distance", layout.block_boundary_distance,
-                  {"length", "greatest distance of the boundary of that quad from the CAD curves"});
-  archive.field("block_names", layout.block_names, {"", "name of each block"});
-  if (archive.has("unnamed_blocks"))
-    archive.field("unnamed_blocks", layout.unnamed_blocks,
-                  {"", "blocks whose name is made from their number, ascending"});
-  else
-    layout.unnamed_blocks = presumed_numbered_names(layout.block_names, "block");
-  if (archive.is_reading() ? archive.has("block_region") : !layout.block_region.empty())
-    archive.field("block_region", layout.block_region, {"", "region of each block"});
+  archive.later_field("block_scaled_jacobian", layout.block_scaled_jacobian,
+                      {"1", "least scaled Jacobian of the block as one order-8 quad"});
+  archive.later_field("block_boundary_distance", layout.block_boundary_distance,
+                      {"length", "greatest distance of the boundary of that quad from the CAD curves"});
+  describe_blocks(archive, layout.block_names, layout.unnamed_blocks, layout.block_region);
 }
-
-template BlockLayout read_stage(const InputFile&);
-template std::string stage_bytes(const BlockLayout&);
 
 }  // namespace quadrille::io

@@ -1,6 +1,5 @@
-#include "io/cad_face_io.hpp"
-
 #include "base/assign_names.hpp"
+#include "io/describe.hpp"
 
 namespace quadrille::io {
 
@@ -15,23 +14,27 @@ void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curv
 
 namespace {
 
-/// Members of faces of several regions: a face of one region without slits has none of them.
-template <typename Member, typename Describe>
-void describe_where_present(Archive& archive, const char* name, std::vector<Member>& member, const Describe& describe) {
-  if (archive.is_reading() ? archive.has(name) : !member.empty()) archive.field(name, member, describe);
-}
-
+/// A face of one region without slits has none of these members.
 void describe_regions(Archive& archive, CadFace& face) {
-  describe_where_present(archive, "region_loops", face.region_loops,
-                         Doc{"", "region r holds loops region_loops[r] to region_loops[r+1]-1, its outline first"});
-  describe_where_present(archive, "region_names", face.region_names, Doc{"", "name of each region"});
-  describe_where_present(archive, "partners", face.partners,
-                         Doc{"", "the same curve of the neighbour, -1 on the boundary of the whole"});
-  describe_where_present(archive, "periodic_pairs", face.periodic_pairs, [](Archive& a, PeriodicPair& pair) {
+  archive.nonempty_field("region_loops", face.region_loops,
+                         {"", "region r holds loops region_loops[r] to region_loops[r+1]-1, its outline first"});
+  archive.nonempty_field("region_names", face.region_names, {"", "name of each region"});
+  archive.nonempty_field("partners", face.partners,
+                         {"", "the same curve of the neighbour, -1 on the boundary of the whole"});
+  archive.nonempty_field("periodic_pairs", face.periodic_pairs, [](Archive& a, PeriodicPair& pair) {
     a.field("curves", pair.curves, {"", "the motion maps the first onto the second, reversed"});
     a.field("angle", pair.angle, {"radian", "of the rotation about (0, 0), face.origin included"});
     a.field("shift", pair.shift, {"length", "added after the rotation"});
   });
+}
+
+/// Items whose name is made from their number; earlier minor versions lack them.
+void describe_numbered_names(Archive& archive, const char* member, const char* long_name, std::vector<int>& unnamed,
+                             const std::vector<std::string>& names, const std::string& noun) {
+  if (archive.has(member))
+    archive.field(member, unnamed, {"", long_name});
+  else
+    unnamed = presumed_numbered_names(names, noun);
 }
 
 }  // namespace
@@ -50,10 +53,8 @@ void describe_face(Archive& archive, CadFace& face) {
       a.field("fit_distance", face.fit_distance, {"length", "greatest distance of the curves from those of the file"});
     a.field("loop_offsets", face.loop_offsets, {"", "loop l holds curves loop_offsets[l] to loop_offsets[l+1]-1"});
     a.field("curve_names", face.curve_names, {"", "name of each curve"});
-    if (a.has("unnamed_curves"))
-      a.field("unnamed_curves", face.unnamed_curves, {"", "curves whose name is made from their number, ascending"});
-    else
-      face.unnamed_curves = presumed_numbered_names(face.curve_names, "curve");
+    describe_numbered_names(a, "unnamed_curves", "curves whose name is made from their number, ascending",
+                            face.unnamed_curves, face.curve_names, "curve");
     a.field("curve_cad_edges", face.curve_cad_edges, {"", "number of the edge in the CAD file"});
     describe_nurbs(a, "curves", face.curves);
     a.field("joints", face.joints, [](Archive& b, Joint& joint) {
@@ -68,8 +69,15 @@ void describe_face(Archive& archive, CadFace& face) {
 }
 
 void describe_open_curves(Archive& archive, std::vector<int>& curves) {
-  describe_where_present(archive, "open_curves", curves,
-                         Doc{"", "curves of open interfaces, of both sides, ascending"});
+  archive.nonempty_field("open_curves", curves, {"", "curves of open interfaces, of both sides, ascending"});
+}
+
+void describe_blocks(Archive& archive, std::vector<std::string>& names, std::vector<int>& unnamed,
+                     std::vector<int>& region) {
+  archive.field("block_names", names, {"", "name of each block"});
+  describe_numbered_names(archive, "unnamed_blocks", "blocks whose name is made from their number, ascending", unnamed,
+                          names, "block");
+  archive.nonempty_field("block_region", region, {"", "region of each block"});
 }
 
 void describe_graph(Archive& archive, std::vector<GraphNode>& nodes, std::vector<GraphArc>& arcs) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/counted.hpp"
-#include "io/json_text.hpp"
+#include "io/json_archive.hpp"
 
 namespace quadrille::io {
 
@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json parsed(const std::string& text) {
-  Json json = Json::parse(text, nullptr, false);
+  Json json = is_shallow(text) ? Json::parse(text, nullptr, false) : Json();
   return json.is_object() ? json : Json::object();
 }
 

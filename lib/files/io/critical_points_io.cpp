@@ -1,5 +1,4 @@
-#include "io/cad_face_io.hpp"
-#include "io/instantiate_io.hpp"
+#include "io/describe.hpp"
 
 namespace quadrille::io {
 
@@ -14,20 +13,24 @@ void describe_id(Archive& archive, std::size_t index) {
 /// The field index 4 - V of a node; V may be any integer of the file, rule CRT-R02 refuses what is no valence.
 int index_of(int valence) { return valence < -1000 ? 1000 : 4 - valence; }
 
+void describe_source(Archive& a, NodeSource& source) {
+  if (a.has("source")) a.extensible_field("source", source, NodeSource::other);
+}
+
 /// A node added by hand needs no more than its position and valence.
 void describe_critical_point(Archive& a, CriticalPoint& point, std::size_t index) {
   describe_id(a, index);
   a.field("position", point.position);
   a.field("valence", point.valence);
   point.index = a.is_reading() ? index_of(point.valence) : point.index;
-  if (a.has("index")) a.field("index", point.index);
-  if (a.has("elem")) a.field("elem", point.elem);
-  if (a.has("xi")) a.field("xi", point.xi);
+  a.later_field("index", point.index);
+  a.later_field("elem", point.elem);
+  a.later_field("xi", point.xi);
   const bool was_computed = a.has("jacobian");
   if (was_computed) a.field("jacobian", point.jacobian);
-  if (a.has("error")) a.field("error", point.error);
+  a.later_field("error", point.error);
   if (!was_computed) point.source = NodeSource::hand;
-  if (a.has("source")) a.extensible_field("source", point.source, NodeSource::other);
+  describe_source(a, point.source);
 }
 
 void describe_corner(Archive& a, Corner& corner) {
@@ -40,7 +43,7 @@ void describe_corner(Archive& a, Corner& corner) {
     a.field("degenerate", is_degenerate);
   }
   a.field("curves", corner.curves);
-  if (a.has("source")) a.extensible_field("source", corner.source, NodeSource::other);
+  describe_source(a, corner.source);
 }
 
 void describe_boundary_node(Archive& a, IrregularBoundaryPoint& point) {
@@ -48,7 +51,7 @@ void describe_boundary_node(Archive& a, IrregularBoundaryPoint& point) {
   a.field("t", point.t);
   a.field("position", point.position);
   a.field("valence", point.valence);
-  if (a.has("source")) a.extensible_field("source", point.source, NodeSource::other);
+  describe_source(a, point.source);
 }
 
 void describe_mark(Archive& a, NodeMark& mark) {
@@ -92,7 +95,7 @@ void describe_certificate(Archive& a, Certificate& certificate) {
 void describe_index_sum(Archive& archive, CriticalPoints& points) {
   points.index_sum = archive.is_reading() ? index_sum_of(points) : points.index_sum;
   archive.object("index_sum", [&](Archive& a) {
-    if (a.has("value")) a.field("value", points.index_sum);
+    a.later_field("value", points.index_sum);
     a.field("expected", points.index_sum_expected);
   });
 }
@@ -107,7 +110,7 @@ void describe(Archive& archive, CriticalPoints& points) {
                 [&](Archive& a, CriticalPoint& point) { describe_critical_point(a, point, next++); });
   archive.field("corners", points.corners, describe_corner);
   if (archive.has("boundary_nodes")) archive.field("boundary_nodes", points.boundary_nodes, describe_boundary_node);
-  if (archive.has("hole_winding_offsets")) archive.field("hole_winding_offsets", points.hole_winding_offsets);
+  archive.later_field("hole_winding_offsets", points.hole_winding_offsets);
   describe_index_sum(archive, points);
   if (archive.has("changes")) archive.field("changes", points.changes, describe_change);
   if (archive.has("clusters")) archive.field("clusters", points.clusters, describe_cluster);
@@ -119,8 +122,5 @@ void describe(Archive& archive, CriticalPoints& points) {
   const bool has_face = archive.is_reading() ? archive.has("face") : !points.face.curves.empty();
   if (has_face) describe_face(archive, points.face);
 }
-
-template CriticalPoints read_stage(const InputFile&);
-template std::string stage_bytes(const CriticalPoints&);
 
 }  // namespace quadrille::io

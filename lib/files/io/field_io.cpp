@@ -1,5 +1,4 @@
-#include "io/instantiate_io.hpp"
-#include "io/tri_mesh_io.hpp"
+#include "io/describe.hpp"
 
 namespace quadrille::io {
 
@@ -70,7 +69,7 @@ void describe_phases(Archive& archive, Field& field) {
 void describe(Archive& archive, Field& field) {
   archive.field("kind", field.kind, {"", "harmonic or phase"}, "FLD-R05");
   archive.field("method", field.method, {"", "discretisation"}, "FLD-R05");
-  archive.object("mesh", [&](Archive& a) { describe_tri_mesh(a, field.mesh); });
+  archive.object("mesh", [&](Archive& a) { describe_triangles(a, field.mesh); });
   archive.field("elem_order", field.elem_order, {"", "polynomial order of the field on each element"});
   archive.field("coef_offsets", field.coef_offsets, {"", "coefficients of element e: coef_offsets[e] to [e+1]-1"});
   archive.field("u", field.u, {"1", "coefficients of u in the orthonormal Dubiner basis"});
@@ -83,8 +82,8 @@ void describe(Archive& archive, Field& field) {
   });
   describe_phases(archive, field);
   archive.field("elem_sensor", field.elem_sensor, {"1", "last sensor of each element; empty before padapt"});
-  if (archive.has("elem_error"))
-    archive.field("elem_error", field.elem_error, {"1", "estimated error of the field on each element; empty: none"});
+  archive.later_field("elem_error", field.elem_error,
+                      {"1", "estimated error of the field on each element; empty: none"});
   archive.field("adapt_steps", field.adapt_steps, [](Archive& a, AdaptStep& step) {
     a.field("num_unknowns", step.num_unknowns);
     a.field("num_raised", step.num_raised);
@@ -92,13 +91,10 @@ void describe(Archive& archive, Field& field) {
     a.field("min_order", step.min_order);
     a.field("max_order", step.max_order);
     a.field("max_sensor", step.max_sensor, {"1", "largest sensor of the round"});
-    if (a.has("elem_order")) a.field("elem_order", step.elem_order, {"", "orders of the round's solution"});
-    if (a.has("elem_sensor")) a.field("elem_sensor", step.elem_sensor, {"1", "their sensors"});
+    a.later_field("elem_order", step.elem_order, {"", "orders of the round's solution"});
+    a.later_field("elem_sensor", step.elem_sensor, {"1", "their sensors"});
   });
   if (archive.is_reading()) field.mesh.provenance = field.provenance;
 }
-
-template Field read_stage(const InputFile&);
-template std::string stage_bytes(const Field&);
 
 }  // namespace quadrille::io

@@ -72,8 +72,9 @@ class Hdf5Writer {
 /// A group being read. Lists are checked for their class (integer, number, string) and shape [n] or [n, width].
 class Hdf5GroupReader {
  public:
-  Hdf5GroupReader(Hdf5Id group, std::string file, std::string path)
-      : group_(std::move(group)), file_(std::move(file)), path_(std::move(path)) {}
+  /// `room`: bytes that may still be read of the file, all groups together.
+  Hdf5GroupReader(Hdf5Id group, std::string file, std::string path, std::shared_ptr<std::uint64_t> room)
+      : group_(std::move(group)), file_(std::move(file)), path_(std::move(path)), room_(std::move(room)) {}
 
   [[noreturn]] void fail(const std::string& name, const std::string& problem) const;
   Hdf5GroupReader group(const std::string& name) const;
@@ -85,10 +86,13 @@ class Hdf5GroupReader {
   bool has_attribute(const std::string& name) const;
   std::string text_attribute(const std::string& name) const;
   std::vector<int> integer_attribute(const std::string& name) const;
+  /// Fails if `count` values of `size` bytes are more than such a file can hold; before memory for them is allocated.
+  void take(const std::string& name, std::uint64_t count, std::uint64_t size) const;
 
  private:
   Hdf5Id group_;
   std::string file_, path_;
+  std::shared_ptr<std::uint64_t> room_;
 };
 
 /// Reads from `bytes`, which must outlive it.

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "io/json_archive.hpp"
 
 namespace quadrille::io {
 
@@ -21,9 +22,10 @@ struct Dialect {
   const char* position_key;
   bool has_old_names;
 };
-constexpr Dialect boundary{"near", true}, block{"at", false};
+constexpr Dialect boundary_names{"near", true}, block_names{"at", false};
 
-Json parsed(const InputFile& file) {
+Json parsed_rules(const InputFile& file) {
+  require_shallow(file.bytes, file.name);
   std::set<std::string> keys;
   const auto refuse_twins = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth == 1 && event == Json::parse_event_t::key && !keys.insert(value.get<std::string>()).second)
@@ -106,7 +108,7 @@ NameRule rule_of_entry(const Json& entry, const Dialect& dialect, const std::str
 }
 
 std::vector<NameRule> rules_of(const InputFile& file, const Dialect& dialect) {
-  const Json json = parsed(file);
+  const Json json = parsed_rules(file);
   std::vector<NameRule> rules;
   const auto add = [&](NameRule rule, const std::string& name, const std::string& where) {
     rule.name = name, rule.where = where;
@@ -133,7 +135,7 @@ std::vector<NameRule> rules_of(const InputFile& file, const Dialect& dialect) {
 
 }  // namespace
 
-std::vector<NameRule> read_boundary_names(const InputFile& file) { return rules_of(file, boundary); }
-std::vector<NameRule> read_block_names(const InputFile& file) { return rules_of(file, block); }
+std::vector<NameRule> read_boundary_names(const InputFile& file) { return rules_of(file, boundary_names); }
+std::vector<NameRule> read_block_names(const InputFile& file) { return rules_of(file, block_names); }
 
 }  // namespace quadrille::io

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "io/input_file.hpp"
+#include "io/whole_file.hpp"
 #include "model/name_rules.hpp"
 
 namespace quadrille::io {

@@ -7,15 +7,16 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/describe.hpp"
 #include "io/hdf5_file.hpp"
-#include "io/header.hpp"
+#include "io/json_archive.hpp"
 #include "io/stage_files.hpp"
 
 namespace quadrille::io {
 
 namespace {
 
-constexpr StageFormat present{"order-map", 1, 0, Storage::json};
+constexpr StageFormat order_map_version{"order-map", 1, 0, Storage::json};
 
 std::vector<int> version_of(const nlohmann::json& json) {
   std::vector<int> version;
@@ -26,7 +27,8 @@ std::vector<int> version_of(const nlohmann::json& json) {
   return version;
 }
 
-std::vector<int> parsed(const InputFile& file) {
+std::vector<int> parsed_orders(const InputFile& file) {
+  require_shallow(file.bytes, file.name);
   nlohmann::json json;
   try {
     json = nlohmann::json::parse(file.bytes);
@@ -37,7 +39,7 @@ std::vector<int> parsed(const InputFile& file) {
   }
   if (!json.is_object() || json.value("format", nlohmann::json()) != "order-map")
     throw FormatError(fmt::format("{}: not an order map: the key \"format\" must be \"order-map\"", file.name));
-  require_version(file.name, present, present.name, version_of(json));
+  require_version(file.name, order_map_version, order_map_version.name, version_of(json));
   const auto orders = json.find("elem_order");
   if (orders == json.end() || !orders->is_array())
     throw FormatError(fmt::format("{}: the key \"elem_order\" must be an array of integers", file.name));
@@ -52,7 +54,9 @@ std::vector<int> parsed(const InputFile& file) {
 
 }  // namespace
 
-std::string order_map_format(const InputFile& file) { return looks_like_hdf5(file.bytes) ? "field" : present.name; }
+std::string order_map_format(const InputFile& file) {
+  return looks_like_hdf5(file.bytes) ? "field" : order_map_version.name;
+}
 
 OrderMap read_order_map(const InputFile& file, int num_elems, int max_order) {
   OrderMap map;
@@ -60,7 +64,7 @@ OrderMap read_order_map(const InputFile& file, int num_elems, int max_order) {
     Field field = read_stage<Field>(file);
     map = {std::move(field.elem_order), field.kind == FieldKind::harmonic};
   } else {
-    map.elem_order = parsed(file);
+    map.elem_order = parsed_orders(file);
   }
   const std::vector<int>& elem_order = map.elem_order;
   if (static_cast<int>(elem_order.size()) != num_elems)
@@ -76,8 +80,8 @@ OrderMap read_order_map(const InputFile& file, int num_elems, int max_order) {
 }
 
 std::string order_map_text(const std::vector<int>& elem_order) {
-  return fmt::format("{{\"format\": \"order-map\", \"version\": [{}, {}], \"elem_order\": [{}]}}\n", present.major,
-                     present.minor, fmt::join(elem_order, ", "));
+  return fmt::format("{{\"format\": \"order-map\", \"version\": [{}, {}], \"elem_order\": [{}]}}\n",
+                     order_map_version.major, order_map_version.minor, fmt::join(elem_order, ", "));
 }
 
 }  // namespace quadrille::io

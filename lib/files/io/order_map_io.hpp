@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/input_file.hpp"
+#include "io/whole_file.hpp"
 #include "model/field.hpp"
 
 namespace quadrille::io {

@@ -1,9 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "io/input_file.hpp"
-#include "io/json_text.hpp"
-#include "io/output_file.hpp"
+#include "io/json_archive.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::io {
 
@@ -42,6 +41,7 @@ void write_report(const std::string& path, const std::string& tool, const std::s
 
 std::string read_report(const std::string& path) {
   const InputFile file = read_input(path);
+  require_shallow(file.bytes, file.name);
   const Json report = Json::parse(file.bytes, nullptr, false);
   if (!report.is_object()) throw FormatError(file.name + ": expected a report, a JSON object (formats/report.md)");
   return report.dump();

@@ -1,5 +1,4 @@
-#include "io/cad_face_io.hpp"
-#include "io/instantiate_io.hpp"
+#include "io/describe.hpp"
 
 namespace quadrille::io {
 
@@ -40,8 +39,5 @@ void describe(Archive& archive, SeparatrixGraph& graph) {
   describe_open_curves(archive, graph.open_curves);
   describe_face(archive, graph.face);
 }
-
-template SeparatrixGraph read_stage(const InputFile&);
-template std::string stage_bytes(const SeparatrixGraph&);
 
 }  // namespace quadrille::io

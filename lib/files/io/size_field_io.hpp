@@ -1,7 +1,7 @@
 #pragma once
 // Points and boxes, or a table of points, that prescribe a size of elements (formats/size-field.md).
 
-#include "io/input_file.hpp"
+#include "io/whole_file.hpp"
 #include "model/size_sources.hpp"
 
 namespace quadrille::io {

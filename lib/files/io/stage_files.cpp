@@ -1,19 +1,265 @@
 #include "io/stage_files.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "base/child_process.hpp"
+#include "base/error.hpp"
+#include "base/name_text.hpp"
+#include "io/describe.hpp"
+#include "io/digest.hpp"
+#include "io/hdf5_archive.hpp"
+#include "io/json_archive.hpp"
+#include "io/whole_file.hpp"
+
 namespace quadrille::io {
+
+std::string producer_of(const Provenance& provenance) {
+  return provenance.empty() ? "Quadrille" : provenance.back().tool + ' ' + provenance.back().version;
+}
+
+void require_version(const std::string& file_name, const StageFormat& expected, const std::string& format,
+                     const std::vector<int>& version) {
+  if (format != expected.name)
+    throw FormatError(
+        fmt::format("{}: expected a {} file, found {}", file_name, expected.name,
+                    format.empty() ? "a file without a format" : fmt::format("a {} file", clean_name(format))));
+  if (version.size() != 2 || version[0] < 0 || version[1] < 0)
+    throw FormatError(fmt::format("{}: 'version' must be [major, minor]", file_name));
+  if (version[0] > expected.major)
+    throw FormatError(fmt::format("{}: {} version {}.{} is newer than this program, which reads version {}; update it",
+                                  file_name, format, version[0], version[1], expected.major));
+  if (version[0] < expected.major)
+    throw FormatError(
+        fmt::format("{}: {} version {}.{} is from an older program and no longer read (this one reads version {}); "
+                    "create the file again",
+                    file_name, format, version[0], version[1], expected.major));
+}
 
 namespace {
 
-/// The reader of the alternative `I` or of a later one, whichever has the format.
-template <std::size_t I = 0>
-StageModel read_alternative(const InputFile& file, const std::string& format) {
-  if constexpr (I + 1 < stage_formats.size())
-    if (format != stage_formats[I].name) return read_alternative<I + 1>(file, format);
-  return read_stage<std::variant_alternative_t<I, StageModel>>(file);
+bool is_plain(const std::string& word) {
+  return std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           std::string_view("+-._").find(c) != std::string_view::npos;
+  });
+}
+
+/// What becomes words of commands (stagecheck --history) and names of files: names of tools, options and formats.
+void require_plain_words(Archive& archive, const ProvenanceStep& step) {
+  std::vector<std::string> words{step.tool, step.version};
+  for (const InputDigest& input : step.inputs) words.insert(words.end(), {input.format, input.sha256});
+  const nlohmann::json options = nlohmann::json::parse(step.options, nullptr, false);
+  if (options.is_object())
+    for (const auto& [name, value] : options.items()) words.push_back(name);
+  for (const std::string& word : words)
+    if (!is_plain(word))
+      archive.fail("tool", fmt::format("must be made, like the names of its options and inputs, of letters, digits and "
+                                       "+ - . _, not '{}'",
+                                       clean_name(word)));
 }
 
 }  // namespace
 
-StageModel read_any_stage(const InputFile& file) { return read_alternative(file, stage_format(file)); }
+void describe_provenance(Archive& archive, Provenance& provenance) {
+  archive.field("provenance", provenance, [](Archive& a, ProvenanceStep& step) {
+    a.field("tool", step.tool);
+    a.field("version", step.version);
+    a.field("inputs", step.inputs, [](Archive& b, InputDigest& input) {
+      b.field("format", input.format);
+      b.field("sha256", input.sha256);
+    });
+    if (!a.is_reading() && step.options.empty()) step.options = "{}";
+    a.json("options", step.options, {});
+    if (a.is_reading()) require_plain_words(a, step);
+  });
+}
+
+std::string provenance_text(Provenance provenance) {
+  JsonWriter writer;
+  describe_provenance(writer.root(), provenance);
+  return writer.flat_text();
+}
+
+Provenance parse_provenance(const std::string& text, const std::string& file_name) {
+  Provenance provenance;
+  JsonReader reader(text, file_name + ": attribute 'provenance'");
+  describe_provenance(reader.root(), provenance);
+  return provenance;
+}
+
+namespace {
+
+struct Hdf5Header {
+  std::string format;
+  std::vector<int> version;
+};
+
+Hdf5Header read_header(const Hdf5GroupReader& root, const std::string& file_name) {
+  if (!root.has_attribute("format"))
+    throw FormatError(
+        fmt::format("{}: an HDF5 file, but not a stage file: the root has no attribute 'format'", file_name));
+  return {root.text_attribute("format"), root.integer_attribute("version")};
+}
+
+/// Every later stage writes it into an attribute, which holds at most 64 KiB in the files that any HDF5 library reads.
+constexpr std::size_t longest_provenance = 60000;
+
+void require_short(const Provenance& provenance, const std::string& file_name) {
+  if (provenance_text(provenance).size() > longest_provenance)
+    throw FormatError(fmt::format("{}: 'provenance' is longer than {} characters, which no stage file can hold",
+                                  file_name, longest_provenance));
+}
+
+/// Runs `read` on the image. Bytes with the checksum of the library's own writer are read at once; others, which may
+/// crash libhdf5, are first read in a child process.
+template <typename Read>
+void read_safely(const InputFile& file, const Read& read) {
+  if (!looks_like_hdf5(file.bytes)) throw FormatError(fmt::format("{}: not an HDF5 file", file.name));
+  std::string_view image;
+  const Checksum checksum = verify_checksum(file.bytes, image);
+  if (checksum == Checksum::wrong)
+    throw FormatError(fmt::format("{}: damaged: its checksum does not match its data", file.name));
+  const auto read_image = [&] { read(Hdf5Reader(image, file.name)); };
+  if (checksum == Checksum::missing) {
+    const auto probe = [&] {
+      read_image();
+      return std::string("sound");
+    };
+    run_in_child(probe, fmt::format("{}: truncated or damaged: the HDF5 reader fails on it", file.name), 60);
+  }
+  read_image();
+}
+
+std::string hdf5_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
+  Hdf5Writer writer;
+  writer.root().text_attribute("format", format.name);
+  writer.root().integer_attribute("version", {format.major, format.minor});
+  writer.root().text_attribute("producer", producer_of(provenance));
+  writer.root().text_attribute("provenance", provenance_text(provenance));
+  describe(*hdf5_archive(writer.root()));
+  std::string bytes = writer.image();
+  append_checksum(bytes);
+  return bytes;
+}
+
+void read_hdf5(const InputFile& file, const StageFormat& format, Provenance& provenance, const Describe& describe) {
+  read_safely(file, [&](const Hdf5Reader& reader) {
+    const Hdf5Header header = read_header(reader.root(), file.name);
+    require_version(file.name, format, header.format, header.version);
+    provenance = parse_provenance(reader.root().text_attribute("provenance"), file.name);
+    describe(*hdf5_archive(reader.root()));
+  });
+}
+
+std::string json_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
+  JsonWriter writer;
+  std::string name = format.name, producer = producer_of(provenance);
+  std::vector<int> numbers{format.major, format.minor};
+  Provenance chain = provenance;
+  writer.root().field("format", name);
+  writer.root().field("version", numbers);
+  writer.root().field("producer", producer);
+  describe_provenance(writer.root(), chain);
+  describe(writer.root());
+  return writer.text();
+}
+
+void read_json(const InputFile& file, const StageFormat& format, Provenance& provenance, const Describe& describe) {
+  if (looks_like_hdf5(file.bytes))
+    throw FormatError(fmt::format("{}: expected a {} file (JSON), found an HDF5 file", file.name, format.name));
+  JsonReader reader(file.bytes, file.name);
+  std::string name;
+  std::vector<int> numbers;
+  reader.root().field("format", name);
+  reader.root().field("version", numbers);
+  require_version(file.name, format, name, numbers);
+  describe_provenance(reader.root(), provenance);
+  require_short(provenance, file.name);
+  describe(reader.root());
+}
+
+/// The struct of the format, of the alternative `I` or of a later one.
+template <std::size_t I = 0>
+StageModel empty_stage(const std::string& format) {
+  if constexpr (I + 1 < stage_formats.size())
+    if (format != stage_formats[I].name) return empty_stage<I + 1>(format);
+  return StageModel(std::in_place_index<I>);
+}
+
+}  // namespace
+
+std::string described_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
+  if (!provenance.empty() && provenance_text(provenance).size() > longest_provenance)
+    throw UsageError(fmt::format("the options of this run and of those before have more than {} characters, which no "
+                                 "stage file can hold: give shorter ones",
+                                 longest_provenance));
+  const auto bytes = format.storage == Storage::hdf5 ? hdf5_bytes : json_bytes;
+  return bytes(format, provenance, describe);
+}
+
+void read_described(const InputFile& file, const StageFormat& format, Provenance& provenance,
+                    const Describe& describe) {
+  const auto read = format.storage == Storage::hdf5 ? read_hdf5 : read_json;
+  read(file, format, provenance, describe);
+}
+
+void read_into(const InputFile& file, StageModel& stage) {
+  std::visit(
+      [&]<typename Model>(Model& model) {
+        read_described(file, format_of<Model>(), model.provenance, [&](Archive& archive) { describe(archive, model); });
+      },
+      stage);
+}
+
+StageModel read_any_stage(const InputFile& file) {
+  StageModel stage = empty_stage(stage_format(file));
+  read_into(file, stage);
+  return stage;
+}
+
+std::string stage_bytes(StageModel stage) {
+  return std::visit(
+      [&]<typename Model>(Model& model) {
+        return described_bytes(format_of<Model>(), model.provenance,
+                               [&](Archive& archive) { describe(archive, model); });
+      },
+      stage);
+}
+
+void write_stage(const std::string& path, const StageModel& stage) { write_stage_bytes(path, stage_bytes(stage)); }
+
+void write_stage_bytes(const std::string& path, const std::string& bytes, Lasting lasting) {
+  write_output(path, bytes, looks_like_hdf5(bytes), lasting);
+}
+
+FileIdentity identity_of(const std::string& name, const std::string& bytes) { return {name, sha256_hex(bytes)}; }
+
+std::string stage_format(const InputFile& file) {
+  std::string format;
+  if (looks_like_hdf5(file.bytes)) {
+    read_safely(file, [&](const Hdf5Reader& reader) { format = read_header(reader.root(), file.name).format; });
+  } else {
+    const std::size_t first = file.bytes.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos || file.bytes[first] != '{')
+      throw FormatError(fmt::format("{}: neither HDF5 nor a JSON object: not a stage file", file.name));
+    JsonReader(file.bytes, file.name).root().field("format", format);
+  }
+  if (std::none_of(stage_formats.begin(), stage_formats.end(), [&](const auto& known) { return format == known.name; }))
+    throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file.name, clean_name(format)));
+  return format;
+}
+
+CadFace read_face(const InputFile& file) {
+  CadFace face;
+  if (looks_like_hdf5(file.bytes))
+    read_safely(file, [&](const Hdf5Reader& reader) { describe_face(*hdf5_archive(reader.root()), face); });
+  else
+    describe_face(JsonReader(file.bytes, file.name).root(), face);
+  return face;
+}
 
 }  // namespace quadrille::io

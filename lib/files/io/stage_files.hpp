@@ -4,39 +4,41 @@
 // OutputError.
 
 #include <string>
+#include <utility>
+#include <variant>
 
-#include "io/input_file.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 #include "model/stage_formats.hpp"
 
 namespace quadrille::io {
 
-/// Reads the file of a struct of StageModel.
+/// The name in stage_formats that the file states; throws FormatError for anything else.
+std::string stage_format(const InputFile& file);
+
+/// Reads the file of the struct that `stage` holds into it.
+void read_into(const InputFile& file, StageModel& stage);
+
 template <typename Model>
-Model read_stage(const InputFile& file);
+Model read_stage(const InputFile& file) {
+  StageModel stage(std::in_place_type<Model>);
+  read_into(file, stage);
+  return std::get<Model>(std::move(stage));
+}
+
+/// Reads a file of whatever format it states.
+StageModel read_any_stage(const InputFile& file);
 
 /// The CAD face at the root of x.tri.h5, x.sep.json, x.blocks.h5 or x.quad.h5, whatever else is in the file.
 CadFace read_face(const InputFile& file);
 
-/// The bytes of the file of a struct of StageModel: HDF5 or JSON.
-template <typename Model>
-std::string stage_bytes(const Model& model);
+/// The bytes of the file: HDF5 or JSON.
+std::string stage_bytes(StageModel stage);
 
 /// Writes the bytes of a stage file to `path`, completely or not at all.
 void write_stage_bytes(const std::string& path, const std::string& bytes, Lasting lasting = Lasting::on_disk);
-
-template <typename Model>
-void write_stage(const std::string& path, const Model& model) {
-  write_stage_bytes(path, stage_bytes(model));
-}
+void write_stage(const std::string& path, const StageModel& stage);
 
 /// The name and the digest that a file of these bytes has.
 FileIdentity identity_of(const std::string& name, const std::string& bytes);
-
-/// The name in stage_formats that the file states; throws FormatError for anything else.
-std::string stage_format(const InputFile& file);
-
-/// Reads a file of whatever format it states.
-StageModel read_any_stage(const InputFile& file);
 
 }  // namespace quadrille::io

@@ -1,7 +1,4 @@
-#include "io/tri_mesh_io.hpp"
-
-#include "io/cad_face_io.hpp"
-#include "io/instantiate_io.hpp"
+#include "io/describe.hpp"
 
 namespace quadrille::io {
 
@@ -19,7 +16,7 @@ void describe_repairs(Archive& archive, std::vector<Repair>& repairs) {
 
 }  // namespace
 
-void describe_tri_mesh(Archive& archive, TriMesh& mesh) {
+void describe_triangles(Archive& archive, TriMesh& mesh) {
   describe_face(archive, mesh.face);
   archive.field("order", mesh.order, {"", "shape order N of the curved elements"});
   archive.field("vertices", mesh.vertices, {"length", "relative to face.origin"});
@@ -34,16 +31,12 @@ void describe_tri_mesh(Archive& archive, TriMesh& mesh) {
     a.field("t1", edge.t1, {"1", "parameter at its end"});
   });
   archive.field("elem_layer", mesh.elem_layer, {"", "layer in a corner fan, -1 outside fans"});
-  if (archive.is_reading() ? archive.has("region_elems") : !mesh.region_elems.empty())
-    archive.field("region_elems", mesh.region_elems, {"", "region r holds elements region_elems[r] to [r+1]-1"});
+  archive.nonempty_field("region_elems", mesh.region_elems, {"", "region r holds elements region_elems[r] to [r+1]-1"});
 }
 
 void describe(Archive& archive, TriMesh& mesh) {
-  describe_tri_mesh(archive, mesh);
+  describe_triangles(archive, mesh);
   describe_repairs(archive, mesh.repairs);
 }
-
-template TriMesh read_stage(const InputFile&);
-template std::string stage_bytes(const TriMesh&);
 
 }  // namespace quadrille::io

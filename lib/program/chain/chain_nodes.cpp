@@ -11,7 +11,7 @@
 #include "cli/messages.hpp"
 #include "cli/run_files.hpp"
 #include "cli/stage_words.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -9,7 +9,7 @@
 #include "chain/chain_options.hpp"
 #include "chain/stage_file.hpp"
 #include "chain/stage_runner.hpp"
-#include "io/input_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

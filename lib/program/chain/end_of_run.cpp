@@ -8,7 +8,7 @@
 #include "chain/helper_programs.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

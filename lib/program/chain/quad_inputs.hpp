@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "chain/chain_state.hpp"
-#include "io/input_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -9,7 +9,7 @@
 #include "chain/helper_programs.hpp"
 #include "chain/quad_inputs.hpp"
 #include "cli/messages.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -19,7 +19,7 @@
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "cli/signals.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

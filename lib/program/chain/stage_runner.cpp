@@ -15,8 +15,7 @@
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "cli/session.hpp"
-#include "io/input_file.hpp"
-#include "io/output_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace quadrille::chain {
 

@@ -21,7 +21,7 @@ struct Tool {
   /// Adds files beside those that the options name.
   std::function<void(RunFiles&)> files;
   std::function<void(Session&)> run;
-  /// io/output_file's write_report; cli itself does not access files.
+  /// io/whole_file's write_report; cli itself does not access files.
   std::function<void(const std::string& path, const std::string& tool, const std::string& version, const Report&)>
       report_writer;
 };

@@ -30,7 +30,11 @@ struct DrawOptions {
 };
 
 /// The picture of a struct of StageModel.
-template <typename Model>
-std::string draw_stage(const Model& model, const DrawOptions& options);
+std::string draw_stage(const TriMesh& mesh, const DrawOptions& options);
+std::string draw_stage(const Field& field, const DrawOptions& options);
+std::string draw_stage(const CriticalPoints& points, const DrawOptions& options);
+std::string draw_stage(const SeparatrixGraph& graph, const DrawOptions& options);
+std::string draw_stage(const BlockLayout& layout, const DrawOptions& options);
+std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options);
 
 }  // namespace quadrille::draw

@@ -8,8 +8,7 @@
 #include <set>
 
 #include "curve/nurbs.hpp"
-#include "draw/curve_labels.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "model/interfaces.hpp"
 
@@ -17,21 +16,10 @@ namespace quadrille::draw {
 
 namespace {
 
-/// The pieces of side k, counter-clockwise around the block.
-std::vector<ArcPiece> side_pieces(const BlockLayout& layout, int block, int k) {
-  const HalfEdge directed = layout.block2arcs[block][k];
-  std::vector<ArcPiece> pieces = layout.arcs[directed.arc].pieces;
-  if (directed.is_backwards) {
-    std::reverse(pieces.begin(), pieces.end());
-    for (ArcPiece& piece : pieces) std::swap(piece.t0, piece.t1);
-  }
-  return pieces;
-}
-
 PathData block_outline(const Picture& picture, const BlockLayout& layout, int block) {
   PathData path;
   for (int k = 0; k < 4; ++k)
-    for (const ArcPiece& piece : side_pieces(layout, block, k))
+    for (const ArcPiece& piece : side_pieces(layout, layout.block2arcs[block][k]))
       append_nurbs(path, picture, layout.curve(piece.curve), piece.t0, piece.t1);
   path.close();
   return path;
@@ -40,7 +28,7 @@ PathData block_outline(const Picture& picture, const BlockLayout& layout, int bl
 /// The point half way along a side, by the lengths of a fine polyline.
 Vec2 side_middle(const BlockLayout& layout, int block, int k) {
   std::vector<Vec2> points;
-  for (const ArcPiece& piece : side_pieces(layout, block, k))
+  for (const ArcPiece& piece : side_pieces(layout, layout.block2arcs[block][k]))
     for (int i = 0; i <= 16; ++i)
       points.push_back(curve::point(layout.curve(piece.curve), std::lerp(piece.t0, piece.t1, i / 16.0)));
   double length = 0, walked = 0;
@@ -115,16 +103,15 @@ void draw_block(Picture& picture, const BlockLayout& layout, int block, const st
 
 }  // namespace
 
-std::string picture_of(const BlockLayout& layout, const DrawOptions& options) {
+std::string draw_stage(const BlockLayout& layout, const DrawOptions& options) {
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
   const std::vector<double>& quality = layout.block_scaled_jacobian;
   const int worst = worst_to_mark(quality);
   const auto is_irregular = [](const GraphNode& n) { return is_irregular_inside(n) || is_irregular_on_boundary(n); };
   const auto num_irregular = std::count_if(layout.nodes.begin(), layout.nodes.end(), is_irregular);
   Picture picture(shown_box(bounding_box(layout.face), layout.face.origin, options), options, "Blocks",
-                  fmt::format("{}, {}, {}{}{}", counted(layout.num_blocks(), "block"),
-                              counted(static_cast<int>(chords.size()), "chord"),
-                              counted(static_cast<int>(num_irregular), "irregular node"), regions_text(layout.face),
+                  fmt::format("{}, {}, {}{}{}", counted(layout.num_blocks(), "block"), counted(chords.size(), "chord"),
+                              counted(num_irregular, "irregular node"), regions_text(layout.face),
                               quality.empty() ? ""
                                               : fmt::format(", worst scaled Jacobian {:.3f}",
                                                             *std::min_element(quality.begin(), quality.end()))));
@@ -142,13 +129,13 @@ std::string picture_of(const BlockLayout& layout, const DrawOptions& options) {
   }
   draw_boundary(picture, layout.face);
   if (worst >= 0)
-    picture.add(svg_element("path", {{"class", "worst"}, {"d", block_outline(picture, layout, worst).str()}},
-                            fmt::format("block {}, scaled Jacobian {:.4g}", worst, quality[worst])));
+    picture.add(path_element("worst", block_outline(picture, layout, worst).str(),
+                             fmt::format("block {}, scaled Jacobian {:.4g}", worst, quality[worst])));
   draw_corners(picture, layout.face);
   draw_irregular_nodes(picture, layout);
   legend_irregular_nodes(picture, layout);
   if (worst >= 0)
-    picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6,-5H6V5H-6Z"}}),
+    picture.legend_mark(path_element("worst", "M-6,-5H6V5H-6Z"),
                         fmt::format("the worst: scaled Jacobian {:.3f}", quality[worst]));
   legend_corner(picture, layout.face);
   legend_regions(picture, layout.face);
@@ -156,7 +143,5 @@ std::string picture_of(const BlockLayout& layout, const DrawOptions& options) {
   legend_scale(picture, layout.face);
   return picture.str();
 }
-
-template std::string draw_stage(const BlockLayout&, const DrawOptions&);
 
 }  // namespace quadrille::draw

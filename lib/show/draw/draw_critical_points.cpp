@@ -3,24 +3,171 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/angle.hpp"
-#include "draw/curve_labels.hpp"
 #include "draw/field_cells.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
-#include "draw/node_history.hpp"
+#include "draw/zero_contours.hpp"
 
 namespace quadrille::draw {
 
 namespace {
 
-constexpr double node_radius = 10;  // pixels
+/// Pixels.
+struct MarkRadii {
+  double node = 10, ghost = 7, corner = 8, cluster = 17, ring = 14;
+};
+constexpr MarkRadii mark_radii{};
+
+std::string cell_outline(const Picture& picture, const CertificateCell& cell) {
+  const auto& v = cell.vertices;
+  PathData path;
+  path.move_to(picture.at({v[0], v[1]}));
+  path.line_to(picture.at({v[2], v[3]}));
+  path.line_to(picture.at({v[4], v[5]}));
+  path.close();
+  return path.str();
+}
+
+/// Position and size of `mark` in the picture.
+struct Spot {
+  Vec2 at;
+  double radius = 0;
+};
+
+Spot spot(const Picture& picture, const NodeMark& mark, double inside_radius) {
+  return {picture.at(mark.position), mark.location == NodeLocation::inside     ? inside_radius
+                                     : mark.location == NodeLocation::boundary ? mark_radii.node
+                                                                               : mark_radii.corner};
+}
+
+const Spot& nearest(const std::vector<Spot>& spots, Vec2 x) {
+  return *std::min_element(spots.begin(), spots.end(),
+                           [&](const Spot& a, const Spot& b) { return distance(a.at, x) < distance(b.at, x); });
+}
+
+bool is_at_one_of(const std::vector<Spot>& spots, Vec2 x) {
+  return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return distance(s.at, x) < 0.5; });
+}
+
+/// An arrow between two marks, or a ring about the second if they are too close for one.
+std::string arrow_between(const Spot& from, const Spot& to) {
+  const double gap = 2, shortest = 9;  // pixels
+  const double length = distance(from.at, to.at) - from.radius - to.radius - 2 * gap;
+  if (!(length >= shortest)) return circle_mark("change", to.at, std::max(mark_radii.ring, to.radius + 4));
+  const Vec2 along = normalized(to.at - from.at);
+  return arrow_mark(from.at + (from.radius + gap) * along, to.at - (to.radius + gap) * along);
+}
+
+std::vector<Spot> spots(const Picture& picture, const std::vector<NodeMark>& marks, double inside_radius) {
+  std::vector<Spot> all;
+  for (const NodeMark& mark : marks) all.push_back(spot(picture, mark, inside_radius));
+  return all;
+}
+
+/// Draws an arrow from every mark before to the nearest one after, and to every remaining mark after. A mark that does
+/// not move (a corner that absorbs a node) has no arrow.
+std::string arrows(const std::vector<Spot>& before, const std::vector<Spot>& after) {
+  std::string all;
+  std::vector<Spot> reached;
+  for (const Spot& from : before) {
+    if (after.empty() || is_at_one_of(after, from.at)) continue;
+    reached.push_back(nearest(after, from.at));
+    all += arrow_between(from, reached.back());
+  }
+  for (const Spot& to : after) {
+    if (is_at_one_of(reached, to.at) || is_at_one_of(before, to.at)) continue;
+    all += before.empty() ? circle_mark("change", to.at, mark_radii.ring) : arrow_between(nearest(before, to.at), to);
+  }
+  return all;
+}
+
+std::string cross_mark(Vec2 at) {
+  const double arm = 5;  // pixels
+  PathData path;
+  path.move_to(at + Vec2{-arm, -arm});
+  path.line_to(at + Vec2{arm, arm});
+  path.move_to(at + Vec2{-arm, arm});
+  path.line_to(at + Vec2{arm, -arm});
+  return path_element("change", path.str());
+}
+
+std::string change_marks(const Picture& picture, const NodeChange& change) {
+  const std::vector<Spot> before = spots(picture, change.before, mark_radii.ghost);
+  const std::vector<Spot> after = spots(picture, change.after, mark_radii.node);
+  std::string all;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const bool was_node = change.before[i].location == NodeLocation::inside && !is_at_one_of(after, before[i].at);
+    if (was_node) all += valence_outline(before[i].at, change.before[i].valence, mark_radii.ghost);
+    if (after.empty()) all += cross_mark(before[i].at);
+  }
+  return all + arrows(before, after);
+}
+
+/// Cells in which the search for zeros ended, undecided ones in another colour, and the discs around corners that the
+/// search omits; only those inside `face`, unless it is null.
+void draw_certificate(Picture& picture, const Certificate& certificate, const CadFace* face) {
+  bool has_open = false, has_zero = false;
+  const std::size_t num_discs = std::min(certificate.disc_centres.size(), certificate.disc_radii.size());
+  if (certificate.cells.empty() && num_discs == 0) return;
+  if (face)
+    picture.open_clipped_group("certificate", face_outline(picture, *face));
+  else
+    picture.open_group("certificate");
+  for (const CertificateCell& cell : certificate.cells) {
+    const bool is_open = cell.verdict == CellVerdict::open;
+    (is_open ? has_open : has_zero) = true;
+    picture.add(path_element(
+        is_open ? "cell-open" : "cell-zero", cell_outline(picture, cell),
+        fmt::format("cell in element {}: {}", cell.elem, is_open ? "could not be decided" : "holds exactly one zero")));
+  }
+  for (std::size_t i = 0; i < num_discs; ++i)
+    picture.add(circle_mark("disc", picture.at(certificate.disc_centres[i]),
+                            picture.scale() * certificate.disc_radii[i],
+                            fmt::format("left to the corner: radius {:.3g}", certificate.disc_radii[i])));
+  picture.close_group();
+  if (has_zero) picture.legend_mark(path_element("cell-zero", "M-7 -5L7 -5L0 7z"), "cell with one zero");
+  if (has_open) picture.legend_mark(path_element("cell-open", "M-7 -5L7 -5L0 7z"), "undecided cell");
+  if (num_discs > 0) picture.legend_mark(circle_mark("disc", {0, 0}, 7), "left to the corner");
+}
+
+/// A dashed circle about each cluster, at least as large as a mark, with its index beside it. Hover: members, radius.
+void draw_clusters(Picture& picture, const std::vector<Cluster>& clusters, Vec2 origin) {
+  for (const Cluster& cluster : clusters) {
+    const Vec2 at = picture.at(cluster.centre);
+    const double radius = std::max(mark_radii.cluster, picture.scale() * cluster.radius);
+    picture.add(circle_mark(
+        "cluster", at, radius,
+        fmt::format("cluster of index {} at {}, radius {:.3g}, {}", cluster.index,
+                    position_text(cluster.centre, origin), cluster.radius, counted(cluster.members.size(), "member"))));
+    for (const Vec2 member : cluster.members) picture.add(circle_mark("member", picture.at(member), 2));
+    picture.text(at + (radius + 12) * normalized({1, 1}), "label", fmt::format("{:+}", cluster.index));
+  }
+  if (!clusters.empty()) picture.legend_mark(circle_mark("cluster", {0, 0}, 7), "cluster and its index");
+}
+
+/// Draws each change: thin arrows from the nodes before to the nodes after, hollow marks at former positions, crosses
+/// where nodes cancelled, a ring where both are too close for an arrow. Hover: kind and reason.
+void draw_changes(Picture& picture, const std::vector<NodeChange>& changes) {
+  bool has_ghost = false, has_cross = false;
+  for (const NodeChange& change : changes) {
+    picture.add(svg_element("g", {}, enum_name(change.kind) + ": " + change.reason, change_marks(picture, change)));
+    for (const NodeMark& mark : change.before) has_ghost = has_ghost || mark.location == NodeLocation::inside;
+    has_cross = has_cross || (change.after.empty() && !change.before.empty());
+  }
+  if (has_ghost) picture.legend_mark(valence_outline({0, 0}, 5, mark_radii.ghost), "node before a change");
+  if (has_cross) picture.legend_mark(cross_mark({0, 0}), "cancelled");
+  if (!changes.empty()) picture.legend_mark(arrow_mark({-8, 0}, {8, 0}), "change");
+}
 
 /// A triangle must be larger to fit its number.
-double mark_radius(int valence) { return valence == 3 ? 1.3 * node_radius : node_radius; }
+double mark_radius(int valence) { return valence == 3 ? 1.3 * mark_radii.node : mark_radii.node; }
 
 PictureBox box_of(const CriticalPoints& points) {
-  PictureBox box = empty_box();
+  PictureBox box;
   for (const CriticalPoint& p : points.critical_points) box.include(p.position);
   for (const CriticalPoint& p : points.zeros) box.include(p.position);
   for (const Corner& c : points.corners) box.include(c.position);
@@ -61,9 +208,7 @@ Vec2 label_direction(const Picture& picture, const CadFace* face, const Corner& 
 }
 
 std::string caption(const CriticalPoints& points) {
-  const auto count = [](const auto& list, const std::string& noun) {
-    return counted(static_cast<int>(list.size()), noun);
-  };
+  const auto count = [](const auto& list, const std::string& noun) { return counted(list.size(), noun); };
   const bool is_phase = points.form == NodeForm::phase;
   std::string text = fmt::format("{}, {}", count(points.critical_points, is_phase ? "node" : "critical point"),
                                  count(points.corners, "corner"));
@@ -104,7 +249,7 @@ void draw_boundary_nodes(Picture& picture, const CriticalPoints& points) {
   for (const IrregularBoundaryPoint& node : points.boundary_nodes) {
     const Vec2 at = picture.at(node.position);
     picture.add(boundary_mark(
-        at, node.valence, node_radius,
+        at, node.valence, mark_radii.node,
         fmt::format("boundary node of valence {} at {}{}", node.valence, position_text(node.position, points.origin),
                     source_text(node.source, NodeSource::hand))));
     picture.text(at, "inner", std::to_string(node.valence));
@@ -116,9 +261,8 @@ void draw_boundary_nodes(Picture& picture, const CriticalPoints& points) {
 /// Draws the error bar as a circle if it is large enough to be visible; others appear in the hover text only. Returns
 /// whether it was drawn.
 bool draw_error_bar(Picture& picture, const CriticalPoint& point) {
-  constexpr double smallest = 2;  // pixels
   const double radius = picture.scale() * point.error;
-  if (radius < smallest) return false;
+  if (radius < 2) return false;  // pixels
   picture.add(circle_mark("error", picture.at(point.position), radius,
                           fmt::format("error bar of the position: {:.3g}", point.error)));
   return true;
@@ -145,7 +289,7 @@ void draw_nodes(Picture& picture, const CriticalPoints& points) {
 
 }  // namespace
 
-std::string picture_of(const CriticalPoints& points, const DrawOptions& options) {
+std::string draw_stage(const CriticalPoints& points, const DrawOptions& options) {
   const Field* field = options.field;
   const CadFace* face = field ? &field->mesh.face : points.face.curves.empty() ? nullptr : &points.face;
   const bool is_phase = points.form == NodeForm::phase;
@@ -166,7 +310,5 @@ std::string picture_of(const CriticalPoints& points, const DrawOptions& options)
   face ? legend_scale(picture, *face) : picture.legend_scale("");
   return picture.str();
 }
-
-template std::string draw_stage(const CriticalPoints&, const DrawOptions&);
 
 }  // namespace quadrille::draw

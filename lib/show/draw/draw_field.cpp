@@ -9,12 +9,12 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/nurbs.hpp"
-#include "draw/curve_labels.hpp"
-#include "draw/elements.hpp"
 #include "draw/field_cells.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
+#include "draw/zero_contours.hpp"
+#include "mesh/tri_maps.hpp"
 
 namespace quadrille::draw {
 
@@ -62,7 +62,7 @@ std::string caption(const Field& field) {
   const std::string coefficients = is_phase(field) ? fmt::format("{} coefficients", field.coef_offsets.back())
                                                    : fmt::format("{} coefficients per component", field.u.size());
   std::string text = fmt::format("{}, {}, {}", counted(field.mesh.num_elems(), "triangle"), orders, coefficients);
-  if (!field.liftings.empty()) text += ", " + counted(static_cast<int>(field.liftings.size()), "lifting");
+  if (!field.liftings.empty()) text += ", " + counted(field.liftings.size(), "lifting");
   if (is_phase(field)) text += ", " + asked_text(phases_of(field));
   return text + regions_text(field.mesh.face);
 }
@@ -93,7 +93,7 @@ void draw_component(Picture& picture, const RegionFields& regions, bool is_u) {
 }
 
 void draw_orders(Picture& picture, const Field& field) {
-  const std::vector<spectral::TriMap> maps = element_maps(field.mesh);
+  const std::vector<spectral::TriMap> maps = mesh::tri_maps(field.mesh);
   const std::set<int> orders(field.elem_order.begin(), field.elem_order.end());
   const auto fill = [&](int order) {
     const double range = *orders.rbegin() - *orders.begin();
@@ -115,16 +115,7 @@ void draw_orders(Picture& picture, const Field& field) {
       picture.text(picture.at(maps[e].position({-1.0 / 3, -1.0 / 3})), "small", std::to_string(order));
   }
   picture.close_group();
-  for (const int order : orders)
-    picture.legend_mark(svg_element("rect", {{"x", "-7"},
-                                             {"y", "-7"},
-                                             {"width", "14"},
-                                             {"height", "14"},
-                                             {"rx", "2"},
-                                             {"fill", fill(order)},
-                                             {"stroke", "#5b6f82"},
-                                             {"stroke-width", ".6"}}),
-                        fmt::format("{}", order));
+  for (const int order : orders) picture.legend_mark(square_mark(fill(order)), fmt::format("{}", order));
 }
 
 /// The nodes prescribed for the phases of all regions.
@@ -152,7 +143,7 @@ void draw_nodes_asked(Picture& picture, const std::vector<Field>& regions) {
 
 }  // namespace
 
-std::string picture_of(const Field& field, const DrawOptions& options) {
+std::string draw_stage(const Field& field, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(field.mesh.face), field.mesh.face.origin, options), options,
                   title(field, options.show), caption(field));
   const RegionFields regions(field);
@@ -171,7 +162,5 @@ std::string picture_of(const Field& field, const DrawOptions& options) {
   legend_scale(picture, field.mesh.face);
   return picture.str();
 }
-
-template std::string draw_stage(const Field&, const DrawOptions&);
 
 }  // namespace quadrille::draw

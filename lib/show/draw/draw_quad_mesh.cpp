@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
-#include "draw/curve_labels.hpp"
-#include "draw/elements.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/figures.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::draw {
 
@@ -22,7 +22,7 @@ std::vector<std::pair<int, int>> block_borders(const QuadMesh& mesh) {
   std::vector<std::pair<int, int>> borders;
   for (int e = 0; e < mesh.num_elems(); ++e)
     for (int side = 0; side < 4; ++side) {
-      const int a = quad_side_node(mesh, e, side, 0), b = quad_side_node(mesh, e, side, mesh.order);
+      const int a = side_start(mesh, e, side), b = side_node(mesh, e, side, mesh.order);
       const auto [known, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::pair{e, side});
       if (!is_new && mesh.elem_block[known->second.first] != mesh.elem_block[e]) borders.push_back(known->second);
     }
@@ -40,7 +40,7 @@ double ring_radius(const Picture& picture, const QuadMesh& mesh, int elem) {
   const Vec2 c = centre(mesh, elem);
   double radius = 0;
   for (int side = 0; side < 4; ++side)
-    radius = std::max(radius, picture.scale() * distance(c, mesh.nodes[quad_side_node(mesh, elem, side, 0)]));
+    radius = std::max(radius, picture.scale() * distance(c, mesh.nodes[side_start(mesh, elem, side)]));
   return radius + 2;
 }
 
@@ -53,9 +53,9 @@ void draw_unproved(Picture& picture, const QuadMesh& mesh) {
   for (int e = 0; e < mesh.num_elems(); ++e)
     if (is_unproved(mesh, e))
       picture.add(
-          svg_element("path", {{"class", "worst"}, {"d", quad_outline(picture, mesh, e).str()}},
-                      fmt::format("quad {} is not proved valid: det J >= {:.3g}", e, mesh.elem_jacobian_bound[e])));
-  picture.legend_mark(svg_element("path", {{"class", "worst"}, {"d", "M-6 -6L6 -6L6 6L-6 6Z"}}),
+          path_element("worst", quad_outline(picture, mesh, e).str(),
+                       fmt::format("quad {} is not proved valid: det J >= {:.3g}", e, mesh.elem_jacobian_bound[e])));
+  picture.legend_mark(path_element("worst", "M-6 -6L6 -6L6 6L-6 6Z"),
                       fmt::format("not proved valid ({})", mesh.num_unproved()));
 }
 
@@ -79,17 +79,15 @@ std::string elem_text(const QuadMesh& mesh, int elem, double quality) {
 std::string caption(const QuadMesh& mesh) {
   const auto& quality = mesh.elem_scaled_jacobian;
   const double worst = quality.empty() ? 0 : *std::min_element(quality.begin(), quality.end());
-  const int num_blocks =
-      mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
   return fmt::format("{}{} of order {} in {}{}, {}, worst scaled Jacobian {:.3f}{}",
                      mesh.is_valid ? "" : "NOT VALID: ", counted(mesh.num_elems(), "quad"), mesh.order,
-                     counted(num_blocks, "block"), regions_text(mesh.face),
+                     counted(num_blocks(mesh), "block"), regions_text(mesh.face),
                      counted(mesh.num_irregular, "irregular node"), worst, sizes_text(mesh));
 }
 
 }  // namespace
 
-std::string picture_of(const QuadMesh& mesh, const DrawOptions& options) {
+std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Quad mesh", caption(mesh));
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
@@ -103,10 +101,10 @@ std::string picture_of(const QuadMesh& mesh, const DrawOptions& options) {
   picture.close_group();
   PathData borders;
   for (const auto& [elem, side] : block_borders(mesh)) {
-    borders.move_to(picture.at(mesh.nodes[quad_side_node(mesh, elem, side, 0)]));
+    borders.move_to(picture.at(mesh.nodes[side_start(mesh, elem, side)]));
     append_curve(borders, quad_side(picture, mesh, elem, side), 0, 1);
   }
-  if (!borders.empty()) picture.add(svg_element("path", {{"class", "edge"}, {"d", borders.str()}}));
+  if (!borders.empty()) picture.add(path_element("edge", borders.str()));
   draw_boundary(picture, mesh.face);
   const int worst = worst_to_mark(mesh.elem_scaled_jacobian);
   if (worst >= 0) {
@@ -122,7 +120,5 @@ std::string picture_of(const QuadMesh& mesh, const DrawOptions& options) {
   legend_scale(picture, mesh.face);
   return picture.str();
 }
-
-template std::string draw_stage(const QuadMesh&, const DrawOptions&);
 
 }  // namespace quadrille::draw

@@ -4,8 +4,7 @@
 
 #include <array>
 
-#include "draw/curve_labels.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 #include "model/interfaces.hpp"
@@ -66,7 +65,7 @@ void draw_loose_arcs(Picture& picture, const SeparatrixGraph& graph) {
     if (is_drawn[a] || is_on_cad_curve(graph, graph.arcs[a])) continue;
     PathData path;
     append_arc(path, picture, graph, static_cast<int>(a));
-    picture.add(svg_element("path", {{"class", "edge"}, {"d", path.str()}}, fmt::format("arc {}", a)));
+    picture.add(path_element("edge", path.str(), fmt::format("arc {}", a)));
   }
 }
 
@@ -101,10 +100,9 @@ std::string certificate_text(const LayoutCertificate& certificate) {
 
 }  // namespace
 
-std::string picture_of(const SeparatrixGraph& graph, const DrawOptions& options) {
-  std::string caption = fmt::format("{}, {}, {}", counted(static_cast<int>(graph.lines.size()), "line"),
-                                    counted(static_cast<int>(graph.nodes.size()), "node"),
-                                    counted(static_cast<int>(graph.arcs.size()), "arc")) +
+std::string draw_stage(const SeparatrixGraph& graph, const DrawOptions& options) {
+  std::string caption = fmt::format("{}, {}, {}", counted(graph.lines.size(), "line"),
+                                    counted(graph.nodes.size(), "node"), counted(graph.arcs.size(), "arc")) +
                         regions_text(graph.face);
   if (graph.certificate.method) caption += "; " + certificate_text(graph.certificate);
   Picture picture(shown_box(bounding_box(graph.face), graph.face.origin, options), options, "Separatrices", caption);
@@ -130,7 +128,5 @@ std::string picture_of(const SeparatrixGraph& graph, const DrawOptions& options)
   legend_scale(picture, graph.face);
   return picture.str();
 }
-
-template std::string draw_stage(const SeparatrixGraph&, const DrawOptions&);
 
 }  // namespace quadrille::draw

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 
-#include "draw/curve_labels.hpp"
-#include "draw/elements.hpp"
-#include "draw/instantiate_picture.hpp"
+#include "draw/labels.hpp"
 #include "draw/marks.hpp"
+#include "mesh/tri_maps.hpp"
 
 namespace quadrille::draw {
 
@@ -20,7 +19,7 @@ const Ramp& layer_ramp() {
 
 }  // namespace
 
-std::string picture_of(const TriMesh& mesh, const DrawOptions& options) {
+std::string draw_stage(const TriMesh& mesh, const DrawOptions& options) {
   const int num_curved = static_cast<int>(mesh.curved_elems.size());
   Picture picture(
       shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Triangle mesh",
@@ -28,7 +27,7 @@ std::string picture_of(const TriMesh& mesh, const DrawOptions& options) {
                   num_curved, mesh.order, mesh.boundary_edges.size(), regions_text(mesh.face)));
   const int last_layer =
       mesh.elem_layer.empty() ? -1 : *std::max_element(mesh.elem_layer.begin(), mesh.elem_layer.end());
-  const std::vector<spectral::TriMap> maps = element_maps(mesh);
+  const std::vector<spectral::TriMap> maps = mesh::tri_maps(mesh);
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const int layer = mesh.elem_layer.empty() ? -1 : mesh.elem_layer[e];
@@ -41,25 +40,13 @@ std::string picture_of(const TriMesh& mesh, const DrawOptions& options) {
   picture.close_group();
   draw_boundary(picture, mesh.face);
   draw_corners(picture, mesh.face);
-  const auto square = [](const std::string& fill) {
-    return svg_element("rect", {{"x", "-7"},
-                                {"y", "-7"},
-                                {"width", "14"},
-                                {"height", "14"},
-                                {"rx", "2"},
-                                {"fill", fill},
-                                {"stroke", "#5b6f82"},
-                                {"stroke-width", ".6"}});
-  };
-  picture.legend_mark(square("#f1f4f6"), "straight");
-  if (num_curved > 0) picture.legend_mark(square("#d7e6ef"), "curved");
-  if (last_layer >= 0) picture.legend_mark(square(ramp_colour(layer_ramp(), 0.3)), "corner fan");
+  picture.legend_mark(square_mark("#f1f4f6"), "straight");
+  if (num_curved > 0) picture.legend_mark(square_mark("#d7e6ef"), "curved");
+  if (last_layer >= 0) picture.legend_mark(square_mark(ramp_colour(layer_ramp(), 0.3)), "corner fan");
   legend_corner(picture, mesh.face);
   label_curves(picture, mesh.face, options.curve_labels);
   legend_scale(picture, mesh.face);
   return picture.str();
 }
-
-template std::string draw_stage(const TriMesh&, const DrawOptions&);
 
 }  // namespace quadrille::draw

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/angle.hpp"
+#include "regions/split.hpp"
 
 namespace quadrille::draw {
 
@@ -126,7 +127,11 @@ void draw_crosses(Picture& picture, const field::FieldEvaluator& evaluator, doub
         path.line_to(pixel + half);
       }
     }
-  if (!path.empty()) picture.add(svg_element("path", {{"class", "cross"}, {"d", path.str()}}));
+  if (!path.empty()) picture.add(path_element("cross", path.str()));
+}
+
+RegionFields::RegionFields(const Field& field) : fields(regions::split(field)) {
+  for (const Field& part : fields) evaluators.emplace_back(part);
 }
 
 }  // namespace quadrille::draw

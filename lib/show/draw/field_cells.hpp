@@ -1,13 +1,13 @@
 #pragma once
-// The field in pixels: coloured cells, zero contours, crosses.
+// The field in pixels, region by region: coloured cells, crosses.
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "draw/contour_lattice.hpp"
 #include "draw/picture.hpp"
-#include "draw/region_fields.hpp"
+#include "field/evaluate.hpp"
 
 namespace quadrille::draw {
 
@@ -17,18 +17,16 @@ void draw_field_cells(Picture& picture, const field::FieldEvaluator& evaluator,
                       const std::function<std::string(Vec2 value)>& colour,
                       const std::function<double(Vec2 a, Vec2 b)>& difference);
 
-using Polyline = std::vector<Vec2>;
-
-/// The polylines (pixels) on which `component` of the value vanishes; none in regions where it is identically zero. A
-/// line ends only at the boundary, at another line or at such a region.
-std::vector<Polyline> zero_contours(const Picture& picture, const field::FieldEvaluator& evaluator,
-                                    const Component& component);
-
-/// Draws the contours u = 0 and v = 0 of each region with one legend; jump lines, the part of v = 0 where the cross
-/// angle jumps, are dashed.
-void draw_zero_contours(Picture& picture, const RegionFields& regions);
-
 /// Crosses on a lattice of `spacing` pixels, the same for all regions.
 void draw_crosses(Picture& picture, const field::FieldEvaluator& evaluator, double spacing);
+
+/// A field on each region of its face: the regions do not know each other, and neither do their explicit terms.
+struct RegionFields {
+  explicit RegionFields(const Field& field);
+  RegionFields(const RegionFields&) = delete;  // the evaluators refer to the fields
+
+  std::vector<Field> fields;                     ///< one for each region
+  std::deque<field::FieldEvaluator> evaluators;  ///< of these fields
+};
 
 }  // namespace quadrille::draw

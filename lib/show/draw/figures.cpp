@@ -6,6 +6,8 @@
 #include <set>
 
 #include "base/enum_names.hpp"
+#include "base/error.hpp"
+#include "draw/picture.hpp"
 
 namespace quadrille::draw {
 
@@ -26,6 +28,120 @@ void append_quality(std::vector<Figure>& figures, const std::string& measure, st
   figures.push_back({fmt::format("{} {}", is_high_bad ? "greatest" : "least", measure),
                      figure_text(is_high_bad ? values.back() : values.front())});
   figures.push_back({"median " + measure, figure_text(values[values.size() / 2])});
+}
+
+constexpr double table_margin = 36, table_row = 20;  // pixels
+
+/// In the coordinates of the file.
+void include_face(PictureBox& box, const CadFace& face) {
+  const PictureBox own = bounding_box(face);
+  if (own.empty()) return;
+  box.include(own.lower + face.origin);
+  box.include(own.upper + face.origin);
+}
+
+/// By a fiftieth on each side, so that the frame does not touch what it shows.
+PictureBox widened(const PictureBox& box) {
+  const Vec2 size = box.upper - box.lower;
+  const double slack = 0.02 * std::max(size.x, size.y);
+  return {box.lower - Vec2{slack, slack}, box.upper + Vec2{slack, slack}};
+}
+
+/// A picture as a part of another: placed, and with identifiers of its own. Texts contain no quotation mark (svg.hpp).
+std::string embedded(const std::string& svg, const std::string& prefix, double x) {
+  std::string part = svg.substr(svg.find("<svg "));
+  part.insert(5, fmt::format("x=\"{}\" ", svg_number(x)));
+  for (const std::string& mark : {std::string(" id=\""), std::string("\"url(#")})
+    for (std::size_t at = part.find(mark); at != std::string::npos; at = part.find(mark, at + 1))
+      part.insert(at + mark.size(), prefix);
+  return part;
+}
+
+/// The height that Picture::str wrote into the root element.
+double height_of(const std::string& svg) { return std::stod(svg.substr(svg.find("height=\"") + 8)); }
+
+/// Rows of label, A, B: the labels of both in their order, "–" where one has no such figure.
+std::vector<std::array<std::string, 3>> table_rows(const std::vector<Figure>& a, const std::vector<Figure>& b) {
+  std::vector<std::array<std::string, 3>> rows{{"", "A", "B"}};
+  const auto row_of = [&](const std::string& label) {
+    return std::find_if(rows.begin(), rows.end(), [&](const auto& known) { return known[0] == label; });
+  };
+  for (const Figure& figure : a) rows.push_back({figure.label, figure.value, "–"});
+  for (const Figure& figure : b) {
+    const auto known = row_of(figure.label);
+    if (known != rows.end())
+      (*known)[2] = figure.value;
+    else
+      rows.push_back({figure.label, "–", figure.value});
+  }
+  return rows;
+}
+
+template <typename Stage>
+concept Comparable =
+    std::is_same_v<Stage, SeparatrixGraph> || std::is_same_v<Stage, BlockLayout> || std::is_same_v<Stage, QuadMesh>;
+
+template <Comparable Stage>
+std::vector<Figure> all_figures(const Stage& stage) {
+  std::vector<Figure> figures = figures_of(stage);
+  for (const Figure& figure : quality_figures_of(stage)) figures.push_back(figure);
+  return figures;
+}
+
+std::string text_at(double x, double y, const std::string& anchor, const std::string& weight, const std::string& text) {
+  return svg_element("text",
+                     {{"x", svg_number(x)}, {"y", svg_number(y)}, {"text-anchor", anchor}, {"font-weight", weight}}, {},
+                     xml_escaped(text)) +
+         '\n';
+}
+
+std::string table(const std::vector<std::array<std::string, 3>>& rows, double top) {
+  std::string out =
+      "<g id=\"table\" font-family=\"Helvetica,Arial,'Liberation Sans',sans-serif\" font-size=\"13\" "
+      "fill=\"#26323d\">\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double y = top + table_row * static_cast<double>(i);
+    const bool is_head = i == 0, differs = rows[i][1] != rows[i][2];
+    out += text_at(table_margin, y, "start", "normal", rows[i][0]);
+    for (int k = 1; k <= 2; ++k)
+      out += text_at(k == 1 ? 270 : 380, y, "end", is_head || differs ? "bold" : "normal", rows[i][k]);
+    out += svg_element("line", {{"x1", svg_number(table_margin)},
+                                {"x2", svg_number(380)},
+                                {"y1", svg_number(y + 6)},
+                                {"y2", svg_number(y + 6)},
+                                {"stroke", is_head ? "#26323d" : "#dde3ea"}}) +
+           '\n';
+  }
+  return out + "</g>\n";
+}
+
+template <Comparable Stage>
+std::string drawn_pair(const std::array<const Stage*, 2>& pair, const std::array<std::string, 2>& files,
+                       const DrawOptions& options) {
+  PictureBox box;
+  for (const Stage* stage : pair) include_face(box, stage->face);
+  if (!box.empty() && !options.window) box = widened(box);
+  std::array<std::string, 2> parts;
+  double height = 0;
+  for (int k = 0; k < 2; ++k) {
+    DrawOptions own = options;
+    own.width = options.width / 2;
+    own.file = files[k];
+    own.title_prefix = k == 0 ? "A: " : "B: ";
+    if (!box.empty() && !own.window) own.window = Window{box.lower, box.upper};
+    const std::string svg = draw_stage(*pair[k], own);
+    height = std::max(height, height_of(svg));
+    parts[k] = embedded(svg, k == 0 ? "a-" : "b-", k * own.width);
+  }
+  const auto rows = table_rows(all_figures(*pair[0]), all_figures(*pair[1]));
+  const double top = height + table_row;
+  const double whole = top + table_row * static_cast<double>(rows.size()) + 10;
+  return fmt::format(
+             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" viewBox=\"0 0 {0} {1:.0f}\">\n"
+             "<title>Comparison</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+             options.width, whole) +
+         parts[0] + parts[1] + table(rows, top) + "</svg>\n";
 }
 
 }  // namespace
@@ -52,13 +168,15 @@ std::vector<Figure> figures_of(const BlockLayout& layout) {
           {"irregular nodes", irregular_count(layout)}};
 }
 
+int num_blocks(const QuadMesh& mesh) {
+  return mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
+}
+
 std::vector<Figure> figures_of(const QuadMesh& mesh) {
-  const int num_blocks =
-      mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
   return {{"quads", std::to_string(mesh.num_elems())},
           {"order", std::to_string(mesh.order)},
           {"mesh nodes", std::to_string(mesh.nodes.size())},
-          {"blocks", std::to_string(num_blocks)},
+          {"blocks", std::to_string(num_blocks(mesh))},
           {"irregular nodes", std::to_string(mesh.num_irregular)},
           {"proved valid", mesh.is_valid ? "yes" : fmt::format("no: {} are not", mesh.num_unproved())}};
 }
@@ -80,6 +198,21 @@ std::vector<Figure> quality_figures_of(const QuadMesh& mesh) {
     figures.push_back({"least node distance",
                        figure_text(*std::min_element(mesh.elem_node_distance.begin(), mesh.elem_node_distance.end()))});
   return figures;
+}
+
+bool is_comparable(const StageModel& stage) {
+  return std::visit([]<typename Model>(const Model&) { return Comparable<Model>; }, stage);
+}
+
+std::string draw_comparison(const StageModel& a, const StageModel& b, const std::array<std::string, 2>& files,
+                            const DrawOptions& options) {
+  const auto drawn = [&]<typename Model>(const Model& first) -> std::string {
+    if constexpr (Comparable<Model>)
+      return drawn_pair<Model>({&first, &std::get<Model>(b)}, files, options);
+    else
+      throw Defect("draw_comparison: neither a layout nor a mesh");
+  };
+  return std::visit(drawn, a);
 }
 
 }  // namespace quadrille::draw

@@ -1,5 +1,5 @@
 #pragma once
-// Marks that several pictures have in common: the boundary, corners, irregular nodes, curve pieces.
+// What several pictures have in common: the boundary, corners, irregular nodes, curve pieces, outlines of elements.
 
 #include <string>
 #include <vector>
@@ -7,11 +7,15 @@
 #include "base/counted.hpp"
 #include "draw/picture.hpp"
 #include "model/separatrix_graph.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille::draw {
 
 /// Appends `curve` between two parameters; an empty path begins at its start.
 void append_nurbs(PathData& path, const Picture& picture, const Nurbs& curve, double t0, double t1);
+
+/// The pieces of a side of a block, in the direction of the side.
+std::vector<ArcPiece> side_pieces(const BlockLayout& layout, HalfEdge side);
 
 /// The number of the tint of each region (region_colour()): that of its name, because a face that embedded curves
 /// divide has several regions of one name.
@@ -45,6 +49,8 @@ std::string valence_outline(Vec2 centre, int valence, double radius, const std::
 std::string boundary_mark(Vec2 centre, int valence, double radius, const std::string& title = {});
 /// A thin line with its head at `to`; at least 9 pixels long.
 std::string arrow_mark(Vec2 from, Vec2 to);
+/// The colour of an element in the legend.
+std::string square_mark(const std::string& fill);
 std::string circle_mark(const std::string& css_class, Vec2 centre, double radius, const std::string& title = {});
 
 /// Legend entries for the valences that occur, each once, ascending.
@@ -56,5 +62,14 @@ int worst_to_mark(const std::vector<double>& scaled_jacobians);
 
 /// "(0.5, -0.25)" with the face's origin added.
 std::string position_text(Vec2 x, Vec2 origin);
+
+/// The closed outline of a triangle.
+PathData tri_outline(const Picture& picture, const spectral::TriMap& map);
+
+/// The side of a quad from corner `side` to the next, as position and derivative along s in [0, 1], in pixels.
+PixelCurve quad_side(const Picture& picture, const QuadMesh& mesh, int elem, int side);
+
+/// The closed outline of a quad.
+PathData quad_outline(const Picture& picture, const QuadMesh& mesh, int elem);
 
 }  // namespace quadrille::draw

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -16,7 +15,9 @@ namespace quadrille::draw {
 
 namespace {
 
-constexpr double margin = 36, header = 76, legend_row = 34, title_size = 17, caption_size = 13, caption_row = 18;
+/// Pixels.
+constexpr double picture_margin = 36, header_height = 76, legend_row = 34, title_size = 17, caption_size = 13,
+                 caption_row = 18;
 
 /// The common line styles: the boundary thick, blocks medium, elements thin.
 const char* const line_styles = R"(
@@ -73,6 +74,11 @@ std::string style_sheet() {
   return text;
 }
 
+std::string text_element(const std::string& css_class, double x, double y, const std::string& content) {
+  return svg_element("text", {{"class", css_class}, {"x", svg_number(x)}, {"y", svg_number(y)}}, {},
+                     xml_escaped(content));
+}
+
 /// The markup clipped to the rectangle from (0, 0) to `size`, with a thin frame.
 std::string in_frame(const std::string& markup, Vec2 size) {
   const Attributes corners{{"width", svg_number(size.x)}, {"height", svg_number(size.y)}};
@@ -89,17 +95,19 @@ void PictureBox::include(Vec2 x) {
   upper = {std::max(upper.x, x.x), std::max(upper.y, x.y)};
 }
 
-PictureBox empty_box() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {{infinity, infinity}, {-infinity, -infinity}};
+std::vector<Vec2> dense_points(const Nurbs& curve, int num_pieces) {
+  std::vector<Vec2> points;
+  for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
+    for (int i = 0; i <= num_pieces && curve.knots[k] < curve.knots[k + 1]; ++i)
+      points.push_back(
+          curve::point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / static_cast<double>(num_pieces))));
+  return points;
 }
 
 PictureBox bounding_box(const CadFace& face) {
-  PictureBox box = empty_box();
+  PictureBox box;
   for (const Nurbs& curve : face.curves)
-    for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k)
-      for (int i = 0; i <= 32 && curve.knots[k] < curve.knots[k + 1]; ++i)
-        box.include(curve::point(curve, std::lerp(curve.knots[k], curve.knots[k + 1], i / 32.0)));
+    for (const Vec2 x : dense_points(curve, 32)) box.include(x);
   return box;
 }
 
@@ -139,22 +147,23 @@ double round_length(double limit) {
 
 Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::string& title,
                  const std::string& caption)
-    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * margin)),
+    : caption_lines_(wrapped_text(caption, caption_size, options.width - 2 * picture_margin)),
       title_(options.title_prefix + title) {
   const double text = text_width(title_, title_size) + text_width(options.file, caption_size);
-  (text + 2 * margin + 20 < options.width || options.file.empty() ? file_ : caption_lines_.emplace_back()) =
+  (text + 2 * picture_margin + 20 < options.width || options.file.empty() ? file_ : caption_lines_.emplace_back()) =
       options.file;
   view_ = view_of(box, options.width, caption_lines_.size());
   view_.is_window = options.window.has_value();
-  legend_ = {margin, view_.top + view_.size.y + 2 * margin + 2, {}};
+  legend_ = {picture_margin, view_.top + view_.size.y + 2 * picture_margin + 2, {}};
 }
 
 Picture::View Picture::view_of(const PictureBox& box, int width, std::size_t num_caption_lines) {
   const Vec2 extent = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
-  const double free_width = std::max(1.0, width - 2 * margin);
+  const double free_width = std::max(1.0, width - 2 * picture_margin);
   const double tallest = 1.1 * free_width;
   const double scale = std::min(free_width / std::max(extent.x, 1e-300), tallest / std::max(extent.y, 1e-300));
-  const double top = header + caption_row * (static_cast<double>(std::max<std::size_t>(1, num_caption_lines)) - 1);
+  const double top =
+      header_height + caption_row * (static_cast<double>(std::max<std::size_t>(1, num_caption_lines)) - 1);
   return {scale, box.empty() ? Vec2{} : box.lower, scale * extent, width, top};
 }
 
@@ -170,31 +179,25 @@ void Picture::open_clipped_group(const std::string& css_class, const std::string
 void Picture::text(Vec2 x, const std::string& css_class, const std::string& content) {
   if (is_window() && !holds(x)) return;
   texts_.boxes.push_back({x, {0.5 * text_width(content, caption_size) + 2, 8}});
-  texts_.markup +=
-      svg_element("text", {{"class", css_class}, {"x", svg_number(x.x)}, {"y", svg_number(view_.size.y - x.y + 4)}}, {},
-                  xml_escaped(content)) +
-      '\n';
+  texts_.markup += text_element(css_class, x.x, view_.size.y - x.y + 4, content) + '\n';
 }
 
 void Picture::reserve_legend(double width) {
-  if (legend_.x > margin && legend_.x + width > view_.width - margin) {
-    legend_.x = margin;
+  if (legend_.x > picture_margin && legend_.x + width > view_.width - picture_margin) {
+    legend_.x = picture_margin;
     legend_.y += legend_row;
   }
 }
 
 void Picture::legend_bar(const Ramp& ramp, const std::string& label, const std::vector<std::string>& ticks) {
-  constexpr double bar = 220, height = 9;
-  const double text = text_width(label, 12) + 10;
+  const double bar = 220, height = 9, text = text_width(label, 12) + 10;
   reserve_legend(text + bar + 30);
   const std::string id = fmt::format("ramp{}", definitions_.size());
   std::string stops;
   for (const ColourStop& stop : ramp)
     stops += svg_element("stop", {{"offset", svg_number(stop.position, 4)}, {"stop-color", stop.colour}});
   definitions_ += svg_element("linearGradient", {{"id", id}}, {}, stops) + '\n';
-  legend_.markup +=
-      svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_.x)}, {"y", svg_number(legend_.y + 4)}}, {},
-                  xml_escaped(label));
+  legend_.markup += text_element("legend", legend_.x, legend_.y + 4, label);
   const double left = legend_.x + text;
   legend_.markup += svg_element("rect", {{"x", svg_number(left)},
                                          {"y", svg_number(legend_.y - height / 2)},
@@ -213,21 +216,17 @@ void Picture::legend_bar(const Ramp& ramp, const std::string& label, const std::
 }
 
 void Picture::legend_mark(const std::string& markup, const std::string& label) {
-  constexpr double mark = 22;
-  const double width = mark + text_width(label, 12);
+  const double mark = 22, width = mark + text_width(label, 12);
   reserve_legend(width);
   const std::string transform =
       fmt::format("translate({} {}) scale(1 -1)", svg_number(legend_.x + mark / 2 - 4), svg_number(legend_.y));
   legend_.markup += svg_element("g", {{"transform", transform}}, {}, markup);
-  legend_.markup +=
-      svg_element("text", {{"class", "legend"}, {"x", svg_number(legend_.x + mark)}, {"y", svg_number(legend_.y + 4)}},
-                  {}, xml_escaped(label)) +
-      '\n';
+  legend_.markup += text_element("legend", legend_.x + mark, legend_.y + 4, label) + '\n';
   legend_.x += width + 24;
 }
 
 void Picture::legend_scale(const std::string& unit) {
-  constexpr double longest = 130, tick = 4, gap = 8;
+  const double longest = 130, tick = 4, gap = 8;
   const double length = round_length(longest / view_.scale), bar = length * view_.scale;
   const std::string label = fmt::format("{:g}{}{}", length, unit.empty() ? "" : " ", unit);
   const double width = bar + gap + text_width(label, 12);
@@ -236,16 +235,12 @@ void Picture::legend_scale(const std::string& unit) {
                                          {"d", fmt::format("M{0} {1}v{2}m0 -{3}h{4}m0 -{3}v{2}", svg_number(legend_.x),
                                                            svg_number(legend_.y - tick), svg_number(2 * tick),
                                                            svg_number(tick), svg_number(bar))}});
-  legend_.markup +=
-      svg_element("text",
-                  {{"class", "legend"}, {"x", svg_number(legend_.x + bar + gap)}, {"y", svg_number(legend_.y + 4)}}, {},
-                  xml_escaped(label)) +
-      '\n';
+  legend_.markup += text_element("legend", legend_.x + bar + gap, legend_.y + 4, label) + '\n';
   legend_.x += width + 24;
 }
 
 std::string Picture::str() const {
-  const double left = margin + 0.5 * std::max(0.0, view_.width - 2 * margin - view_.size.x);
+  const double left = picture_margin + 0.5 * std::max(0.0, view_.width - 2 * picture_margin - view_.size.x);
   const int height = static_cast<int>(std::ceil(legend_.y + (legend_.markup.empty() ? -14 : 32)));
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -254,15 +249,10 @@ std::string Picture::str() const {
   out += fmt::format("<title>{}</title>\n<style>{}</style>\n", xml_escaped(title_), style_sheet());
   if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-  out += svg_element("text", {{"class", "title"}, {"x", svg_number(margin)}, {"y", "32"}}, {}, xml_escaped(title_));
-  if (!file_.empty())
-    out += svg_element("text", {{"class", "file"}, {"x", svg_number(view_.width - margin)}, {"y", "32"}}, {},
-                       xml_escaped(file_));
+  out += text_element("title", picture_margin, 32, title_);
+  if (!file_.empty()) out += text_element("file", view_.width - picture_margin, 32, file_);
   for (std::size_t i = 0; i < caption_lines_.size(); ++i)
-    out += svg_element(
-        "text",
-        {{"class", "caption"}, {"x", svg_number(margin)}, {"y", svg_number(52 + caption_row * static_cast<double>(i))}},
-        {}, xml_escaped(caption_lines_[i]));
+    out += text_element("caption", picture_margin, 52 + caption_row * static_cast<double>(i), caption_lines_[i]);
   out += fmt::format("\n<g id=\"drawing\" transform=\"translate({} {}) scale(1 -1)\">\n", svg_number(left),
                      svg_number(view_.top + view_.size.y));
   out += is_window() ? in_frame(drawing_, view_.size) : drawing_;

@@ -5,18 +5,19 @@
 // are outside this group.
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "draw/colour.hpp"
 #include "draw/draw.hpp"
-#include "draw/pixel_curve.hpp"
+#include "draw/palette.hpp"
 #include "draw/svg.hpp"
 
 namespace quadrille::draw {
 
+/// Empty by default.
 struct PictureBox {
-  Vec2 lower, upper;
+  Vec2 lower{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, upper = -lower;
   void include(Vec2 x);
   bool empty() const { return !(lower.x <= upper.x); }
 };
@@ -30,8 +31,8 @@ struct TextBox {
   }
 };
 
-/// The empty box.
-PictureBox empty_box();
+/// Points of a curve in its direction, `num_pieces` intervals of each knot span, knots between spans twice.
+std::vector<Vec2> dense_points(const Nurbs& curve, int num_pieces);
 /// The box of the face's boundary curves, by dense sampling.
 PictureBox bounding_box(const CadFace& face);
 

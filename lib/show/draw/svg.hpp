@@ -1,6 +1,8 @@
 #pragma once
-// A small SVG writer: escaping, numbers, elements with a hover title.
+// A small SVG writer: escaping, numbers, elements with a hover title, paths. Smooth curves become cubic Bezier
+// segments: Hermite interpolation, halved until it is exact to a fraction of a pixel.
 
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -40,5 +42,18 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 /// <name a="...">...</name>; `inner` is markup, a non-empty `title` becomes the hover text, escaped like attributes.
 std::string svg_element(const std::string& name, const Attributes& attributes, const std::string& title = {},
                         const std::string& inner = {});
+
+struct CurvePoint {
+  Vec2 position;    ///< pixels
+  Vec2 derivative;  ///< with respect to the parameter
+};
+using PixelCurve = std::function<CurvePoint(double)>;
+
+/// Appends the curve from t0 to t1 (t0 > t1: backwards) to `path`, whose last point is its start. Straight parts become
+/// lines. The distance to the curve is below 0.05 pixels at the sampled points.
+void append_curve(PathData& path, const PixelCurve& curve, double t0, double t1);
+
+/// A <path> of a class.
+std::string path_element(const std::string& css_class, const std::string& d, const std::string& title = {});
 
 }  // namespace quadrille::draw

@@ -6,8 +6,9 @@
 #include <set>
 
 #include "base/enum_names.hpp"
+#include "draw/marks.hpp"
 #include "model/interfaces.hpp"
-#include "page/instantiate_sheet.hpp"
+#include "page/sheet.hpp"
 
 namespace quadrille::page {
 
@@ -32,19 +33,11 @@ void append_arc(Chains& chains, const ArcGraph& graph, int arc, const PageFrame&
   chains.append(frame, graph.arcs[arc].pieces, [&](int id) -> const Nurbs& { return graph.curve(id); });
 }
 
-std::vector<ArcPiece> side_pieces(const BlockLayout& layout, HalfEdge side) {
-  std::vector<ArcPiece> pieces = layout.arcs[side.arc].pieces;
-  if (!side.is_backwards) return pieces;
-  std::reverse(pieces.begin(), pieces.end());
-  for (ArcPiece& piece : pieces) std::swap(piece.t0, piece.t1);
-  return pieces;
-}
-
 NamedChains blocks_of(const BlockLayout& layout, const PageFrame& frame) {
   NamedChains blocks;
   for (int b = 0; b < layout.num_blocks(); ++b) {
     for (const HalfEdge side : layout.block2arcs[b])
-      for (const ArcPiece& piece : side_pieces(layout, side))
+      for (const ArcPiece& piece : draw::side_pieces(layout, side))
         blocks.chains.append_piece(frame, layout.curve(piece.curve), piece.t0, piece.t1);
     blocks.chains.close_chain();
     blocks.names.push_back(b < static_cast<int>(layout.block_names.size()) ? layout.block_names[b] : "");
@@ -85,7 +78,7 @@ NamedChains lines_of(const SeparatrixGraph& graph, const PageFrame& frame) {
 
 }  // namespace
 
-Sheet sheet_of(const SeparatrixGraph& graph, const PageFrame& frame) {
+Sheet stage_sheet(const SeparatrixGraph& graph, const PageFrame& frame) {
   Sheet sheet;
   sheet.title = "Separatrices";
   sheet.caption = fmt::format("{} separatrices, {} nodes", graph.lines.size(), graph.nodes.size());
@@ -95,7 +88,7 @@ Sheet sheet_of(const SeparatrixGraph& graph, const PageFrame& frame) {
   return sheet;
 }
 
-Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame) {
+Sheet stage_sheet(const BlockLayout& layout, const PageFrame& frame) {
   Sheet sheet;
   const std::set<int> chords(layout.arc_chord.begin(), layout.arc_chord.end());
   sheet.title = "Blocks";
@@ -112,8 +105,5 @@ Sheet sheet_of(const BlockLayout& layout, const PageFrame& frame) {
   sheet.layers.push_back(marks_of(layout, frame, false).layer("nodes", "irregular nodes"));
   return sheet;
 }
-
-template Sheet stage_sheet(const SeparatrixGraph&, const PageFrame&);
-template Sheet stage_sheet(const BlockLayout&, const PageFrame&);
 
 }  // namespace quadrille::page

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "model/length_scale.hpp"
-#include "page/page_assets.hpp"
 #include "page/sheet.hpp"
 
 namespace quadrille::page {
@@ -32,7 +31,7 @@ const CadFace* first_face(const std::vector<StageModel>& stages) {
 }
 
 draw::PictureBox box_of(const CriticalPoints& points) {
-  draw::PictureBox box = draw::empty_box();
+  draw::PictureBox box;
   for (const CriticalPoint& p : points.critical_points) box.include(p.position);
   for (const Corner& c : points.corners) box.include(c.position);
   for (const IrregularBoundaryPoint& b : points.boundary_nodes) box.include(b.position);
@@ -47,7 +46,7 @@ Vec2 origin_of(const StageModel& stage) {
 
 /// In the coordinates of the CAD file, origins included.
 draw::PictureBox box_of(const std::vector<StageModel>& stages) {
-  draw::PictureBox box = draw::empty_box();
+  draw::PictureBox box;
   for (const StageModel& stage : stages) {
     const CadFace* face = face_of(stage);
     const draw::PictureBox own = face ? draw::bounding_box(*face) : box_of(std::get<CriticalPoints>(stage));
@@ -56,17 +55,6 @@ draw::PictureBox box_of(const std::vector<StageModel>& stages) {
     box.include(own.upper + origin_of(stage));
   }
   return box;
-}
-
-const Provenance& provenance_of(const StageModel& stage) {
-  return std::visit(
-      [](const auto& model) -> const Provenance& {
-        if constexpr (std::is_same_v<std::decay_t<decltype(model)>, Field>)
-          return model.provenance.empty() ? model.mesh.provenance : model.provenance;
-        else
-          return model.provenance;
-      },
-      stage);
 }
 
 std::string facts_json(const std::vector<draw::Figure>& facts) {

@@ -1,9 +1,9 @@
 #pragma once
 // A page (HTML) that shows stage files of one chain: it pans, zooms, and shows figures of what is under the pointer.
 //
-// The page is self-contained: geometry as compact numbers (page_data.hpp, bends.hpp), and the script and style of this
-// folder (view.css, *.js), which are compiled in. The script draws layers of four kinds: cells (elements), chains
-// (lines, blocks), marks (nodes) and samples (the field).
+// The page is self-contained: geometry as compact numbers (page_data.hpp), and the script and style
+// of this folder (view.css, *.js), which are compiled in. The script draws layers of four kinds: cells (elements),
+// chains (lines, blocks), marks (nodes) and samples (the field).
 
 #include <string>
 #include <vector>

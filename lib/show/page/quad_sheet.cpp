@@ -10,7 +10,7 @@
 
 #include "base/angle.hpp"
 #include "model/quad_mesh.hpp"
-#include "page/instantiate_sheet.hpp"
+#include "page/sheet.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -130,19 +130,15 @@ JsonObject cells_layer(const QuadMesh& mesh, const Cells& cells) {
 
 }  // namespace
 
-Sheet sheet_of(const QuadMesh& mesh, const PageFrame& frame) {
+Sheet stage_sheet(const QuadMesh& mesh, const PageFrame& frame) {
   Sheet sheet;
   const Cells cells = cells_of(mesh, frame);
-  const int num_blocks =
-      mesh.elem_block.empty() ? 0 : 1 + *std::max_element(mesh.elem_block.begin(), mesh.elem_block.end());
   sheet.title = "Quad mesh";
   sheet.caption = fmt::format("{}{} quads of order {} in {} blocks",
-                              mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(), mesh.order, num_blocks);
+                              mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(), mesh.order, draw::num_blocks(mesh));
   sheet.facts = draw::figures_of(mesh);
   sheet.layers.push_back(cells_layer(mesh, cells));
   return sheet;
 }
-
-template Sheet stage_sheet(const QuadMesh&, const PageFrame&);
 
 }  // namespace quadrille::page

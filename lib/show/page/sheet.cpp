@@ -4,7 +4,7 @@
 
 #include "base/enum_names.hpp"
 #include "base/position_text.hpp"
-#include "draw/region_labels.hpp"
+#include "draw/labels.hpp"
 
 namespace quadrille::page {
 

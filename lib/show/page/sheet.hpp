@@ -6,7 +6,6 @@
 
 #include "draw/figures.hpp"
 #include "model/stage_formats.hpp"
-#include "page/bends.hpp"
 #include "page/page_data.hpp"
 
 namespace quadrille::page {
@@ -18,8 +17,12 @@ struct Sheet {
 };
 
 /// The tab of a struct of StageModel.
-template <typename Model>
-Sheet stage_sheet(const Model& model, const PageFrame& frame);
+Sheet stage_sheet(const TriMesh& mesh, const PageFrame& frame);
+Sheet stage_sheet(const Field& field, const PageFrame& frame);
+Sheet stage_sheet(const CriticalPoints& points, const PageFrame& frame);
+Sheet stage_sheet(const SeparatrixGraph& graph, const PageFrame& frame);
+Sheet stage_sheet(const BlockLayout& layout, const PageFrame& frame);
+Sheet stage_sheet(const QuadMesh& mesh, const PageFrame& frame);
 
 /// The boundary of the face with the names of its curves, in every tab.
 JsonObject boundary_layer(const CadFace& face, const PageFrame& frame);

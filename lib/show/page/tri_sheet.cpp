@@ -7,11 +7,11 @@
 #include <map>
 
 #include "base/angle.hpp"
-#include "draw/elements.hpp"
+#include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
-#include "draw/region_fields.hpp"
 #include "field/evaluate.hpp"
-#include "page/instantiate_sheet.hpp"
+#include "mesh/tri_maps.hpp"
+#include "page/sheet.hpp"
 
 namespace quadrille::page {
 
@@ -100,7 +100,7 @@ std::string orders_text(const std::vector<int>& orders) {
 
 JsonObject triangle_layer(const TriMesh& mesh, const std::vector<Quantity>& quantities, bool is_shown,
                           const PageFrame& frame) {
-  const std::vector<spectral::TriMap> maps = draw::element_maps(mesh);
+  const std::vector<spectral::TriMap> maps = mesh::tri_maps(mesh);
   std::map<std::pair<int, int>, int> known;
   std::vector<std::int32_t> vertices, ends, sides;
   Bends bends;
@@ -123,7 +123,7 @@ JsonObject triangle_layer(const TriMesh& mesh, const std::vector<Quantity>& quan
   return layer;
 }
 
-Sheet sheet_of(const TriMesh& mesh, const PageFrame& frame) {
+Sheet stage_sheet(const TriMesh& mesh, const PageFrame& frame) {
   Sheet sheet;
   sheet.title = "Triangle mesh";
   sheet.caption = fmt::format("{} triangles, {} of them curved (order {}){}", mesh.num_elems(),
@@ -139,7 +139,7 @@ Sheet sheet_of(const TriMesh& mesh, const PageFrame& frame) {
   return sheet;
 }
 
-Sheet sheet_of(const Field& field, const PageFrame& frame) {
+Sheet stage_sheet(const Field& field, const PageFrame& frame) {
   Sheet sheet;
   const bool is_phase = field.kind == FieldKind::phase;
   sheet.title = is_phase ? "Phase form" : "Guiding field";
@@ -158,8 +158,5 @@ Sheet sheet_of(const Field& field, const PageFrame& frame) {
     sheet.layers.push_back(nodes.layer("nodes", "prescribed nodes"));
   return sheet;
 }
-
-template Sheet stage_sheet(const TriMesh&, const PageFrame&);
-template Sheet stage_sheet(const Field&, const PageFrame&);
 
 }  // namespace quadrille::page

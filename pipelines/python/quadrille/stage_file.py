@@ -37,6 +37,8 @@ def _load_json(data, name):
         content = json.loads(data)
     except ValueError as error:
         raise StageFileError(f"{name}: neither HDF5 nor JSON: {error}") from None
+    except RecursionError:
+        raise StageFileError(f"{name}: nested too deeply") from None
     if not isinstance(content, dict):
         raise StageFileError(f"{name}: expected a JSON object")
     return content
@@ -53,7 +55,7 @@ def _load_hdf5(data, name):
     except OSError as error:
         raise StageFileError(f"{name}: cannot be read as HDF5: {error}") from None
     if isinstance(content.get("provenance"), str):
-        content["provenance"] = json.loads(content["provenance"])["provenance"]
+        content["provenance"] = _load_json(content["provenance"], f"{name}: attribute 'provenance'").get("provenance", [])
     return content
 
 

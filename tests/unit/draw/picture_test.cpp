@@ -18,7 +18,7 @@ DrawOptions wide(int width) {
 }
 
 TEST(PictureBox, GrowsFromNothing) {
-  PictureBox box = empty_box();
+  PictureBox box;
   EXPECT_TRUE(box.empty());
   box.include({2, 3});
   EXPECT_FALSE(box.empty());
@@ -48,7 +48,7 @@ TEST(Picture, ATallFaceIsAtMostATenthHigherThanThePictureIsWide) {
 }
 
 TEST(Picture, NothingToDrawIsAPictureToo) {
-  const Picture none(empty_box(), wide(472), "", "");
+  const Picture none(PictureBox(), wide(472), "", "");
   EXPECT_EQ(none.size(), (Vec2{400, 400}));
   EXPECT_FALSE(contains(none.str(), "inf"));
 }
@@ -146,7 +146,7 @@ TEST(Picture, AWindowIsClippedAndShowsNoTextsOutside) {
 }
 
 TEST(Picture, LinesKeepTheirWidthWhenThePictureIsEnlarged) {
-  EXPECT_TRUE(contains(Picture(empty_box(), wide(472), "", "").str(), "vector-effect:non-scaling-stroke"));
+  EXPECT_TRUE(contains(Picture(PictureBox(), wide(472), "", "").str(), "vector-effect:non-scaling-stroke"));
 }
 
 TEST(Picture, ACaptionThatIsTooWideTakesLinesAndMovesTheDrawingDown) {

@@ -7,8 +7,8 @@
 #include "../support/refined.hpp"
 #include "../support/region_graphs.hpp"
 #include "../support/texts.hpp"
-#include "draw/colour.hpp"
 #include "draw/draw.hpp"
+#include "draw/palette.hpp"
 
 namespace quadrille::draw {
 namespace {

@@ -1,10 +1,9 @@
-#include "export/block_mesh_dict.hpp"
-
 #include <gtest/gtest.h>
 
 #include "../hand_made.hpp"
 #include "../support/refined.hpp"
 #include "base/error.hpp"
+#include "export/writers.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <set>
 
 #include "../hand_made.hpp"
@@ -10,6 +12,7 @@
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
+
 namespace {
 
 TEST(EdgeNumbering, CountsObeyEuler) {
@@ -55,5 +58,82 @@ TEST(EdgeNumbering, TwoEdgesBetweenTwoVerticesStayTwo) {
   EXPECT_EQ(n.num_edges(), 6);
 }
 
+/// A patch of columns x rows quads of order 1 whose elements start at corners that `first` chooses.
+template <class First>
+QuadMesh patch(int columns, int rows, const First& first) {
+  QuadMesh mesh;
+  mesh.order = 1;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i) mesh.nodes.push_back({1.0 * i, 1.0 * j});
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const int a = j * (columns + 1) + i;
+      std::array<int, 4> corners{a, a + 1, a + columns + 2, a + columns + 1};
+      std::rotate(corners.begin(), corners.begin() + first(i, j), corners.end());
+      for (const int k : {0, 1, 3, 2}) mesh.elem_nodes.push_back(corners[k]);
+      mesh.elem_block.push_back(0);
+    }
+  return mesh;
+}
+
+/// Three quads around the node of valence 3 in the middle of a triangle: every chord bends.
+QuadMesh three_quads() {
+  QuadMesh mesh;
+  mesh.order = 1;
+  mesh.nodes = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {0.6, 0}, {0, 1}, {-0.6, 0}};
+  mesh.elem_nodes = {1, 2, 6, 0, 3, 4, 2, 0, 5, 6, 4, 0};
+  mesh.elem_block = {0, 0, 0};
+  return mesh;
+}
+
+/// Opposite edges are parallel, and the first corner is the start of both directions.
+void expect_directed(const QuadMesh& mesh) {
+  const QuadMesh turned = turned_along_chords(mesh);
+  const EdgeNumbering numbering = number_directed_edges(turned);
+  for (int elem = 0; elem < turned.num_elems(); ++elem)
+    for (int side = 0; side < 4; ++side) {
+      const int corner = numbering.elem2verts[4 * elem + side], next = numbering.elem2verts[4 * elem + (side + 1) % 4];
+      const NumberedEdge& edge = numbering.edges[numbering.elem2edges[4 * elem + side]];
+      EXPECT_EQ(edge.vertices[0], side < 2 ? corner : next) << elem << ' ' << side;
+      EXPECT_EQ(edge.vertices[1], side < 2 ? next : corner) << elem << ' ' << side;
+    }
+}
+
+TEST(ChordDirections, OppositeEdgesAreParallelAndMeetInTheFirstCorner) {
+  std::mt19937 random(7);
+  expect_directed(patch(5, 4, [&](int, int) { return static_cast<int>(random() % 4); }));
+  expect_directed(three_quads());
+  expect_directed(two_quads());
+  expect_directed(ring_of_two_quads());
+}
+
+TEST(ChordDirections, NodesOfAnEdgeRunInItsDirection) {
+  const QuadMesh turned = turned_along_chords(two_quads());
+  const EdgeNumbering numbering = number_directed_edges(turned);
+  for (const NumberedEdge& edge : numbering.edges) {
+    const std::vector<int> nodes = edge_nodes(turned, edge);
+    EXPECT_EQ(nodes.front(), numbering.vertices[edge.vertices[0]]);
+    EXPECT_EQ(nodes.back(), numbering.vertices[edge.vertices[1]]);
+  }
+}
+
+TEST(ChordDirections, OnlyTheOrderOfNodesChanges) {
+  const auto first = [](int i, int j) { return (i + 3 * j) % 4; };
+  const QuadMesh mesh = patch(3, 3, first);
+  const QuadMesh turned = turned_along_chords(mesh);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    std::vector<int> before(&mesh.elem_nodes[4 * elem], &mesh.elem_nodes[4 * elem] + 4);
+    std::vector<int> after(&turned.elem_nodes[4 * elem], &turned.elem_nodes[4 * elem] + 4);
+    const auto turns_left = [&](const std::vector<int>& n) {
+      return cross(turned.nodes[n[1]] - turned.nodes[n[0]], turned.nodes[n[2]] - turned.nodes[n[0]]) > 0;
+    };
+    EXPECT_TRUE(turns_left(after));
+    std::sort(before.begin(), before.end());
+    std::sort(after.begin(), after.end());
+    EXPECT_EQ(before, after);
+  }
+}
+
 }  // namespace
+
 }  // namespace quadrille::exports

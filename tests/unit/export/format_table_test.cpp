@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "export/scale_mesh.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -66,7 +65,7 @@ TEST(FormatTable, EveryFormatObeysUnitAndScale) {
   QuadMesh mesh = two_straight_quads();
   mesh.face.length_unit = "millimetre", mesh.face.metres_per_unit = 0.001;
   QuadMesh doubled = mesh;
-  scale_mesh(doubled, {2, "unknown", 0});
+  scale_lengths(doubled, {2, "unknown", 0});
   for (const ExportFormat& format : export_formats()) {
     const Exported whole = export_mesh(mesh, format), scaled = export_mesh(mesh, format, {.length = {"file", 2}});
     EXPECT_NE(scaled.bytes, whole.bytes) << format.name;

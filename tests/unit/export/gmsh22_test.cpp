@@ -9,7 +9,7 @@
 
 #include "../hand_made.hpp"
 #include "../support/refined.hpp"
-#include "export/gmsh.hpp"
+#include "export/writers.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -8,6 +8,7 @@
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
+
 namespace {
 
 using TwoQuadsModel = TwoQuadsTest<gmsh_model>;
@@ -100,4 +101,5 @@ TEST(GmshModel, PositionsLieInTheFrame) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::exports

@@ -1,5 +1,3 @@
-#include "export/gmsh.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,6 +10,7 @@
 #include "../support/refined.hpp"
 #include "base/error.hpp"
 #include "export/format_table.hpp"
+#include "export/writers.hpp"
 
 namespace quadrille::exports {
 namespace {

@@ -5,6 +5,7 @@
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
+
 namespace {
 
 TEST(Groups, CurvesOfOneNameAreOneBoundaryAndThoseWithoutANameGetOne) {
@@ -43,5 +44,78 @@ TEST(Groups, SeparatedBlocksKeepNamesOfTheirOwn) {
   EXPECT_EQ(mesh_groups(mesh).is_region_named, (std::vector<bool>{true, true}));
 }
 
+TEST(NamesTable, ListsGroupsWithTheirNumbers) {
+  Groups groups;
+  groups.boundary_names = {"wall", "outlet"};
+  groups.region_names = {"block_0"};
+  const SideFile table = names_table(groups, groups.boundary_names, groups.region_names);
+  EXPECT_EQ(table.name.ending, ".names.json");
+  EXPECT_FALSE(table.is_binary);
+  EXPECT_EQ(table.bytes, R"({
+  "boundaries": [
+    {"id": 1, "name": "wall"},
+    {"id": 2, "name": "outlet"}
+  ],
+  "regions": [
+    {"id": 1, "name": "block_0"}
+  ]
+}
+)");
+}
+
+TEST(NamesTable, EscapesWhatJsonAsksFor) {
+  Groups groups;
+  groups.boundary_names = {"a\"b\\c\n\xc3\xa4"};
+  const SideFile table = names_table(groups, groups.boundary_names, {});
+  EXPECT_EQ(table.bytes,
+            "{\n  \"boundaries\": [\n    {\"id\": 1, \"name\": \"a\\\"b\\\\c\\u000a\xc3\xa4\"}\n  ],\n  \"regions\": "
+            "[]\n}\n");
+}
+
+TEST(NamesTable, SaysWhatTheFileCallsAGroup) {
+  Groups groups;
+  groups.boundary_names = {"inner wall"};
+  const SideFile table = names_table(groups, {"inner_wall"}, {});
+  EXPECT_NE(table.bytes.find(R"({"id": 1, "name": "inner wall", "tag": "inner_wall"})"), std::string::npos);
+}
+
+TEST(PlainNames, WordsStayAsTheyAre) {
+  const NameList words{"wall", "in-let.2", "_x", "curve_0"};
+  EXPECT_EQ(plain_names(words), words);
+  EXPECT_EQ(renamed_loss(words, words), "");
+}
+
+TEST(PlainNames, WhatReadersPartWordsByIsReplaced) {
+  EXPECT_EQ(plain_names({"outer wall", "a,b/c", "\"q\"", "x*y;z", "---", "2nd", ""}),
+            (NameList{"outer_wall", "a_b_c", "_q_", "x_y_z", "_---", "_2nd", "_"}));
+}
+
+TEST(PlainNames, ALetterOfManyBytesIsOne) { EXPECT_EQ(plain_names({"S\u00fcd"}), (NameList{"S_d"})); }
+
+TEST(PlainNames, NamesDoNotFallTogether) {
+  EXPECT_EQ(plain_names({"a b", "a_b", "a,b", "taken"}, {"taken"}), (NameList{"a_b_2", "a_b", "a_b_3", "taken_2"}));
+}
+
+TEST(PlainNames, LossNamesTheFirstFew) {
+  EXPECT_EQ(renamed_loss({"a b", "c"}, {"a_b", "c"}), "1 name is written in plain letters: \"a b\" as a_b");
+  const NameList names{"1", "2", "3", "4"};
+  EXPECT_EQ(renamed_loss(names, plain_names(names)),
+            "4 names are written in plain letters: \"1\" as _1, \"2\" as _2, \"3\" as _3, ...");
+}
+
+TEST(PlainNames, RegionsAreLostWhereSomebodyNamedThem) {
+  Groups groups;
+  groups.region_names = {"block_0", "block_1"};
+  groups.is_region_named = {false, false};
+  EXPECT_EQ(region_loss(groups), "");
+  groups.region_names = {"copper", "block_1", "air"};
+  groups.is_region_named = {true, false, true};
+  EXPECT_EQ(region_loss(groups), "2 region names are not stored");
+  groups.region_names = {"plate"};
+  groups.is_region_named = {true};
+  EXPECT_EQ(region_loss(groups), "");
+}
+
 }  // namespace
+
 }  // namespace quadrille::exports

@@ -7,7 +7,11 @@
 namespace quadrille::exports {
 namespace {
 
-using HohqmeshQuads = TwoQuadsTest<hohqmesh_model>;
+HohqmeshModel model_of(const QuadMesh& mesh, const Frame& frame) {
+  return hohqmesh_model(mesh, frame, Materials::lost);
+}
+
+using HohqmeshQuads = TwoQuadsTest<model_of>;
 
 TEST_F(HohqmeshQuads, CornersCountFromOneInTheOrderOfTheElements) {
   EXPECT_EQ(model.corners, (std::vector<int>{0, 2, 12, 10, 4, 14}));
@@ -18,7 +22,7 @@ TEST_F(HohqmeshQuads, OnlyTheSideOffItsChordIsCurved) {
   EXPECT_EQ(model.is_curved,
             (std::vector<std::array<bool, 4>>{{false, false, false, false}, {false, false, true, false}}));
   mesh.nodes[7].x += 1e-3;  // the common side
-  model = hohqmesh_model(mesh, plane_frame(mesh.face));
+  model = model_of(mesh, plane_frame(mesh.face));
   EXPECT_TRUE(model.is_curved[0][1]);
   EXPECT_TRUE(model.is_curved[1][3]);
 }
@@ -58,7 +62,7 @@ TEST_F(HohqmeshQuads, LossesAreTold) {
   EXPECT_EQ(model.side_files.size(), 1u);
   EXPECT_FALSE(tells("nodes inside elements"));
   mesh = two_quads_with_moved_middle();
-  model = hohqmesh_model(mesh, plane_frame(mesh.face));
+  model = model_of(mesh, plane_frame(mesh.face));
   EXPECT_TRUE(tells("nodes inside elements are not stored"));
 }
 
@@ -71,7 +75,7 @@ TEST_F(HohqmeshQuads, SidesRunInTheLocalCoordinatesDirection) {
 
 TEST_F(HohqmeshQuads, PointsLieInTheFrame) {
   // Chebyshev-Lobatto points of order 2 are those of Gauss, Lobatto and Legendre.
-  model = hohqmesh_model(mesh, upright_frame());
+  model = model_of(mesh, upright_frame());
   for (int n = 0; n < 15; ++n) {
     const std::array<double, 3> expected = upright_frame().at(mesh.nodes[n]);
     for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(model.points[n][axis], expected[axis], 1e-15);

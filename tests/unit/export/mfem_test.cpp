@@ -1,8 +1,7 @@
-#include "export/mfem.hpp"
-
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "export/writers.hpp"
 #include "periodic_row.hpp"
 #include "two_quads.hpp"
 

@@ -1,9 +1,8 @@
-#include "export/nektar.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "export/writers.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {

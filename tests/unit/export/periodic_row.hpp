@@ -1,7 +1,7 @@
 #pragma once
 // A row of quads whose left and right sides are periodic, small enough to write its files by hand.
 
-#include "export/frame.hpp"
+#include "export/exported.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "../support/test_data.hpp"
-#include "export/frame.hpp"
+#include "export/exported.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {

@@ -1,5 +1,3 @@
-#include "export/vtu.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -11,8 +9,11 @@
 #include "../hand_made.hpp"
 #include "../support/refined.hpp"
 #include "export/format_table.hpp"
+#include "export/writers.hpp"
+#include "two_quads.hpp"
 
 namespace quadrille::exports {
+
 namespace {
 
 /// What follows the array's start tag, up to its end tag; "" where there is no such array.
@@ -154,5 +155,44 @@ TEST(Vtu, FrameInSpaceIsWritten) {
   EXPECT_EQ(std::vector<double>(points.begin(), points.begin() + 6), (std::vector<double>{0, 0, 5, 0, 1, 5}));
 }
 
+TEST(Vtu, Base64IsPaddedAsTheStandardSays) {
+  // One, two and three bytes of cell types after the eight of their length.
+  for (const auto& [mesh, tail] :
+       {std::pair{refined(hand_made::unit_square(), {1, 1, 5e-7}), "Rg=="}, std::pair{two_quads(), "RkY="},
+        std::pair{refined(hand_made::l_shape(), {1, 1, 5e-7}), "RkZG"}}) {
+    const std::string text = vtu_lagrange(mesh, plane_frame(mesh.face)).bytes;
+    EXPECT_NE(text.find(std::string("AAAAAAAAA=") + tail + "\n"), std::string::npos) << tail;
+  }
+}
+
+TEST(Vtu, ArraysReadBackToTheSameBits) {
+  const QuadMesh mesh = two_straight_quads();
+  const std::string text = vtu_lagrange(mesh, plane_frame(mesh.face)).bytes;
+  const auto points = values<double>(text, "Points");
+  ASSERT_EQ(points.size(), 3 * mesh.nodes.size());
+  for (std::size_t k = 0; k < mesh.nodes.size(); ++k) EXPECT_EQ(point(points, static_cast<int>(k)), mesh.nodes[k]);
+  EXPECT_EQ(values<int>(text, "offsets"), (std::vector<int>{4, 8}));
+  EXPECT_EQ(values<int>(text, "connectivity").size(), 8u);
+}
+
+TEST(Vtu, CountsAndTextsStandInTheFile) {
+  QuadMesh mesh = two_straight_quads();
+  mesh.block_names = {"in", "a&b"};
+  const std::string text = vtu_lagrange(mesh, plane_frame(mesh.face)).bytes;
+  EXPECT_NE(text.find("<Piece NumberOfPoints=\"6\" NumberOfCells=\"2\">"), std::string::npos);
+  EXPECT_NE(text.find("Name=\"block_names\" NumberOfTuples=\"2\" format=\"ascii\">\n105 110 0\n97 38 98 0\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("byte_order=\"LittleEndian\" header_type=\"UInt64\""), std::string::npos);
+}
+
+TEST(Vtu, AGridWithoutCellsIsEmpty) {
+  QuadMesh mesh;
+  mesh.order = 1;
+  const std::string text = vtu_lagrange(mesh, plane_frame(mesh.face)).bytes;
+  EXPECT_NE(text.find("NumberOfPoints=\"0\" NumberOfCells=\"0\""), std::string::npos);
+  EXPECT_TRUE(values<double>(text, "Points").empty());
+}
+
 }  // namespace
+
 }  // namespace quadrille::exports

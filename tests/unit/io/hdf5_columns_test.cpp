@@ -1,11 +1,10 @@
-#include "io/hdf5_columns.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "../support/texts.hpp"
 #include "base/error.hpp"
+#include "io/hdf5_archive.hpp"
 
 namespace quadrille::io {
 namespace {

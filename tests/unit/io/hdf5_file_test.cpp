@@ -1,7 +1,8 @@
-// Groups, datasets and attributes: hdf5_write and hdf5_read.
 #include "io/hdf5_file.hpp"
 
 #include <gtest/gtest.h>
+#include <hdf5.h>
+#include <sys/stat.h>
 
 #include <functional>
 #include <limits>
@@ -9,8 +10,10 @@
 
 #include "../support/texts.hpp"
 #include "base/error.hpp"
+#include "scratch.hpp"
 
 namespace quadrille::io {
+
 namespace {
 
 std::string image_of(const std::function<void(const Hdf5GroupWriter&)>& fill) {
@@ -115,5 +118,67 @@ TEST(Hdf5File, OtherBytesAreNoHdf5) {
     EXPECT_NE(refusal(bytes, [](const auto& root) { root.integers("table", 3); }), "");
 }
 
+/// A file of another program: one dataset "x" of `count` zeros, with properties that `set` gives it.
+std::string foreign_file(hsize_t count, const std::function<void(hid_t)>& set) {
+  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_fapl_core(access.get(), 1 << 20, false);
+  const Hdf5Id file(H5Fcreate("/dev/null/foreign", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  const Hdf5Id space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  set(properties.get());
+  const Hdf5Id x(H5Dcreate2(file.get(), "x", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+                 H5Dclose);
+  if (H5Pget_external_count(properties.get()) == 0) {
+    const std::vector<double> zeros(count);
+    H5Dwrite(x.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
+  }
+  H5Fflush(file.get(), H5F_SCOPE_GLOBAL);
+  std::string bytes(static_cast<std::size_t>(H5Fget_file_image(file.get(), nullptr, 0)), '\0');
+  H5Fget_file_image(file.get(), bytes.data(), bytes.size());
+  return bytes;
+}
+
+TEST(Hdf5File, ValuesInOtherFilesAreNotRead) {
+  const std::string file =
+      foreign_file(2, [](hid_t properties) { H5Pset_external(properties, "/etc/passwd", 0, H5F_UNLIMITED); });
+  EXPECT_EQ(refusal(file, [](const auto& root) { root.reals("x", 1); }),
+            "sample.h5: 'x' has its values in another file, which is not read");
+}
+
+TEST(Hdf5File, ACompressedDatasetIsReadUnlessItIsABomb) {
+  const auto file_of = [](hsize_t count) {
+    return foreign_file(count, [count](hid_t properties) {
+      H5Pset_chunk(properties, 1, &count);
+      H5Pset_deflate(properties, 9);
+    });
+  };
+  EXPECT_EQ(refusal(file_of(100'000), [](const auto& root) { root.reals("x", 1); }), "");
+  const std::string bomb = file_of(10'000'000);
+  EXPECT_LT(bomb.size(), 1u << 20);
+  EXPECT_EQ(refusal(bomb, [](const auto& root) { root.reals("x", 1); }), "sample.h5: 'x' is larger than the file");
+  EXPECT_EQ(refusal(file_of(5'000'000), [](const auto& root) { root.reals("x", 1), root.reals("x", 1); }),
+            "sample.h5: 'x' is larger than the file")
+      << "all datasets together";
+}
+
+class Hdf5InAFolder : public Scratch {};
+
+TEST_F(Hdf5InAFolder, AFileFolderOrPipeCalledImageIsInNobodysWay) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(path(""));
+  for (const char* kind : {"file", "folder", "pipe"}) {
+    if (*kind == 'p')
+      mkfifo("image", 0600);
+    else if (kind[1] == 'o')
+      std::filesystem::create_directory("image");
+    else
+      put("image", "text");
+    EXPECT_EQ(refusal(sample, [](const auto& root) { root.integers("one", 0); }), "") << kind;
+    EXPECT_EQ(image_of([](const Hdf5GroupWriter& root) { root.text_attribute("a", "b"); }).substr(1, 3), "HDF") << kind;
+    std::filesystem::remove_all("image");
+  }
+  std::filesystem::current_path(before);
+}
+
 }  // namespace
+
 }  // namespace quadrille::io

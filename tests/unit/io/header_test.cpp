@@ -1,9 +1,8 @@
-#include "io/header.hpp"
-
 #include <gtest/gtest.h>
 
 #include "../support/texts.hpp"
 #include "base/error.hpp"
+#include "io/describe.hpp"
 
 namespace quadrille::io {
 namespace {

@@ -1,5 +1,3 @@
-#include "io/json_text.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -8,7 +6,10 @@
 #include <sstream>
 #include <string>
 
+#include "io/json_archive.hpp"
+
 namespace quadrille::io {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -79,4 +80,5 @@ TEST(JsonText, EmptyListsAndObjectsAndBytesThatAreNoUtf8ArePrinted) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::io

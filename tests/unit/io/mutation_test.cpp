@@ -7,7 +7,7 @@
 
 #include "../region_samples.hpp"
 #include "base/error.hpp"
-#include "io/checksum.hpp"
+#include "io/digest.hpp"
 #include "io/stage_files.hpp"
 #include "scratch.hpp"
 

@@ -94,5 +94,9 @@ TEST(NameRules, NumbersOutOfRangeMeetNothing) {
   EXPECT_EQ(boundary(R"({"99999999999": "x"})")[0].number, -1);
 }
 
+TEST(NameRules, AFileOfBracketsIsRefused) {
+  EXPECT_EQ(refusal(std::string(1'000'000, '[')), "names.json: not valid: nested deeper than 100 levels");
+}
+
 }  // namespace
 }  // namespace quadrille::io

@@ -49,5 +49,9 @@ TEST(OrderMap, anything_else_is_refused_by_the_name_of_the_file) {
             "orders.json: a number is larger than the largest of double precision");
 }
 
+TEST(OrderMap, a_file_of_brackets_is_refused) {
+  EXPECT_EQ(refusal(std::string(1'000'000, '[')), "orders.json: not valid: nested deeper than 100 levels");
+}
+
 }  // namespace
 }  // namespace quadrille::io

@@ -3,7 +3,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/output_file.hpp"
+#include "base/error.hpp"
+#include "io/chain_report.hpp"
+#include "io/whole_file.hpp"
 #include "scratch.hpp"
 
 namespace quadrille::io {
@@ -47,6 +49,14 @@ TEST_F(ReportIo, WarningsAreListedWithTheirCodes) {
   const auto json = written(report);
   ASSERT_EQ(json["warnings"].size(), 2u);
   EXPECT_EQ(json["warnings"][1].dump(), R"({"code":"W-X-001","message":"second"})");
+}
+
+TEST_F(ReportIo, AReportThatIsReadMustBeAnObjectOfFewLevels) {
+  put("deep", R"({"a":)" + std::string(1'000'000, '[') + std::string(1'000'000, ']') + '}');
+  put("list", "[]");
+  EXPECT_THROW(read_report(path("deep")), FormatError);
+  EXPECT_THROW(read_report(path("list")), FormatError);
+  EXPECT_EQ(value_of({"stage", bytes_of("deep")}, "a"), std::nullopt) << "counts as empty";
 }
 
 }  // namespace

@@ -68,5 +68,25 @@ TEST(LengthScale, AllLengthsOfAGraphAreScaled) {
   EXPECT_EQ(graph.nodes[0].position, (Vec2{3, 4}));
 }
 
+TEST(LengthScale, LengthsOfAMeshGetTheFactorAndJacobiansItsSquare) {
+  QuadMesh mesh;
+  mesh.nodes = {{3, 2.5}};
+  mesh.face.diameter = 5;
+  mesh.elem_jacobian_bound = mesh.elem_scaled_jacobian = {0.5, 0.5};
+  mesh.face.origin = {10, 20};
+  mesh.elem_node_distance = {0.5, 1};
+  mesh.least_jacobian_bound = 0.5;
+  scale_lengths(mesh, {0.1, "centimetre", 0.01});
+  EXPECT_EQ(mesh.nodes[0], (0.1 * Vec2{3, 2.5}));
+  EXPECT_EQ(mesh.face.origin, (0.1 * Vec2{10, 20}));
+  EXPECT_DOUBLE_EQ(mesh.face.diameter, 0.5);
+  EXPECT_DOUBLE_EQ(mesh.elem_jacobian_bound[1], 0.005);
+  EXPECT_DOUBLE_EQ(mesh.least_jacobian_bound, 0.005);
+  EXPECT_DOUBLE_EQ(mesh.elem_node_distance[0], 0.05);
+  EXPECT_EQ(mesh.elem_scaled_jacobian, (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(mesh.face.length_unit, "centimetre");
+  EXPECT_EQ(mesh.face.metres_per_unit, 0.01);
+}
+
 }  // namespace
 }  // namespace quadrille

@@ -33,6 +33,7 @@ class FilesTest(unittest.TestCase):
         for data, words in ((b"no json", "neither HDF5 nor JSON"), (b'{"format": "mesh"}', "no stage file"), (b"[]", "object"),
                             (b'{"format": "critical-points", "version": [3, 0]}', "reads version 2"),
                             (b'{"format": "critical-points", "version": [1, 2]}', "reads version 2"),
+                            (b"[" * 1000000, "nested too deeply"),
                             (b"\x89HDF\r\n\x1a\nnothing", "cannot be read as HDF5")):
             with self.assertRaisesRegex(quadrille.StageFileError, words):
                 quadrille.read(data)

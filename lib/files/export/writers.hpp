@@ -1,0 +1,71 @@
+#pragma once
+// The writers of the formats, one source for each program; format_table has a row for each of them. They throw
+// ComputeError, with the position, for a mesh that the format cannot hold.
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "export/exported.hpp"
+#include "export/patches.hpp"
+#include "model/quad_mesh.hpp"
+
+namespace quadrille::exports {
+
+/// What writers of texts have in common.
+class TextWriter {
+ protected:
+  template <class... Args>
+  void print(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+  std::string out_;
+};
+
+/// Gmsh MSH (ASCII), versions 4.1 and 2.2: physical groups for boundaries and blocks, orders 1-10, equispaced nodes.
+Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame);
+Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame);
+
+/// VTK's XML for ParaView, VisIt and PyVista: Lagrange or Bezier cells of orders 1-10, with the blocks, the names and
+/// the quality of the elements; curves of the boundary and of the interfaces in a side file.
+Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame);
+Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame);
+
+/// Nektar++ XML: vertices, edges, quads, curved edges and, where the sides do not determine the element, curved faces;
+/// composites with names for boundaries and regions; a default expansion. Any order; the nodes are those of the quad
+/// mesh (GaussLobattoLegendre). Lossless but for control characters in names, which XML cannot represent. SPACE="3" if
+/// the frame is not the plane z = 0.
+Exported nektar_xml(const QuadMesh& mesh, const Frame& frame);
+
+/// MFEM mesh v1.0 and v1.3 (named attribute sets): any order, the nodes of the quad mesh (H1, Gauss-Lobatto), regions
+/// and boundaries as attributes counted from 1 each. Positions are lossless; v1.0 has no names, they are written to a
+/// table beside it. Three coordinates if the frame is not the plane z = 0. MFEM identifies edges by their ends: no two
+/// may join the same two vertices.
+Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame);
+Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame);
+
+/// HOHQMesh ISM-V2 (Trixi.jl's UnstructuredMesh2D, SELF): corners, edges with their elements, curved sides at
+/// Chebyshev-Lobatto points, names of sides. ISM-MM has the materials of elements, and no edges. Any order. No element
+/// may be folded once its interior is rebuilt from its sides.
+Exported hohqmesh_ism(const QuadMesh& mesh, const Frame& frame);
+Exported hohqmesh_ism_mm(const QuadMesh& mesh, const Frame& frame);
+
+/// Abaqus .inp in HOHQMesh's flavour (Trixi.jl's P4estMesh and T8codeMesh): straight quads in Abaqus' own words, which
+/// p4est reads, then curved sides at Chebyshev-Lobatto points and names of sides in comments. Any order; elements as
+/// for ISM, edges as for MFEM.
+Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame);
+
+/// Nek5000 .re2: corners, quadratic sides, numbers of boundaries; beside it the geometry of full order as a field file
+/// NAME0.f00000 to start from (.par: startFrom = "NAME0.f00000 X") and the table of names. Any order; elements as for
+/// ISM, edges as for MFEM.
+Exported nek_re2(const QuadMesh& mesh, const Frame& frame);
+
+/// OpenFOAM's blockMeshDict: one hexahedral block for each block of the layout, one cell thick, its sides as splines
+/// with one graded section for each cell, boundaries as patches, regions as cell zones. Any order; cells have straight
+/// sides and must be convex. `types`: of patches, where they shall not follow from the names.
+Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types = {});
+
+}  // namespace quadrille::exports

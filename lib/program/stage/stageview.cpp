@@ -1,0 +1,143 @@
+#include "stage/stageview.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/warning_codes.hpp"
+#include "check/check.hpp"
+#include "check/same_origin.hpp"
+#include "draw/figures.hpp"
+#include "io/history.hpp"
+#include "page/page.hpp"
+
+namespace quadrille::stage {
+
+namespace {
+
+/// "X0,Y0,X1,Y1".
+draw::Window parsed_window(const std::string& text) {
+  std::array<double, 4> numbers{};
+  const char* at = text.c_str();
+  bool is_sound = true;
+  for (std::size_t k = 0; k < 4 && is_sound; ++k) {
+    char* end = nullptr;
+    numbers[k] = std::strtod(at, &end);
+    is_sound = end != at && std::isfinite(numbers[k]) && *end == (k < 3 ? ',' : '\0');
+    at = end + 1;
+  }
+  if (!is_sound || !(numbers[0] < numbers[2]) || !(numbers[1] < numbers[3]))
+    throw UsageError("--window: '" + text + "' is not X0,Y0,X1,Y1, two corners with X0 < X1 and Y0 < Y1");
+  return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
+
+void require_comparable(const View& view, const StageModel& model, const std::string& file) {
+  if (!draw::is_comparable(model))
+    throw UsageError("--compare needs layouts or meshes, but " + file + " is a " + stage_formats[model.index()].name +
+                     " file");
+  if (!view.stages.empty() && view.stages[0].model.index() != model.index())
+    throw UsageError("--compare needs two files of one format: two layouts, or two meshes");
+}
+
+/// One of the stages was made from the other, or both from one.
+void require_related(const View& view, const StageModel& model, const FileIdentity& file) {
+  if (view.stages.empty()) return;
+  const auto is_related = [&](const View::Stage& other) {
+    return check::have_same_origin(other.file, provenance_of(other.model), file, provenance_of(model));
+  };
+  const View::Stage& last = view.stages.back();
+  if (std::none_of(view.stages.begin(), view.stages.end(), is_related))
+    check::require_same_origin(last.file, provenance_of(last.model), file, provenance_of(model));
+}
+
+/// The name of a file without folders; empty for standard input.
+std::string base_name(const FileIdentity& file) {
+  return file.name == "standard input" ? "" : std::filesystem::path(file.name).filename().string();
+}
+
+draw::DrawOptions draw_options(const StageviewOptions& options) {
+  draw::DrawOptions draw;
+  draw.width = options.width;
+  draw.show = options.show;
+  if (options.labels_all) draw.curve_labels = draw::CurveLabels::all;
+  if (options.labels_none) draw.curve_labels = draw::CurveLabels::none;
+  if (!options.window.empty()) draw.window = parsed_window(options.window);
+  return draw;
+}
+
+std::string picture_of(const View& view, const StageviewOptions& options) {
+  draw::DrawOptions draw = draw_options(options);
+  const View::Stage &first = view.stages.front(), &last = view.stages.back();
+  if (view.is_comparison)
+    return draw::draw_comparison(first.model, last.model, {base_name(first.file), base_name(last.file)}, draw);
+  draw.file = base_name(last.file);
+  draw.field = std::get_if<Field>(&first.model);
+  return std::visit([&](const auto& model) { return draw::draw_stage(model, draw); }, last.model);
+}
+
+std::string page_of(View view, const std::string& stem) {
+  page::RunRecord run{std::move(view.run_report), {}};
+  io::History history;
+  std::vector<StageModel> stages;
+  for (View::Stage& stage : view.stages) {
+    if (!run.report.empty())
+      for (const std::string& line : history.lines_of(provenance_of(stage.model), stage.file.sha256, stem))
+        run.commands.push_back(line);
+    stages.push_back(std::move(stage.model));
+  }
+  return view.is_comparison ? page::comparison_page(stages[0], stages[1]) : page::html_page(stages, run);
+}
+
+}  // namespace
+
+void declare(Options& o, StageviewOptions& stageview) {
+  o.choice("--show", stageview.show, {"psi", "u", "v", "order"},
+           "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
+  o.flag("--curve-labels", stageview.labels_all,
+         "in a picture, write number and name beside each boundary curve, for cad2tri --name; without it, given names "
+         "only, each once for successive curves that have it");
+  o.flag("--no-curve-labels", stageview.labels_none,
+         "in a picture, do not write the names of boundary curves and regions");
+  o.text("--window", stageview.window, "X0,Y0,X1,Y1",
+         "the part of the plane that a picture shows: its lower left and upper right corner in the coordinates and the "
+         "unit of the file",
+         false);
+  o.integer("--width", stageview.width, 200, 20000, "width of the picture in pixels");
+}
+
+void require_view(const View& view, std::size_t num_files, bool has_report, const StageviewOptions& options) {
+  if (!view.is_page && !view.is_comparison && num_files > 1)
+    throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
+  if (!options.window.empty()) static_cast<void>(parsed_window(options.window));
+  if (!options.window.empty() && view.is_page) throw UsageError("--window is for pictures: a page zooms by itself");
+  if (options.labels_all && options.labels_none)
+    throw UsageError("--curve-labels and --no-curve-labels exclude each other");
+  if (has_report && (!view.is_page || view.is_comparison))
+    throw UsageError(
+        "--run-report is for pages of one chain: give -o with a name that ends in .html, and no --compare");
+  if (view.is_comparison && view.has_field) throw UsageError("--compare and --field exclude each other");
+  if (view.is_comparison && num_files != 2) throw UsageError("--compare needs two files, layouts or meshes");
+}
+
+void add_to(View& view, StageModel model, FileIdentity file, Run& run) {
+  std::visit([&](const auto& stage) { check::require_sound(stage, file.name); }, model);
+  if (const auto* mesh = std::get_if<QuadMesh>(&model); mesh && !mesh->is_valid)
+    run.report().warn(warning::mesh_not_valid, check::validity_warning(*mesh));
+  view.is_comparison ? require_comparable(view, model, file.name) : require_related(view, model, file);
+  view.stages.push_back({std::move(model), std::move(file)});
+}
+
+std::string stageview(View view, const std::string& stem, const StageviewOptions& options) {
+  const View::Stage& last = view.stages.back();
+  const auto* points = std::get_if<CriticalPoints>(&last.model);
+  if (view.has_field && !points)
+    throw UsageError("--field needs a critical-points file, but " + last.file.name + " is another");
+  if (options.labels_all && points && !view.has_field && points->face.curves.empty())
+    throw UsageError("--curve-labels needs --field, as " + last.file.name + " does not contain the face");
+  return view.is_page ? page_of(std::move(view), stem) : picture_of(view, options);
+}
+
+}  // namespace quadrille::stage

@@ -1,0 +1,46 @@
+#pragma once
+// The command stageview: a picture of one stage or of two compared, or a page of several.
+
+#include <string>
+#include <vector>
+
+#include "base/options.hpp"
+#include "base/run.hpp"
+#include "model/provenance.hpp"
+#include "model/stage_formats.hpp"
+
+namespace quadrille::stage {
+
+struct StageviewOptions {
+  std::string show = "psi";  ///< of a field: "u", "v", "psi" or "order"
+  bool labels_all = false, labels_none = false;
+  std::string window;  ///< "X0,Y0,X1,Y1", in the coordinates of the file; empty: everything
+  int width = 1000;    ///< pixels
+};
+void declare(Options& options, StageviewOptions& stageview);
+
+/// What is shown, filled by add_to.
+struct View {
+  struct Stage {
+    StageModel model;
+    FileIdentity file;
+  };
+  std::vector<Stage> stages;   ///< in their order; with `has_field` the field comes first
+  bool is_page = false;        ///< HTML; else SVG
+  bool is_comparison = false;  ///< of two layouts or meshes, of one chain or not
+  bool has_field = false;      ///< under critical points
+  std::string run_report;      ///< for a page: JSON of the run that made the stages; empty: none
+};
+
+/// Throws UsageError for options that exclude each other or do not fit a page, a picture or `num_files` files, before a
+/// file is read. `has_report`: there will be a report of the run.
+void require_view(const View& view, std::size_t num_files, bool has_report, const StageviewOptions& options);
+
+/// Adds a stage. A mesh that is not valid is reported. Throws FormatError if it breaks a rule, or was not made from one
+/// of those before nor one of them from it; UsageError for what cannot be compared.
+void add_to(View& view, StageModel model, FileIdentity file, Run& run);
+
+/// The SVG or HTML. `stem`: how files are called in the commands of the run. UsageError: nothing is in the window.
+std::string stageview(View view, const std::string& stem, const StageviewOptions& options);
+
+}  // namespace quadrille::stage

@@ -1,0 +1,346 @@
+#include "draw/labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "draw/marks.hpp"
+
+namespace quadrille::draw {
+
+namespace {
+
+/// Pixels.
+struct LabelSizes {
+  double font = 13, box_height = 16, padding = 6, ink_step = 3;
+  double shortest_leader = 16;                              ///< labels nearer than this to their curve need no line
+  double side_room = 33, room_above = 16, room_below = 46;  ///< beside the drawing that labels may use
+  double half_region_height = 9, mark_radius = 12;          ///< of the names of regions, and of marks round texts
+};
+constexpr LabelSizes label_sizes{};
+
+/// The loops of a region as polygons.
+std::vector<std::vector<Vec2>> polygons(const CadFace& face, int region) {
+  std::vector<std::vector<Vec2>> loops;
+  const bool is_one = face.region_loops.empty();
+  const int first = is_one ? 0 : face.region_loops[region],
+            end = is_one ? face.num_loops() : face.region_loops[region + 1];
+  for (int l = first; l < end; ++l) {
+    std::vector<Vec2>& loop = loops.emplace_back();
+    for (int c = face.loop_offsets[l]; c < face.loop_offsets[l + 1]; ++c)
+      for (const Vec2 x : dense_points(face.curves[c], 16)) loop.push_back(x);
+  }
+  return loops;
+}
+
+/// Calls visit(a, b) for all sides.
+template <typename Visit>
+void for_each_side(const std::vector<std::vector<Vec2>>& loops, const Visit& visit) {
+  for (const std::vector<Vec2>& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) visit(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
+}
+
+double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  const double length2 = dot(d, d);
+  return distance(x, a + (length2 > 0 ? std::clamp(dot(x - a, d) / length2, 0.0, 1.0) : 0) * d);
+}
+
+/// Positive inside, by the number of sides that a ray crosses; both sides of a slit cancel.
+double signed_clearance(const std::vector<std::vector<Vec2>>& loops, Vec2 x) {
+  bool is_inside = false;
+  double clearance = std::numeric_limits<double>::infinity();
+  for_each_side(loops, [&](Vec2 a, Vec2 b) {
+    clearance = std::min(clearance, distance_to_segment(x, a, b));
+    if ((a.y > x.y) != (b.y > x.y) && x.x < a.x + (x.y - a.y) / (b.y - a.y) * (b.x - a.x)) is_inside = !is_inside;
+  });
+  return is_inside ? clearance : -clearance;
+}
+
+/// Whether a side passes through the box, whose centre is inside the region.
+bool meets_side(const Picture& picture, const std::vector<std::vector<Vec2>>& loops, const TextBox& box) {
+  bool meets = false;
+  for_each_side(loops, [&](Vec2 a, Vec2 b) {
+    const Vec2 from = picture.at(a), to = picture.at(b);
+    const int num_steps = 1 + static_cast<int>(distance(from, to) / 4);
+    for (int i = 0; i <= num_steps && !meets; ++i) meets = box.holds(from + (i / double(num_steps)) * (to - from));
+  });
+  return meets;
+}
+
+/// Those with nearly the greatest clearance come first, from the one nearest to the centre on; then the others by their
+/// clearance. What is equal but for rounding keeps its order.
+void sort_places(std::vector<RegionPlace>& places, Vec2 centre) {
+  double greatest = 0;
+  for (const RegionPlace& place : places) greatest = std::max(greatest, place.clearance);
+  const auto rounded = [&](double length) { return std::round(1e6 * length / greatest); };
+  const auto key = [&](const RegionPlace& place) {
+    const bool is_best = place.clearance > 0.9 * greatest;
+    return std::pair(is_best ? 0 : 1, rounded(is_best ? distance(place.position, centre) : -place.clearance));
+  };
+  std::stable_sort(places.begin(), places.end(),
+                   [&](const RegionPlace& a, const RegionPlace& b) { return key(a) < key(b); });
+}
+
+/// Points of a curve in the picture, at most ink_step apart, and the distance to each along the curve.
+struct Trace {
+  std::vector<Vec2> points;
+  std::vector<double> lengths;
+
+  Trace(const Picture& picture, const Nurbs& curve) {
+    for (const Vec2 x : dense_points(curve, 64)) add(picture.at(x));
+    if (points.empty()) add(picture.at(curve.poles.front()));  // a curve without length
+    if (picture.is_window()) keep_inside(picture);
+  }
+
+  double length() const { return lengths.back(); }
+
+  /// Removes the points outside the picture, unless all are.
+  void keep_inside(const Picture& picture) {
+    const std::vector<Vec2> all = std::move(points);
+    points.clear(), lengths.clear();
+    for (const Vec2 x : all)
+      if (picture.holds(x))
+        points.push_back(x), lengths.push_back(static_cast<double>(points.size()) * label_sizes.ink_step);
+    if (points.empty()) points = {all.front()}, lengths = {0};
+  }
+
+  void add(Vec2 x) {
+    const double step = points.empty() ? 0 : distance(points.back(), x);
+    const int num_steps = std::max(1, static_cast<int>(std::ceil(step / label_sizes.ink_step)));
+    const Vec2 from = points.empty() ? x : points.back();
+    const double before = lengths.empty() ? 0 : lengths.back();
+    for (int i = 1; i <= num_steps; ++i) {
+      const double part = i / static_cast<double>(num_steps);
+      points.push_back(from + part * (x - from));
+      lengths.push_back(before + part * step);
+    }
+  }
+
+  std::size_t at(double fraction) const {
+    const auto found = std::lower_bound(lengths.begin(), lengths.end(), fraction * length());
+    return std::min(static_cast<std::size_t>(found - lengths.begin()), points.size() - 1);
+  }
+
+  Vec2 tangent(std::size_t i) const {
+    std::size_t from = i > 0 ? i - 1 : 0, to = std::min(i + 1, points.size() - 1);
+    while (to + 1 < points.size() && !(distance(points[from], points[to]) > 0)) ++to;
+    while (from > 0 && !(distance(points[from], points[to]) > 0)) --from;
+    return distance(points[from], points[to]) > 0 ? normalized(points[to] - points[from]) : Vec2{1, 0};
+  }
+};
+
+struct Place {
+  Vec2 foot;  ///< on the curve
+  TextBox box;
+  bool has_leader = false;
+
+  /// The point of the box that is nearest to the foot.
+  Vec2 leader_end() const {
+    const Vec2 low = box.centre - box.half, high = box.centre + box.half;
+    return {std::clamp(foot.x, low.x, high.x), std::clamp(foot.y, low.y, high.y)};
+  }
+};
+
+class Labels {
+ public:
+  Labels(Picture& picture, const CadFace& face) : picture_(picture), boxes_(picture.text_boxes()) {
+    for (const Nurbs& curve : face.curves) traces_.emplace_back(picture, curve);
+    for (const Trace& trace : traces_) ink_.insert(ink_.end(), trace.points.begin(), trace.points.end());
+  }
+
+  double length(int curve) const { return traces_[curve].length(); }
+  /// Whether something of the curve is in the picture.
+  bool is_seen(int curve) const { return !picture_.is_window() || picture_.holds(traces_[curve].points.front()); }
+
+  /// Writes the text at the first free place beside the curve. Returns false if no place is free.
+  bool write(int curve, const std::string& css_class, const std::string& text) {
+    const std::optional<Place> place = free_place(traces_[curve], text);
+    if (!place) return false;
+    if (place->has_leader) draw_leader(*place);
+    boxes_.push_back(place->box);
+    picture_.text(place->box.centre, css_class, text);
+    return true;
+  }
+
+ private:
+  std::optional<Place> free_place(const Trace& trace, const std::string& text) const {
+    const Vec2 half{0.5 * (text_width(text, label_sizes.font) + label_sizes.padding), 0.5 * label_sizes.box_height};
+    for (const double gap : {7.0, 12.0, 24.0, 40.0, 60.0, 85.0, 115.0, 150.0})
+      for (const double fraction : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9})
+        for (const double side : {-1.0, 1.0})  // the face is on the left
+          for (const double turn : {0.0, 0.6, -0.6}) {
+            const std::size_t i = trace.at(fraction);
+            const Vec2 normal = side * left_of(trace.tangent(i));
+            const Vec2 away = std::cos(turn) * normal + std::sin(turn) * left_of(normal);
+            const double reach = half.x * std::abs(away.x) + half.y * std::abs(away.y);
+            const Place place{
+                trace.points[i], {trace.points[i] + (gap + reach) * away, half}, gap > label_sizes.shortest_leader};
+            if (is_free(place)) return place;
+          }
+    return std::nullopt;
+  }
+
+  bool is_free(const Place& place) const {
+    const TextBox& box = place.box;
+    if (picture_.is_window() && !picture_.holds(place.foot)) return false;
+    const Vec2 size = picture_.size();
+    const double room = picture_.is_window() ? 0 : 1;  // the labels of a window are inside
+    if (box.centre.x - box.half.x < -room * label_sizes.side_room ||
+        box.centre.x + box.half.x > size.x + room * label_sizes.side_room ||
+        box.centre.y - box.half.y < -room * label_sizes.room_below ||
+        box.centre.y + box.half.y > size.y + room * label_sizes.room_above)
+      return false;
+    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) { return b.overlaps(box); })) return false;
+    if (std::any_of(ink_.begin(), ink_.end(), [&](Vec2 x) { return box.holds(x); })) return false;
+    if (!place.has_leader) return true;
+    const std::vector<Vec2> leader = leader_points(place);
+    return std::none_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) {
+      return std::any_of(leader.begin(), leader.end(), [&](Vec2 x) { return b.holds(x); });
+    });
+  }
+
+  static std::vector<Vec2> leader_points(const Place& place) {
+    const Vec2 end = place.leader_end();
+    const int count = 1 + static_cast<int>(distance(place.foot, end) / label_sizes.ink_step);
+    std::vector<Vec2> points;
+    for (int i = 0; i <= count; ++i)
+      points.push_back(place.foot + (i / static_cast<double>(count)) * (end - place.foot));
+    return points;
+  }
+
+  void draw_leader(const Place& place) {
+    const std::vector<Vec2> points = leader_points(place);
+    PathData path;
+    path.move_to(points.front());
+    path.line_to(points.back());
+    picture_.add(path_element("edge", path.str()));
+    ink_.insert(ink_.end(), points.begin(), points.end() - 1);
+  }
+
+  Picture& picture_;
+  std::vector<Trace> traces_;
+  std::vector<Vec2> ink_;       ///< points of the boundary and of the lines that labels must not cover
+  std::vector<TextBox> boxes_;  ///< of texts
+};
+
+void draw_joints(Picture& picture, const CadFace& face) {
+  for (const Joint& joint : face.joints)
+    if (!joint.is_corner) picture.add(circle_mark("dot", picture.at(joint.position), 3, "end of a boundary curve"));
+}
+
+bool is_named(const CadFace& face, int curve) { return face.has_given_name(curve) && !face.curve_names[curve].empty(); }
+
+/// An interface is labelled once, as the first of its two curves.
+bool is_second_side(const CadFace& face, int curve) { return face.is_interface(curve) && face.partners[curve] < curve; }
+
+/// Curves from the shortest to the longest, which has the most places.
+void sort_by_length(std::vector<int>& curves, const Labels& labels) {
+  std::stable_sort(curves.begin(), curves.end(), [&](int a, int b) { return labels.length(a) < labels.length(b); });
+}
+
+/// Of each run of curves with one given name in a loop, the longest.
+std::vector<int> longest_of_names(const CadFace& face, const Labels& labels) {
+  std::vector<int> longest(face.curves.size(), -1);  // by the first curve of the run
+  for (int c = 0; c < face.num_curves(); ++c) {
+    if (!is_named(face, c) || is_second_side(face, c)) continue;
+    const auto continues = [&](int curve) {
+      const int before = face.previous_in_loop(curve);
+      return is_named(face, before) && face.curve_names[before] == face.curve_names[c];
+    };
+    const int loop_start = face.loop_offsets[face.loop_of(c)];
+    int first = c;
+    while (continues(first) && face.previous_in_loop(first) != c) first = face.previous_in_loop(first);
+    if (continues(first)) first = loop_start;  // the whole loop has one name
+    int& known = longest[first];
+    if (known < 0 || labels.length(c) > labels.length(known)) known = c;
+  }
+  std::erase(longest, -1);
+  return longest;
+}
+
+int label_names(Labels& labels, const CadFace& face) {
+  std::vector<int> curves = longest_of_names(face, labels);
+  sort_by_length(curves, labels);
+  const auto is_omitted = [&](int c) { return labels.is_seen(c) && !labels.write(c, "name", face.curve_names[c]); };
+  return static_cast<int>(std::count_if(curves.begin(), curves.end(), is_omitted));
+}
+
+int label_all(Labels& labels, const CadFace& face) {
+  std::vector<int> curves(face.curves.size());
+  std::iota(curves.begin(), curves.end(), 0);
+  sort_by_length(curves, labels);
+  int num_omitted = 0;
+  for (const int c : curves) {
+    if (!labels.is_seen(c) || is_second_side(face, c)) continue;
+    const std::string number = face.is_interface(c) ? fmt::format("{}/{}", c, face.partners[c]) : fmt::format("{}", c);
+    const bool is_written = is_named(face, c) && labels.write(c, "label", number + ' ' + face.curve_names[c]);
+    if (!is_written && !labels.write(c, "label", number)) ++num_omitted;
+  }
+  return num_omitted;
+}
+
+}  // namespace
+
+std::vector<RegionPlace> region_places(const CadFace& face, int region) {
+  constexpr int num_rows = 33;  // odd: with the centre of the region's box
+  const std::vector<std::vector<Vec2>> loops = polygons(face, region);
+  PictureBox box;
+  for_each_side(loops, [&](Vec2 a, Vec2) { box.include(a); });
+  std::vector<RegionPlace> places;
+  for (int j = 1; j <= num_rows; ++j)
+    for (int i = 1; i <= num_rows; ++i) {
+      const Vec2 x{std::lerp(box.lower.x, box.upper.x, i / (num_rows + 1.0)),
+                   std::lerp(box.lower.y, box.upper.y, j / (num_rows + 1.0))};
+      if (const double clearance = signed_clearance(loops, x); clearance > 0) places.push_back({x, clearance});
+    }
+  sort_places(places, 0.5 * (box.lower + box.upper));
+  return places;
+}
+
+void label_regions(Picture& picture, const CadFace& face) {
+  constexpr std::size_t num_tries = 80;
+  if (face.num_regions() == 1) return;
+  for (int r = 0; r < face.num_regions(); ++r) {
+    const std::string& name = face.region_names[r];
+    const std::vector<std::vector<Vec2>> loops = polygons(face, r);
+    const std::vector<RegionPlace> places = region_places(face, r);
+    for (std::size_t i = 0; i < std::min(num_tries, places.size()); ++i) {
+      const TextBox box{picture.at(places[i].position),
+                        {0.5 * text_width(name, label_sizes.font) + 3, label_sizes.half_region_height}};
+      const std::vector<TextBox>& texts = picture.text_boxes();
+      const TextBox with_room{box.centre, box.half + Vec2{label_sizes.mark_radius,
+                                                          label_sizes.mark_radius}};  // texts may be inside of marks
+      const bool is_covered =
+          std::any_of(texts.begin(), texts.end(), [&](const TextBox& text) { return text.overlaps(with_room); });
+      if (is_covered || places[i].clearance * picture.scale() < label_sizes.half_region_height ||
+          meets_side(picture, loops, box))
+        continue;
+      picture.text(box.centre, "region", name);
+      break;
+    }
+  }
+}
+
+void label_curves(Picture& picture, const CadFace& face, CurveLabels which) {
+  if (which == CurveLabels::none) return;
+  const bool all = which == CurveLabels::all;
+  label_regions(picture, face);
+  if (all) draw_joints(picture, face);
+  Labels labels(picture, face);
+  const int num_omitted = all ? label_all(labels, face) : label_names(labels, face);
+  const std::string omitted =
+      num_omitted > 0 ? fmt::format("without room for {}: raise --width", counted(num_omitted, "label")) : "";
+  if (all)
+    picture.legend_mark(circle_mark("dot", {0, 0}, 3),
+                        "end of a curve; curves by number and name" + (omitted.empty() ? "" : ", " + omitted));
+  else if (!omitted.empty())
+    picture.legend_mark("", omitted);
+}
+
+}  // namespace quadrille::draw

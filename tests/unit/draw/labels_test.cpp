@@ -1,0 +1,208 @@
+#include "draw/labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "../region_samples.hpp"
+#include "../regions/faces_of_regions.hpp"
+#include "../support/texts.hpp"
+#include "base/angle.hpp"
+#include "curve/nurbs.hpp"
+
+namespace quadrille::draw {
+
+namespace {
+
+using namespace testing_faces;
+
+std::string labelled(const CadFace& face, int width) {
+  DrawOptions options;
+  options.width = width;
+  Picture picture(bounding_box(face), options, "", "");
+  label_regions(picture, face);
+  return picture.str();
+}
+
+TEST(RegionLabels, TheFirstPlaceIsInTheMiddle) {
+  const CadFace face = samples::two_regions_face();
+  EXPECT_NEAR(distance(region_places(face, 0).front().position, {0.5, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(distance(region_places(face, 1).front().position, {1.5, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(region_places(face, 0).front().clearance, 0.5, 1e-12);
+}
+
+TEST(RegionLabels, OfARingThePlacesAreBetweenItsCircles) {
+  const CadFace face =
+      face_of_regions({make_face({circle({0, 0}, 2), hole({0, 0}, 1)}), make_face({circle({0, 0}, 1)})});
+  for (const RegionPlace& place : region_places(face, 0)) {
+    EXPECT_GT(norm(place.position), 1);
+    EXPECT_LT(norm(place.position), 2);
+  }
+  EXPECT_NEAR(region_places(face, 0).front().clearance, 0.5, 0.06);
+  EXPECT_LT(norm(region_places(face, 1).front().position), 1e-12);
+}
+
+TEST(RegionLabels, BothSidesOfASlitAreInside) {
+  const CadFace face = samples::slit_face();
+  const std::vector<RegionPlace> places = region_places(face, 0);
+  EXPECT_EQ(places.size(), 33u * 33u - 17u) << "all but those on the slit";
+}
+
+TEST(RegionLabels, NamesAreOmittedWithoutRoom) {
+  CadFace face = samples::two_regions_face();
+  EXPECT_EQ(count(labelled(face, 600), "class=\"region\""), 2);
+  face.region_names[1] = std::string(100, 'x');
+  EXPECT_EQ(count(labelled(face, 600), "class=\"region\""), 1);
+  EXPECT_EQ(count(labelled(face, 110), "class=\"region\""), 0);
+  EXPECT_EQ(count(labelled(samples::face(), 600), "class=\"region\""), 0) << "one region";
+}
+
+TEST(RegionLabels, NamesDoNotCoverOtherTexts) {
+  const CadFace face = samples::two_regions_face();
+  DrawOptions options;
+  options.width = 600;
+  Picture picture(bounding_box(face), options, "", "");
+  picture.text(picture.at({0.5, 0.5}), "label", "taken");
+  label_regions(picture, face);
+  ASSERT_EQ(picture.text_boxes().size(), 3u);
+  EXPECT_FALSE(picture.text_boxes()[1].overlaps(picture.text_boxes()[0]));
+}
+
+/// A regular polygon of radius 1; curve 0 is called `name`, the others by their numbers.
+CadFace polygon(int num_sides, const std::string& name) {
+  CadFace face;
+  for (int k = 0; k < num_sides; ++k) {
+    const auto corner = [&](int i) { return unit(2 * pi * (i % num_sides) / num_sides); };
+    face.curves.push_back(curve::segment(corner(k), corner(k + 1)));
+    Joint joint;
+    joint.position = corner(k), joint.is_corner = k % 2 == 0;
+    face.joints.push_back(joint);
+    face.curve_names.push_back(k == 0 ? name : "curve_" + std::to_string(k));
+    if (k > 0) face.unnamed_curves.push_back(k);
+  }
+  face.loop_offsets = {0, num_sides};
+  face.diameter = 2;
+  return face;
+}
+
+struct Label {
+  double x, y, width;
+  std::string text;
+};
+
+struct Drawn {
+  std::vector<Label> labels;
+  int num_omitted = 0, num_lines = 0, num_joints = 0;
+};
+
+Drawn drawn(const CadFace& face, int width, CurveLabels which = CurveLabels::all) {
+  DrawOptions options;
+  options.width = width;
+  Picture picture(bounding_box(face), options, "", "");
+  Drawn result;
+  label_curves(picture, face, which);
+  const std::string svg = picture.str();
+  std::smatch found;
+  if (std::regex_search(svg, found, std::regex("without room for ([0-9]+) label")))
+    result.num_omitted = std::stoi(found[1]);
+  const int num_legend_dots = which == CurveLabels::all ? 1 : 0;
+  result.num_lines = count(svg, "class=\"edge\"");
+  result.num_joints = count(svg, "class=\"dot\"") - num_legend_dots;
+  const std::regex text(R"re(<text class="(?:label|name)" x="([^"]*)" y="([^"]*)">([^<]*)</text>)re");
+  for (std::sregex_iterator m(svg.begin(), svg.end(), text), end; m != end; ++m)
+    result.labels.push_back({std::stod((*m)[1]), std::stod((*m)[2]), text_width((*m)[3], 13), (*m)[3]});
+  return result;
+}
+
+void expect_no_overlap(const std::vector<Label>& labels) {
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const Label &a = labels[i], &b = labels[k];
+      EXPECT_TRUE(std::abs(a.x - b.x) >= 0.5 * (a.width + b.width) || std::abs(a.y - b.y) >= 13)
+          << a.text << " and " << b.text;
+    }
+}
+
+TEST(CurveLabels, EachCurveHasItsNumberAndGivenName) {
+  const Drawn d = drawn(polygon(8, "inlet"), 600);
+  ASSERT_EQ(d.labels.size(), 8);
+  EXPECT_EQ(d.num_omitted, 0);
+  EXPECT_EQ(d.num_lines, 0) << "there is room beside each curve";
+  EXPECT_EQ(d.num_joints, 4) << "the others are corners";
+  std::vector<std::string> texts;
+  for (const Label& label : d.labels) texts.push_back(label.text);
+  std::sort(texts.begin(), texts.end());
+  EXPECT_EQ(texts, (std::vector<std::string>{"0 inlet", "1", "2", "3", "4", "5", "6", "7"}));
+  expect_no_overlap(d.labels);
+}
+
+TEST(CurveLabels, CrowdedCurvesGetLinesAndNoOverlap) {
+  const Drawn d = drawn(polygon(150, "a rather long name of a curve"), 600);
+  EXPECT_EQ(d.labels.size() + static_cast<std::size_t>(d.num_omitted), 150);
+  EXPECT_LT(d.num_omitted, 15);
+  EXPECT_GT(d.num_lines, 20);
+  expect_no_overlap(d.labels);
+}
+
+TEST(CurveLabels, WithoutRoomTheNameIsOmittedFirst) {
+  const Drawn d = drawn(polygon(4, std::string(200, 'x')), 200);
+  ASSERT_EQ(d.labels.size(), 4);
+  for (const Label& label : d.labels) EXPECT_EQ(label.text.size(), 1) << label.text;
+}
+
+TEST(CurveLabels, ADegenerateCurveIsNoError) {
+  CadFace face = polygon(4, "wall");
+  face.curves[2] = curve::segment(face.joints[2].position, face.joints[2].position);
+  EXPECT_EQ(drawn(face, 400).labels.size(), 4);
+}
+
+TEST(CurveLabels, GivenNamesStandOnceForSuccessiveCurves) {
+  CadFace face = polygon(8, "inlet");
+  face.curve_names = {"inlet", "curve_1", "wall", "wall", "wall", "outlet", "curve_6", "inlet"};
+  face.unnamed_curves = {1, 6};
+  const Drawn d = drawn(face, 600, CurveLabels::given);
+  std::vector<std::string> texts;
+  for (const Label& label : d.labels) texts.push_back(label.text);
+  std::sort(texts.begin(), texts.end());
+  EXPECT_EQ(texts, (std::vector<std::string>{"inlet", "outlet", "wall"})) << "curves 7 and 0 are successive";
+  EXPECT_EQ(d.num_joints, 0);
+  expect_no_overlap(d.labels);
+  face.curve_names.assign(8, "wall");
+  face.unnamed_curves.clear();
+  EXPECT_EQ(drawn(face, 600, CurveLabels::given).labels.size(), 1) << "a loop with one name";
+  EXPECT_EQ(drawn(face, 600, CurveLabels::none).labels.size(), 0);
+}
+
+TEST(CurveLabels, OtherTextsAreNotCovered) {
+  const CadFace face = polygon(4, "inlet");
+  DrawOptions options;
+  options.width = 600;
+  Picture picture(bounding_box(face), options, "", "");
+  const auto first = [](const Picture& p) { return p.text_boxes().back(); };
+  label_curves(picture, face, CurveLabels::given);
+  Picture crowded(bounding_box(face), options, "", "");
+  crowded.text(first(picture).centre, "label", "7");
+  label_curves(crowded, face, CurveLabels::given);
+  EXPECT_FALSE(first(crowded).overlaps(crowded.text_boxes().front()));
+}
+
+TEST(CurveLabels, AnInterfaceHasOneLabelWithBothNumbers) {
+  CadFace face = samples::two_regions_face();
+  const auto texts = [&](CurveLabels which) {
+    std::set<std::string> all;
+    for (const Label& label : drawn(face, 900, which).labels) all.insert(label.text);
+    return all;
+  };
+  EXPECT_TRUE(texts(CurveLabels::all).contains("1/7"));
+  EXPECT_FALSE(texts(CurveLabels::all).contains("7"));
+  EXPECT_FALSE(texts(CurveLabels::given).contains("fluid-solid")) << "made from the names of the regions";
+  face.curve_names[1] = face.curve_names[7] = "skin";
+  face.unnamed_curves = {};
+  EXPECT_TRUE(texts(CurveLabels::all).contains("1/7 skin"));
+  EXPECT_TRUE(texts(CurveLabels::given).contains("skin"));
+}
+
+}  // namespace
+
+}  // namespace quadrille::draw
