@@ -7,15 +7,15 @@
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
-#include "features/automatic_size.hpp"
 #include "features/resolve_features.hpp"
+#include "features/small_features.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "guide/complete_nodes.hpp"
-#include "guide/index_sum.hpp"
 #include "guide/line_field.hpp"
 #include "guide/override_corners.hpp"
 #include "guide/resolve_clusters.hpp"
+#include "guide/valence.hpp"
 #include "placement/keep_clearance.hpp"
 
 namespace quadrille::choice {

@@ -9,11 +9,9 @@
 
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
-#include "features/cancel_pairs.hpp"
-#include "features/feature_constants.hpp"
-#include "features/merge_on_boundary.hpp"
-#include "features/move_inward.hpp"
-#include "features/put_on_boundary.hpp"
+#include "features/feature_state.hpp"
+#include "features/move_nodes.hpp"
+#include "features/node_pairs.hpp"
 #include "features/separate_nodes.hpp"
 #include "placement/node_ledger.hpp"
 

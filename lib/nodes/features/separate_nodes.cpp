@@ -5,12 +5,10 @@
 #include <algorithm>
 
 #include "base/tolerance.hpp"
-#include "features/feature_constants.hpp"
+#include "features/feature_state.hpp"
 
 namespace quadrille::features {
 namespace {
-
-constexpr double margin = feature_constants.push_margin;
 
 struct Push {
   std::vector<Vec2> moves;
@@ -27,7 +25,7 @@ void push_apart(const FeatureState& state, double spacing, Push& push) {
       const double d = distance(nodes[i].position, nodes[j].position);
       if (d >= spacing || d <= state.tie || is_fixed_pair(nodes[i], nodes[j])) continue;
       const Vec2 away = (nodes[i].position - nodes[j].position) / d;
-      const double gap = spacing * (1 + margin) - d;
+      const double gap = spacing * (1 + feature_constants.push_margin) - d;
       const bool is_shared = nodes[i].is_inside() && nodes[j].is_inside();
       if (nodes[i].is_inside()) push.moves[i] += (is_shared ? gap / 2 : gap) * away;
       if (nodes[j].is_inside()) push.moves[j] -= (is_shared ? gap / 2 : gap) * away;
@@ -42,7 +40,8 @@ void push_off_boundary(const FeatureState& state, const BoundaryClearance& clear
     if (!node.is_inside() || !node.is_changed()) continue;
     for (const CurveFoot& foot : clearance.feet(node.position, spacing)) {
       if (foot.is_reflex || foot.distance <= 0) continue;
-      push.moves[i] += (spacing * (1 + margin) - foot.distance) / foot.distance * (node.position - foot.position);
+      push.moves[i] += (spacing * (1 + feature_constants.push_margin) - foot.distance) / foot.distance *
+                       (node.position - foot.position);
       push.shortfall = std::max(push.shortfall, 1 - foot.distance / spacing);
     }
   }

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/tolerance.hpp"
-#include "guide/admissible_valence.hpp"
 #include "guide/segment_in_mesh.hpp"
+#include "guide/valence.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {

@@ -2,7 +2,7 @@
 // Zeros too near to a corner for a block between: the corner absorbs them, and V becomes V + sum (V_k - 4).
 //
 // A zero no farther than `length` from a corner, with the segment between them in the domain, is absorbed if the new
-// valence is admissible (guide/admissible_valence). Close to a tie both neighbouring valences are admissible, and the
+// valence is admissible (guide/valence). Close to a tie both neighbouring valences are admissible, and the
 // result is the count of quarter turns along an arc of radius `length`. Only corners of the layout absorb zeros, smooth
 // boundary points do not, nor corners whose valence was chosen by rule (source `line`). A zero equally near to two
 // corners is absorbed by neither; zeros equally near to one corner are absorbed together or not at all; nearer zeros

@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <optional>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
-#include "guide/cluster_centre.hpp"
-#include "guide/opposite_zeros.hpp"
 #include "guide/segment_in_mesh.hpp"
+#include "guide/zeros_in_circle.hpp"
 #include "placement/clearance.hpp"
 #include "zeros/undecided_zeros.hpp"
 #include "zeros/winding.hpp"
@@ -31,8 +30,7 @@ struct Part {
 /// A circle around discs; its centre is the middle of their bounding box.
 template <typename Discs>
 zeros::Disc circle_about(const Discs& discs) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vec2 lower{infinity, infinity}, upper{-infinity, -infinity};
+  Vec2 lower{HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL};
   for (const auto& d : discs) {
     lower = {std::min(lower.x, d.centre.x - d.radius), std::min(lower.y, d.centre.y - d.radius)};
     upper = {std::max(upper.x, d.centre.x + d.radius), std::max(upper.y, d.centre.y + d.radius)};

@@ -12,10 +12,10 @@
 #include "field/error_estimate.hpp"
 #include "guide/absorb.hpp"
 #include "guide/clusters.hpp"
-#include "guide/index_sum.hpp"
-#include "guide/sort_by_position.hpp"
-#include "zeros/distinct_zeros.hpp"
+#include "guide/complete_nodes.hpp"
+#include "guide/valence.hpp"
 #include "zeros/undecided_zeros.hpp"
+#include "zeros/zero_search.hpp"
 
 namespace quadrille::guide {
 namespace {

@@ -38,7 +38,7 @@ struct SearchOptions {
 /// Warns of clusters of zeros whose existence the field does not decide (guide/clusters, criterion (c)).
 /// Sorted by x, then y (equal within 1e-6 of the diameter counts as equal). Throws ComputeError if the field vanishes
 /// on a curve, or if the index of a multiple zero (guide/clusters) or a corner's valence (guide/valence) cannot be
-/// decided. Does not check the index sum: see guide/index_sum.
+/// decided. Does not check the index sum: see guide/valence.
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report);
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, Report& report);

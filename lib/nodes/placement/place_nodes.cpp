@@ -10,9 +10,8 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "placement/minimise.hpp"
+#include "placement/node_ledger.hpp"
 #include "placement/node_symmetry.hpp"
-#include "placement/record_moves.hpp"
-#include "placement/reduced_coordinates.hpp"
 
 namespace quadrille::placement {
 

@@ -5,10 +5,13 @@
 //
 // the distance to a straight boundary, (R^2 - r^2) / (2 R) in a disc. It tends to the ordinary distance at a smooth
 // boundary, has no kinks where two curves are equally near, and is equivariant under rigid motions and scaling.
+//
+// The middle of a face: the point farthest from the boundary in terms of a smooth distance.
 
 #include <array>
 #include <vector>
 
+#include "curve/symmetry.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::placement {
@@ -42,5 +45,10 @@ class SmoothBoundaryDistance {
   const CadFace& face_;
   std::vector<Piece> pieces_;
 };
+
+/// The point with the largest smooth distance to the boundary (placement/smooth_boundary_distance) among those that are
+/// invariant under `group`: if it has a mirror axis, on the axis. Not for groups with rotations, which have a single
+/// invariant point.
+Vec2 most_interior_point(const CadFace& face, const std::vector<curve::Isometry>& group);
 
 }  // namespace quadrille::placement

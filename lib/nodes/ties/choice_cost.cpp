@@ -6,7 +6,7 @@
 #include "base/angle.hpp"
 #include "base/tolerance.hpp"
 #include "field/boundary_values.hpp"
-#include "guide/tie_measures.hpp"
+#include "guide/valence.hpp"
 #include "placement/clearance.hpp"
 
 namespace quadrille::ties {

@@ -2,9 +2,7 @@
 
 #include "guide/override_corners.hpp"
 #include "model/offset_names.hpp"
-#include "topology/corners_without_nodes.hpp"
 #include "topology/fewest_nodes.hpp"
-#include "topology/wake_nodes.hpp"
 
 namespace quadrille::topology {
 namespace {

@@ -8,7 +8,7 @@
 #include "../support/texts.hpp"
 #include "base/error.hpp"
 #include "field/lifting.hpp"
-#include "guide/index_sum.hpp"
+#include "guide/valence.hpp"
 
 namespace quadrille::guide {
 namespace {
