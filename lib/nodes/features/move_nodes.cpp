@@ -86,7 +86,7 @@ void sort_by_foot_on_run(const FeatureState& state, const SmallFeature& feature,
 /// The path of one node, parametrised by the clearance, which grows along it.
 class InwardPath {
  public:
-  InwardPath(const BoundaryClearance& boundary, const InwardMove& move, double goal)
+  InwardPath(const curve::FaceBoundary& boundary, const InwardMove& move, double goal)
       : boundary_(&boundary), move_(&move) {
     first_ = clearance(0);
     const double step = goal / feature_constants.path_steps;
@@ -111,7 +111,7 @@ class InwardPath {
 
  private:
   Vec2 point_at(double s) const { return move_->start + s * move_->direction; }
-  double clearance(double s) const { return boundary_->at(point_at(s)); }
+  double clearance(double s) const { return boundary_->nearest(point_at(s)).distance; }
   double length_at(double goal, double a, double b) const {
     return bisect([&](double s) { return clearance(s) - goal; }, a, b);
   }
@@ -127,7 +127,7 @@ class InwardPath {
     return (a + b) / 2;
   }
 
-  const BoundaryClearance* boundary_;
+  const curve::FaceBoundary* boundary_;
   const InwardMove* move_;
   double first_ = 0, last_ = 0, end_ = 0;
 };
@@ -199,9 +199,9 @@ InwardMove inward_move(const CadFace& face, const FeatureNode& node, const Small
   return {owned.node, middle.position + dot(node.position - middle.position, inward) * inward, inward, feature.extent};
 }
 
-void move_inward(FeatureState& state, const BoundaryClearance& clearance, const std::vector<InwardMove>& moves) {
+void move_inward(FeatureState& state, const curve::FaceBoundary& boundary, const std::vector<InwardMove>& moves) {
   std::vector<InwardPath> paths;
-  for (const InwardMove& move : moves) paths.emplace_back(clearance, move, state.size);
+  for (const InwardMove& move : moves) paths.emplace_back(boundary, move, state.size);
   std::vector<Vec2> ends;
   for (size_t i = 0; i < moves.size(); ++i) ends.push_back(paths[i].at(final_clearance(state, moves, paths, i)));
   for (size_t i = 0; i < moves.size(); ++i) {
@@ -212,7 +212,8 @@ void move_inward(FeatureState& state, const BoundaryClearance& clearance, const 
     record(state, ChangeKind::feature, {before}, {node},
            fmt::format("a convex fillet of radius {:.4g} is below the feature size {:.4g}: its node of valence 3 moves "
                        "inward, from {:.4g} to {:.4g} from the boundary",
-                       moves[i].radius, state.size, clearance.at(before.position), clearance.at(node.position)));
+                       moves[i].radius, state.size, boundary.nearest(before.position).distance,
+                       boundary.nearest(node.position).distance));
   }
 }
 

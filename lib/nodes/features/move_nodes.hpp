@@ -5,7 +5,7 @@
 // Rule "inward": nodes of valence 3 that small convex bends force move away from the boundary. On a smooth boundary
 // they would have no valid block (lib/method.md §5).
 
-#include "features/boundary_clearance.hpp"
+#include "curve/face_boundary.hpp"
 #include "features/small_features.hpp"
 
 namespace quadrille::features {
@@ -37,6 +37,6 @@ InwardMove inward_move(const CadFace& face, const FeatureNode& node, const Small
 /// Each node moves along its path until its clearance (distance to the boundary) is L, or until one of two limits: its
 /// clearance stops growing, because the opposite boundary becomes the nearest, or reaches the distance to another node.
 /// The position of another moving node is the one at which it has the same clearance. All moves are decided together.
-void move_inward(FeatureState& state, const BoundaryClearance& clearance, const std::vector<InwardMove>& moves);
+void move_inward(FeatureState& state, const curve::FaceBoundary& boundary, const std::vector<InwardMove>& moves);
 
 }  // namespace quadrille::features

@@ -58,30 +58,28 @@ bool is_on_corner_fillet(const CadFace& face, const FeatureNode& node, double di
 }
 
 /// Whether the node, inside, is so near to the boundary that it belongs to such a fillet.
-bool is_beside_corner_fillet(const BoundaryClearance& clearance, const FeatureNode& node, double distance) {
-  return node.is_inside() && clearance.at(node.position) < feature_constants.corner_clearance * distance;
+bool is_beside_corner_fillet(const curve::FaceBoundary& boundary, const FeatureNode& node, double distance) {
+  return node.is_inside() && boundary.nearest(node.position).distance < feature_constants.corner_clearance * distance;
 }
 
-bool do_see_each_other(const BoundaryClearance& clearance, const FeatureNode& a, const FeatureNode& b) {
+bool do_see_each_other(const curve::FaceBoundary& boundary, const FeatureNode& a, const FeatureNode& b) {
   // If a node lies on the boundary, the segment starts a little inside.
   const Vec2 lift = 1e-3 * (b.position - a.position);
-  return clearance.is_segment_inside(a.is_inside() ? a.position : a.position + lift,
-                                     b.is_inside() ? b.position : b.position - lift);
+  return boundary.is_visible(a.is_inside() ? a.position : a.position + lift,
+                             b.is_inside() ? b.position : b.position - lift);
 }
 
 /// Without the node, a side of a block would have a corner in it: its fillet is too small for the distance.
-bool does_hold_corner(const CadFace& face, const BoundaryClearance& clearance, const FeatureNode& node,
-                      double distance) {
-  return is_on_corner_fillet(face, node, distance) || is_beside_corner_fillet(clearance, node, distance);
+bool does_hold_corner(const curve::FaceBoundary& boundary, const FeatureNode& node, double distance) {
+  return is_on_corner_fillet(boundary.face(), node, distance) || is_beside_corner_fillet(boundary, node, distance);
 }
 
-Pairs opposite_pairs(const CadFace& face, const FeatureState& state, const BoundaryClearance& clearance, double below) {
+Pairs opposite_pairs(const FeatureState& state, const curve::FaceBoundary& boundary, double below) {
   return nearest_first(state, [&](int i, int j) -> std::optional<Pair> {
     const FeatureNode &a = state.nodes[i], &b = state.nodes[j];
     const double d = distance(a.position, b.position);
     if (d < below - state.tie && a.index() * b.index() < 0 && (a.is_inside() || b.is_inside()) &&
-        !does_hold_corner(face, clearance, a, d) && !does_hold_corner(face, clearance, b, d) &&
-        do_see_each_other(clearance, a, b))
+        !does_hold_corner(boundary, a, d) && !does_hold_corner(boundary, b, d) && do_see_each_other(boundary, a, b))
       return Pair{d, i, j};
     return std::nullopt;
   });
@@ -108,7 +106,7 @@ std::vector<std::vector<int>> linked_sets(Pairs::const_iterator first, Pairs::co
 }
 
 /// The node of index 1 or -1 that replaces the members; std::nullopt if they must stay.
-std::optional<FeatureNode> middle_of(const std::vector<FeatureNode>& members, const BoundaryClearance& clearance) {
+std::optional<FeatureNode> middle_of(const std::vector<FeatureNode>& members, const curve::FaceBoundary& boundary) {
   FeatureNode middle = members.front();
   Vec2 sum;
   int index = 0;
@@ -121,13 +119,12 @@ std::optional<FeatureNode> middle_of(const std::vector<FeatureNode>& members, co
   middle.valence = 4 - index;
   middle.hole.reset();
   middle.changed_by = ChangeKind::cancel;
-  if (std::abs(index) != 1 || !clearance.is_segment_inside(members.front().position, middle.position))
-    return std::nullopt;
+  if (std::abs(index) != 1 || !boundary.is_visible(members.front().position, middle.position)) return std::nullopt;
   return middle;
 }
 
 /// Decides one set and appends the nodes that it removes to `removed`; false if the set stays unchanged.
-bool cancel_set(FeatureState& state, const BoundaryClearance& clearance, const std::vector<int>& set,
+bool cancel_set(FeatureState& state, const curve::FaceBoundary& boundary, const std::vector<int>& set,
                 const std::string& why, std::vector<int>& removed) {
   std::vector<FeatureNode> before;
   int index = 0;
@@ -140,7 +137,7 @@ bool cancel_set(FeatureState& state, const BoundaryClearance& clearance, const s
     removed.insert(removed.end(), set.begin(), set.end());
     return true;
   }
-  const std::optional<FeatureNode> middle = middle_of(before, clearance);
+  const std::optional<FeatureNode> middle = middle_of(before, boundary);
   if (!middle) return false;
   record(state, ChangeKind::cancel, before, {*middle},
          fmt::format("{}: one node of valence {} replaces them", why, middle->valence));
@@ -149,17 +146,17 @@ bool cancel_set(FeatureState& state, const BoundaryClearance& clearance, const s
   return true;
 }
 
-bool cancel_nearest(const CadFace& face, FeatureState& state, const BoundaryClearance& clearance, double below) {
+bool cancel_nearest(FeatureState& state, const curve::FaceBoundary& boundary, double below) {
   const auto cancel = [&](Pairs::const_iterator first, Pairs::const_iterator last, std::vector<int>& removed) {
     const std::string why =
         fmt::format("nodes of opposite index are {:.4g} apart, less than {:.4g} (feature size {:.4g})", first->distance,
                     below, state.size);
     bool is_done = false;
     for (const std::vector<int>& set : linked_sets(first, last))
-      is_done |= cancel_set(state, clearance, set, why, removed);
+      is_done |= cancel_set(state, boundary, set, why, removed);
     return is_done;
   };
-  return decide_nearest(opposite_pairs(face, state, clearance, below), state, cancel);
+  return decide_nearest(opposite_pairs(state, boundary, below), state, cancel);
 }
 
 /// A part of a whole loop, as fractions of its length: it starts at `first` and is `part` long.
@@ -248,8 +245,8 @@ bool merge_nearest(const CadFace& face, FeatureState& state) {
 
 }  // namespace
 
-void cancel_pairs(const CadFace& face, FeatureState& state, const BoundaryClearance& clearance, double below) {
-  while (cancel_nearest(face, state, clearance, below)) {
+void cancel_pairs(FeatureState& state, const curve::FaceBoundary& boundary, double below) {
+  while (cancel_nearest(state, boundary, below)) {
   }
 }
 

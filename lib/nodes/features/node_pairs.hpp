@@ -5,7 +5,7 @@
 // Fillets that are much smaller than the distance of two nodes act as corners at this distance: a line that passes one
 // has a corner in it.
 
-#include "features/boundary_clearance.hpp"
+#include "curve/face_boundary.hpp"
 #include "features/feature_state.hpp"
 #include "model/cad_face.hpp"
 
@@ -18,7 +18,7 @@ namespace quadrille::features {
 ///   becomes one inner node, in the middle,  if they add up to 1 or -1, all are inside and the middle is visible,
 ///   stays unchanged                         otherwise.
 /// Repeated until no remaining pair can cancel. Cubic in the number of nodes.
-void cancel_pairs(const CadFace& face, FeatureState& state, const BoundaryClearance& clearance, double below);
+void cancel_pairs(FeatureState& state, const curve::FaceBoundary& boundary, double below);
 
 /// The merged node is like the tip of a slit, where four blocks meet: at the ends of a narrow slot, or at a nose. It
 /// lies in the middle of the boundary between the two, which must have no corner and be no longer than twice their

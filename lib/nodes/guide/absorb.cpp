@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/tolerance.hpp"
-#include "guide/segment_in_mesh.hpp"
+#include "curve/face_boundary.hpp"
 #include "guide/valence.hpp"
 #include "placement/node_ledger.hpp"
 
@@ -39,13 +39,16 @@ std::optional<std::size_t> nearest_corner(const std::vector<Corner>& corners, Ve
 using Candidates = std::vector<Near>;
 
 /// Candidates of each corner, nearest first.
-std::vector<Candidates> candidates_of(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                                      double length, double tol, const std::vector<Corner>& corners) {
+std::vector<Candidates> candidates_of(const CadFace& face, const std::vector<FoundZero>& zeros, double length,
+                                      double tol, const std::vector<Corner>& corners) {
+  const curve::FaceBoundary boundary(face);
   std::vector<Candidates> by_corner(corners.size());
   for (int i = 0; i < static_cast<int>(zeros.size()); ++i) {
     const auto c = nearest_corner(corners, zeros[i].x, length, tol);
-    if (c && is_segment_in_mesh(evaluator, corners[*c].position, zeros[i].x))
-      by_corner[*c].push_back({i, distance(corners[*c].position, zeros[i].x)});
+    if (!c) continue;
+    const Vec2 corner = corners[*c].position;
+    if (boundary.is_visible(corner + 0.1 * (zeros[i].x - corner), zeros[i].x))  // off the corner's own sides
+      by_corner[*c].push_back({i, distance(corner, zeros[i].x)});
   }
   for (Candidates& list : by_corner)
     std::stable_sort(list.begin(), list.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
@@ -85,12 +88,12 @@ void absorb_into(std::size_t c, const std::vector<FoundZero>& zeros, const Candi
 
 }  // namespace
 
-std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros,
-                                      double length, CriticalPoints& points) {
+std::vector<bool> absorb_into_corners(const CadFace& face, const std::vector<FoundZero>& zeros, double length,
+                                      CriticalPoints& points) {
   std::vector<bool> is_absorbed(zeros.size(), false);
   if (length == 0) return is_absorbed;
   const double tol = tolerance::tied * length;
-  const std::vector<Candidates> candidates = candidates_of(evaluator, zeros, length, tol, points.corners);
+  const std::vector<Candidates> candidates = candidates_of(face, zeros, length, tol, points.corners);
   for (std::size_t c = 0; c < candidates.size(); ++c)
     if (points.corners[c].source != NodeSource::line)
       absorb_into(c, zeros, candidates[c], length, tol, is_absorbed, points);

@@ -17,8 +17,7 @@ namespace quadrille::guide {
 
 /// Changes the corners of `points`, each with a change of the kind `absorb`. Returns for each zero whether it was
 /// absorbed.
-std::vector<bool> absorb_into_corners(const field::FieldEvaluator& evaluator,
-                                      const std::vector<zeros::FoundZero>& zeros, double length,
+std::vector<bool> absorb_into_corners(const CadFace& face, const std::vector<zeros::FoundZero>& zeros, double length,
                                       CriticalPoints& points);
 
 }  // namespace quadrille::guide

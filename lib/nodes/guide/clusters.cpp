@@ -10,9 +10,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
-#include "guide/segment_in_mesh.hpp"
 #include "guide/zeros_in_circle.hpp"
-#include "placement/clearance.hpp"
 #include "zeros/undecided_zeros.hpp"
 #include "zeros/winding.hpp"
 
@@ -70,6 +68,7 @@ class ClusterFinder {
       : evaluator_(&evaluator),
         zeros_(&zeros),
         criterion_(criterion),
+        boundary_(evaluator.field().mesh.face),
         diameter_(evaluator.field().mesh.face.diameter),
         parts_(parts_of(zeros, open_cells)) {}
 
@@ -106,7 +105,7 @@ class ClusterFinder {
   std::vector<int> unite_opposite(DisjointSets& together) const {
     std::vector<int> result;
     if (criterion_.distance == 0) return result;
-    for (const std::vector<int>& group : opposite_zeros(*evaluator_, *zeros_)) {
+    for (const std::vector<int>& group : opposite_zeros(*evaluator_, boundary_, *zeros_)) {
       for (const int i : group) together.unite(group[0], i);
       result.push_back(group[0]);
     }
@@ -145,8 +144,7 @@ class ClusterFinder {
   bool belong_together(const Part& a, const Part& b) const {
     const double gap = distance(a.centre, b.centre) - a.radius - b.radius;
     if (gap <= std::max(a.radius, b.radius)) return true;
-    if (gap <= criterion_.distance * (1 + tolerance::tied) && is_segment_in_mesh(*evaluator_, a.centre, b.centre))
-      return true;
+    if (gap <= criterion_.distance * (1 + tolerance::tied) && boundary_.is_visible(a.centre, b.centre)) return true;
     return gap <= 0.05 * diameter_ && stays_small(a, b);
   }
 
@@ -213,6 +211,7 @@ class ClusterFinder {
   const field::FieldEvaluator* evaluator_;
   const std::vector<zeros::FoundZero>* zeros_;
   ClusterCriterion criterion_;
+  curve::FaceBoundary boundary_;
   double diameter_;
   std::vector<Part> parts_;
 };

@@ -11,9 +11,9 @@
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/arc_length.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "guide/valence.hpp"
-#include "placement/clearance.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
@@ -122,19 +122,19 @@ MiddleLine middle_line(const CadFace& face, int joint) {
 }
 
 double length_inside(const CadFace& face, const MiddleLine& line) {
+  const curve::FaceBoundary boundary(face);
   const std::size_t last = line.points.size() - 1;
   const Vec2 direction = direction_of(line.points[last - 1], line.points[last]);
   if (last == 1) {
     const double off = tolerance::same_point * face.diameter;  // rays from the corner itself meet its sides
-    return off + placement::clearance_along(face, line.points[0] + off * direction, direction);
+    return off + boundary.length_inside(line.points[0] + off * direction, direction);
   }
   double length = 0;
   for (std::size_t i = 1; i <= last; ++i) {
-    if (placement::signed_clearance(face, line.points[i]) < division_rules.least_clearance * line.widths[i])
-      return length;
+    if (boundary.signed_distance(line.points[i]) < division_rules.least_clearance * line.widths[i]) return length;
     length += distance(line.points[i - 1], line.points[i]);
   }
-  return length + placement::clearance_along(face, line.points[last], direction);
+  return length + boundary.length_inside(line.points[last], direction);
 }
 
 double length_of_small_turn(const MiddleLine& line, double limit) {

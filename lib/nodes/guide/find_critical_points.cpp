@@ -154,8 +154,7 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   CriticalPoints points;
   points.origin = face.origin;
   points.corners = std::move(valences.corners);
-  const std::vector<bool> is_absorbed =
-      absorb_into_corners(evaluator, zeros, options.corner_absorb * face.diameter, points);
+  const std::vector<bool> is_absorbed = absorb_into_corners(face, zeros, options.corner_absorb * face.diameter, points);
   const std::vector<zeros::FoundZero> free = filtered(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
   Clustering clustering = find_clusters(evaluator, free, zeros::cells_without_zero(search.open_cells(), zeros),
                                         {options.cluster_distance * face.diameter, options.noise});

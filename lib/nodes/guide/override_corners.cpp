@@ -13,8 +13,8 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
+#include "curve/face_boundary.hpp"
 #include "guide/valence.hpp"
-#include "placement/clearance.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
@@ -105,12 +105,13 @@ std::vector<NodeMark> added_nodes(const CadFace& face, const CriticalPoints& poi
   const int n = std::abs(d.index) - static_cast<int>(d.removed.size());
   const Joint& joint = face.joints[points.corners[d.corner].joint];
   std::vector<Vec2> directions;
+  const curve::FaceBoundary boundary(face);
   double clearance = INFINITY;
   for (int k = 1; k <= n; ++k) {
     directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
     const double start = tolerance::same_point * face.diameter;  // away from the corner itself
-    clearance = std::min(
-        clearance, placement::clearance_along(face, joint.position + start * directions.back(), directions.back()));
+    clearance =
+        std::min(clearance, boundary.length_inside(joint.position + start * directions.back(), directions.back()));
   }
   const double radius = free_radius(points, joint.position, directions, 0.25 * clearance);
   std::vector<NodeMark> added;

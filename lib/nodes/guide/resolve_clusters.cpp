@@ -11,8 +11,8 @@
 
 #include "base/angle.hpp"
 #include "base/tolerance.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/orbits.hpp"
-#include "placement/clearance.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
@@ -34,9 +34,9 @@ std::vector<double> axis_directions(const CadFace& face, const std::vector<curve
   return directions;
 }
 
-std::vector<double> foot_directions(const CadFace& face, Vec2 centre) {
+std::vector<double> foot_directions(const curve::FaceBoundary& boundary, Vec2 centre) {
   std::vector<double> directions;
-  for (const placement::BoundaryFoot& foot : placement::nearest_feet(face, centre))
+  for (const curve::NearestPoint& foot : boundary.nearest_feet(centre, tolerance::tied * boundary.face().diameter))
     directions.push_back(angle_of(foot.position - centre));
   return directions;
 }
@@ -50,11 +50,11 @@ std::vector<double> with_sides(const std::vector<double>& directions, int n) {
 }
 
 /// The orientation of the members' own positions; std::nullopt if these do not exceed the noise.
-std::optional<double> member_angle(const CadFace& face, const Cluster& cluster) {
+std::optional<double> member_angle(const curve::FaceBoundary& boundary, const Cluster& cluster) {
   const int n = std::abs(cluster.index);
   const int sign = cluster.index > 0 ? 1 : -1;
   if (static_cast<int>(cluster.members.size()) != n || static_cast<int>(cluster.member_indices.size()) != n) return {};
-  const double noise = std::pow(1e-8, 1.0 / n) * std::abs(placement::signed_clearance(face, cluster.centre));
+  const double noise = std::pow(1e-8, 1.0 / n) * boundary.nearest(cluster.centre).distance;
   Vec2 sum;
   for (int i = 0; i < n; ++i) {
     const Vec2 from_centre = cluster.members[i] - cluster.centre;
@@ -76,19 +76,21 @@ void keep_least(std::vector<double>& angles, double tol, const std::function<dou
   angles = kept;
 }
 
-double orientation(const CadFace& face, const std::vector<curve::Isometry>& group, const Cluster& cluster) {
+double orientation(const curve::FaceBoundary& boundary, const std::vector<curve::Isometry>& group,
+                   const Cluster& cluster) {
+  const CadFace& face = boundary.face();
   const int n = std::abs(cluster.index);
   const double period = 2 * pi / n;
-  const std::optional<double> members = member_angle(face, cluster);
+  const std::optional<double> members = member_angle(boundary, cluster);
   std::vector<double> directions = axis_directions(face, group, cluster.centre);
   if (directions.empty() && members) return *members;
-  if (directions.empty()) directions = foot_directions(face, cluster.centre);
+  if (directions.empty()) directions = foot_directions(boundary, cluster.centre);
   std::vector<double> angles = with_sides(directions, n);
   if (members)
     keep_least(angles, tolerance::same_angle, [&](double a) { return std::abs(std::remainder(a - *members, period)); });
   keep_least(angles, tolerance::tied * face.diameter, [&](double a) {
     double clearance = 0;
-    for (int k = 0; k < n; ++k) clearance += placement::clearance_along(face, cluster.centre, unit(a + k * period)) / n;
+    for (int k = 0; k < n; ++k) clearance += boundary.length_inside(cluster.centre, unit(a + k * period)) / n;
     return cluster.index > 0 ? -clearance : clearance;
   });
   const double joint = angle_of(face.joints[0].position - cluster.centre);
@@ -105,14 +107,15 @@ double radius_inside(const Cluster& cluster, double clearance, const std::vector
 }
 
 /// For a cluster about a hole: the radius at which the polygon's vertices have the greatest clearance.
-double radius_outside(const CadFace& face, const Cluster& cluster, double angle) {
+double radius_outside(const curve::FaceBoundary& boundary, const Cluster& cluster, double angle) {
   constexpr int steps = 200;
+  const double diameter = boundary.face().diameter;
   double best = 0, most = -INFINITY;
   for (int i = 1; i < steps; ++i) {
     double clearance = INFINITY;
-    for (const Vec2 x : regular_polygon(cluster.centre, face.diameter * i / steps, angle, std::abs(cluster.index)))
-      clearance = std::min(clearance, placement::signed_clearance(face, x));
-    if (clearance > most + tolerance::tied * face.diameter) most = clearance, best = face.diameter * i / steps;
+    for (const Vec2 x : regular_polygon(cluster.centre, diameter * i / steps, angle, std::abs(cluster.index)))
+      clearance = std::min(clearance, boundary.signed_distance(x));
+    if (clearance > most + tolerance::tied * diameter) most = clearance, best = diameter * i / steps;
   }
   return best;
 }
@@ -163,18 +166,19 @@ Vec2 onto_fixed_points(const CadFace& face, const std::vector<curve::Isometry>& 
 
 std::vector<Vec2> node_ring(const CadFace& face, const std::vector<curve::Isometry>& group, const Cluster& cluster,
                             const std::vector<Vec2>& others) {
-  const double clearance = placement::signed_clearance(face, cluster.centre);
+  const curve::FaceBoundary boundary(face);
+  const double clearance = boundary.signed_distance(cluster.centre);
   if (std::abs(cluster.index) == 1 && clearance > 0) return {cluster.centre};
-  const double angle = orientation(face, group, cluster);
+  const double angle = orientation(boundary, group, cluster);
   const double radius =
-      clearance > 0 ? radius_inside(cluster, clearance, others) : radius_outside(face, cluster, angle);
+      clearance > 0 ? radius_inside(cluster, clearance, others) : radius_outside(boundary, cluster, angle);
   return regular_polygon(cluster.centre, radius, angle, std::abs(cluster.index));
 }
 
 std::vector<NodeMark> cluster_nodes(const CadFace& face, const std::vector<curve::Isometry>& group, int max_valence,
                                     const Cluster& cluster, const std::vector<Vec2>& others) {
   const int valence = 4 - cluster.index;
-  if (valence >= 3 && valence <= max_valence && placement::signed_clearance(face, cluster.centre) > 0)
+  if (valence >= 3 && valence <= max_valence && curve::FaceBoundary(face).contains(cluster.centre))
     return {{cluster.centre, valence}};
   std::vector<NodeMark> nodes;
   for (const Vec2 x : node_ring(face, group, cluster, others)) nodes.push_back({x, cluster.index > 0 ? 3 : 5});

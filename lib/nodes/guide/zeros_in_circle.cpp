@@ -10,8 +10,6 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/tolerance.hpp"
-#include "guide/segment_in_mesh.hpp"
-#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -92,22 +90,18 @@ constexpr OppositeRules opposite_rules;
 using Zeros = std::vector<zeros::FoundZero>;
 using Group = std::vector<int>;
 
-double clearance(const field::FieldEvaluator& evaluator, Vec2 x) {
-  return placement::signed_clearance(evaluator.field().mesh.face, x);
-}
-
 /// The zeros that are linked to zero i through its distance to the boundary.
-Group linked_zeros(const field::FieldEvaluator& evaluator, const Zeros& zeros, int i) {
+Group linked_zeros(const curve::FaceBoundary& boundary, const Zeros& zeros, int i) {
   const auto gap = [&](int j) { return distance(zeros[i].x, zeros[j].x); };
   Group opposite;
   for (int j = 0; j < static_cast<int>(zeros.size()); ++j)
     if (zeros[j].index * zeros[i].index < 0) opposite.push_back(j);
   if (opposite.empty()) return {};
-  const double reach = (1 + tolerance::tied) * clearance(evaluator, zeros[i].x);
+  const double reach = (1 + tolerance::tied) * boundary.signed_distance(zeros[i].x);
   const auto is_nearest = [&](int j) { return gap(j) <= opposite_rules.nearest * reach; };
   if (std::none_of(opposite.begin(), opposite.end(), is_nearest)) return {};
   std::erase_if(opposite, [&](int j) {
-    return gap(j) > opposite_rules.near * reach || !is_segment_in_mesh(evaluator, zeros[i].x, zeros[j].x);
+    return gap(j) > opposite_rules.near * reach || !boundary.is_visible(zeros[i].x, zeros[j].x);
   });
   return opposite;
 }
@@ -152,10 +146,11 @@ bool is_dominated(const field::FieldEvaluator& evaluator, const zeros::Disc& cir
 
 /// The zeros in the smallest circle about the group that is dominated. If no circle is, the search goes on about the
 /// centroid of all zeros that are nearer than the boundary.
-std::optional<Group> dominated_zeros(const field::FieldEvaluator& evaluator, const Zeros& zeros, Group group) {
+std::optional<Group> dominated_zeros(const field::FieldEvaluator& evaluator, const curve::FaceBoundary& boundary,
+                                     const Zeros& zeros, Group group) {
   for (;;) {
     zeros::Disc circle = circle_about(zeros, group);
-    const double outer = clearance(evaluator, circle.centre);
+    const double outer = boundary.signed_distance(circle.centre);
     Group inside;
     for (circle.radius *= opposite_rules.first_circle; circle.radius < outer;
          circle.radius *= opposite_rules.next_circle) {
@@ -192,10 +187,11 @@ std::optional<Vec2> moment_centre(const field::FieldEvaluator& evaluator, Vec2 c
   return {};
 }
 
-std::vector<std::vector<int>> opposite_zeros(const field::FieldEvaluator& evaluator, const Zeros& zeros) {
+std::vector<std::vector<int>> opposite_zeros(const field::FieldEvaluator& evaluator,
+                                             const curve::FaceBoundary& boundary, const Zeros& zeros) {
   DisjointSets linked(zeros.size()), replaced(zeros.size());
   for (int i = 0; i < static_cast<int>(zeros.size()); ++i) {
-    Group group = linked_zeros(evaluator, zeros, i);
+    Group group = linked_zeros(boundary, zeros, i);
     group.push_back(i);
     unite(linked, group);
     if (std::abs(total_index(zeros, group)) <= 1) unite(replaced, group);
@@ -203,7 +199,7 @@ std::vector<std::vector<int>> opposite_zeros(const field::FieldEvaluator& evalua
   const std::vector<Group> groups = linked.sets();
   for (const Group& group : groups) {
     if (std::abs(total_index(zeros, group)) <= 1) continue;  // single zeros too
-    const std::optional<Group> wider = dominated_zeros(evaluator, zeros, group);
+    const std::optional<Group> wider = dominated_zeros(evaluator, boundary, zeros, group);
     if (wider && contains_whole_sets(*wider, linked, groups)) unite(replaced, *wider);
   }
   std::vector<Group> result = replaced.sets();

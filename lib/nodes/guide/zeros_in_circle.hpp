@@ -24,6 +24,7 @@
 #include <optional>
 #include <vector>
 
+#include "curve/face_boundary.hpp"
 #include "field/evaluate.hpp"
 #include "zeros/zero_search.hpp"
 
@@ -38,6 +39,7 @@ std::optional<Vec2> moment_centre(const field::FieldEvaluator& evaluator, Vec2 c
 /// The groups of zeros that fewer nodes can replace: ascending numbers of their zeros, of both signs. Lengths equal
 /// within 1e-6 count as equal. Cost: quadratic in the number of zeros.
 std::vector<std::vector<int>> opposite_zeros(const field::FieldEvaluator& evaluator,
+                                             const curve::FaceBoundary& boundary,
                                              const std::vector<zeros::FoundZero>& zeros);
 
 }  // namespace quadrille::guide

@@ -12,9 +12,9 @@
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/mean_width.hpp"
 #include "curve/named_curves.hpp"
-#include "curve/pole_box.hpp"
 #include "curve/project.hpp"
 #include "placement/half_planes.hpp"
 #include "placement/node_ledger.hpp"
@@ -89,20 +89,17 @@ void find_neighbours(const CriticalPoints& points, std::vector<MovingNode>& movi
 class WallSurroundings {
  public:
   WallSurroundings(const CadFace& face, const std::vector<WallClearance>& walls)
-      : face_(face),
-        boxes_(curve::pole_boxes(face.curves)),
-        clearance_(clearance_of_curves(face, walls)),
-        mean_width_(curve::mean_width(face)) {}
+      : boundary_(face), clearance_(clearance_of_curves(face, walls)), mean_width_(curve::mean_width(face)) {
+    for (const double clearance : clearance_) greatest_ = std::max(greatest_, clearance);
+  }
 
   double clearance(int curve) const { return clearance_[curve]; }
 
   MissedClearance missed(Vec2 x) const {
     MissedClearance result;
-    for (int c = 0; c < face_.num_curves(); ++c) {
-      const double enough = clearance_[c] * (1 - tolerance::tied);
-      if (boxes_[c].distance_from(x) >= enough) continue;
-      const double r = curve::project(face_.curves[c], x).distance;
-      if (r >= enough) continue;
+    const auto is_wall = [&](int c) { return clearance_[c] > 0; };
+    for (const auto& [c, t, foot, r] : boundary_.feet_within(x, greatest_, is_wall)) {
+      if (r >= clearance_[c] * (1 - tolerance::tied)) continue;
       if (clearance_[c] - r > result.shortfall) result.curve = c, result.shortfall = clearance_[c] - r;
       result.greatest = std::max(result.greatest, clearance_[c]);
     }
@@ -130,11 +127,10 @@ class WallSurroundings {
     const double farthest = moving.reach + distance(moving.start, x);
     NodeRoom room;
     for (const Obstacle& o : moving.obstacles) {
-      if (boxes_[o.curve].distance_from(x) > o.least + farthest) continue;
-      const curve::Projection foot = curve::project(face_.curves[o.curve], x, o.t0, o.t1);
+      const curve::Projection foot = curve::project(boundary_.face().curves[o.curve], x, o.t0, o.t1);
+      if (foot.distance > o.least + farthest) continue;
       room.longest_step = std::min(room.longest_step, rules.greatest_step * foot.distance);
-      if (foot.distance <= o.least + farthest)
-        room.planes.push_back({(x - foot.position) / foot.distance, o.least - foot.distance, o.is_wall});
+      room.planes.push_back({(x - foot.position) / foot.distance, o.least - foot.distance, o.is_wall});
     }
     for (const Neighbour& other : moving.neighbours) {
       const Vec2 between = x - points.critical_points[other.node].position;
@@ -147,24 +143,24 @@ class WallSurroundings {
  private:
   /// Each knot span has a nearest point of its own, so that a curve which surrounds the node does so from all sides.
   void add_obstacles(MovingNode& moving) const {
-    for (int c = 0; c < face_.num_curves(); ++c) {
+    const double greatest = std::max(std::min(greatest_, mean_width_), moving.reach) + moving.reach;
+    for (const curve::NearestPoint& near : boundary_.feet_within(moving.start, greatest)) {
+      const int c = near.curve;
       const double of_wall = std::min(clearance_[c], mean_width_);
-      if (boxes_[c].distance_from(moving.start) >= std::max(of_wall, moving.reach) + moving.reach) continue;
-      const std::vector<double>& knots = face_.curves[c].knots;
+      const std::vector<double>& knots = boundary_.face().curves[c].knots;
       const bool is_wall = clearance_[c] > 0;
       for (std::size_t i = 1; i < knots.size(); ++i) {
         if (knots[i - 1] >= knots[i]) continue;
-        const double r = curve::project(face_.curves[c], moving.start, knots[i - 1], knots[i]).distance;
+        const double r = curve::project(boundary_.face().curves[c], moving.start, knots[i - 1], knots[i]).distance;
         const double least = is_wall ? of_wall : rules.kept_fraction * r;
         if (r < least + moving.reach) moving.obstacles.push_back({c, knots[i - 1], knots[i], least, is_wall});
       }
     }
   }
 
-  const CadFace& face_;
-  std::vector<curve::PoleBox> boxes_;
+  curve::FaceBoundary boundary_;
   std::vector<double> clearance_;  ///< by curve; 0: no wall
-  double mean_width_;
+  double mean_width_, greatest_ = 0;
 };
 
 Vec2 next_step(const WallSurroundings& around, const MovingNode& moving, const CriticalPoints& points) {

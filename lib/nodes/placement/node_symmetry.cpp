@@ -54,7 +54,7 @@ bool has_winding_offsets(const CriticalPoints& points) {
 
 double distance_to_next(const SmoothBoundaryDistance& boundary, const CriticalPoints& points, int node) {
   const Vec2 x = points.critical_points[node].position;
-  double next = boundary.nearest(x);
+  double next = boundary.nearest(x).distance;
   for (std::size_t j = 0; j < points.critical_points.size(); ++j)
     if (static_cast<int>(j) != node) next = std::min(next, distance(points.critical_points[j].position, x));
   return next;

@@ -81,7 +81,7 @@ double PlacementObjective::allowed_part(const CriticalPoints& points, const std:
   };
   const auto& nodes = points.critical_points;
   for (const int k : free) {
-    limit(norm(moves[k]), boundary.nearest(nodes[k].position));
+    limit(norm(moves[k]), boundary.nearest(nodes[k].position).distance);
     for (int j = 0; j < static_cast<int>(nodes.size()); ++j)
       if (j != k) limit(distance(moves[k], moves[j]), distance(nodes[k].position, nodes[j].position));
   }

@@ -12,12 +12,12 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/tolerance.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/orbits.hpp"
 #include "curve/symmetry.hpp"
 #include "guide/resolve_clusters.hpp"
 #include "guide/valence.hpp"
-#include "placement/clearance.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::topology {
@@ -190,7 +190,7 @@ NodeMark node_behind(const CadFace& face, const Corner& corner) {
   const Joint& joint = face.joints[corner.joint];
   const Vec2 direction = unit(joint.tangent_out + joint.interior_angle / 2);
   const double start = tolerance::same_point * face.diameter;  // away from the corner itself
-  const double clearance = placement::clearance_along(face, joint.position + start * direction, direction);
+  const double clearance = curve::FaceBoundary(face).length_inside(joint.position + start * direction, direction);
   const double length = std::min(2 * loop_size(face, corner.joint), clearance / 2);
   return {joint.position + length * direction, 3};
 }

@@ -90,7 +90,7 @@ FeatureState moved(const CadFace& face, double size, const std::vector<FeatureNo
   std::vector<InwardMove> moves;
   for (size_t i = 0; i < directions.size(); ++i)
     moves.push_back({static_cast<int>(i), nodes[i].position, normalized(directions[i]), 0.1});
-  move_inward(state, BoundaryClearance(face), moves);
+  move_inward(state, curve::FaceBoundary(face), moves);
   expect_sound_changes(state.changes);
   return state;
 }

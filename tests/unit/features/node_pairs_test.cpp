@@ -11,7 +11,7 @@ using namespace testing_features;
 
 FeatureState cancelled(const CadFace& face, const std::vector<FeatureNode>& nodes, double below) {
   FeatureState state = state_of(face, 2 * below, nodes);
-  cancel_pairs(face, state, BoundaryClearance(face), below);
+  cancel_pairs(state, curve::FaceBoundary(face), below);
   expect_sound_changes(state.changes);
   return state;
 }

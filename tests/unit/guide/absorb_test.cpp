@@ -26,7 +26,7 @@ struct AbsorbTest : testing::Test {
     return result;
   }
   std::vector<bool> absorb(const std::vector<zeros::FoundZero>& zeros, double length = 0.01) {
-    return absorb_into_corners(evaluator, zeros, length, points);
+    return absorb_into_corners(field.mesh.face, zeros, length, points);
   }
 };
 

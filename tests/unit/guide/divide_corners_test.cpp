@@ -7,8 +7,8 @@
 #include "../support/critical_points.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
-#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -131,7 +131,8 @@ TEST(DivideCorners, TheNodeOfABentWedgeIsInItsMiddle) {
     // The wedge turns by no more than its angle up to there.
     EXPECT_LE(std::min(norm(a), norm(b)), angle);
     EXPECT_GE(std::min(norm(a), norm(b)), angle / 8);
-    EXPECT_NEAR(placement::signed_clearance(face, a), angle * std::min(norm(a), norm(b)) / 2, 0.4 * angle * norm(b));
+    EXPECT_NEAR(curve::FaceBoundary(face).signed_distance(a), angle * std::min(norm(a), norm(b)) / 2,
+                0.4 * angle * norm(b));
   }
 }
 

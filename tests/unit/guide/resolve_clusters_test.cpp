@@ -8,9 +8,9 @@
 
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/symmetry.hpp"
 #include "guide/complete_nodes.hpp"
-#include "placement/clearance.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -306,7 +306,7 @@ TEST(ResolveClusters, index_sum_is_kept_and_nodes_stay_inside_on_random_polygons
     EXPECT_EQ(index_sum_of(points), sum);
     for (const NodeChange& change : points.changes) EXPECT_EQ(index_of(change.before), index_of(change.after));
     for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
-      EXPECT_GT(placement::signed_clearance(face, points.critical_points[i].position), 0);
+      EXPECT_GT(curve::FaceBoundary(face).signed_distance(points.critical_points[i].position), 0);
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_GT(distance(points.critical_points[i].position, points.critical_points[j].position), 1e-3);
     }

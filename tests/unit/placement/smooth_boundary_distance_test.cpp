@@ -4,7 +4,6 @@
 
 #include "../triangulate/faces.hpp"
 #include "base/angle.hpp"
-#include "placement/clearance.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -80,7 +79,7 @@ TEST(SmoothBoundaryDistance, depends_on_the_curve_and_not_on_its_parameter) {
   face.curves[1] = {2, {0, 0, 0, 1, 1, 1}, {{5, 0}, {5, 0.5}, {5, 1}}, {1, 0.01, 1}};
   for (const Vec2 x : {Vec2{2.5, 0.5}, {0.1, 0.2}, {1e-3, 1e-3}, {4.999, 0.999}, {4.9999, 0.5}})
     EXPECT_NEAR(log_distance(face, x).value, std::log(pi / rectangle_integral(5, 1, x)),
-                rounding(face, SmoothBoundaryDistance(face).nearest(x)));
+                rounding(face, SmoothBoundaryDistance(face).nearest(x).distance));
 }
 
 TEST(SmoothBoundaryDistance, its_gradient_is_that_of_its_value) {
@@ -97,7 +96,7 @@ TEST(SmoothBoundaryDistance, knows_the_plain_distance_too) {
   const CadFace face = annulus();
   const SmoothBoundaryDistance walls(face);
   for (const double r : {0.5001, 0.6, 0.74, 0.8, 0.9999})
-    EXPECT_NEAR(walls.nearest(r * unit(0.4)), std::min(r - 0.5, 1 - r), 1e-13);
+    EXPECT_NEAR(walls.nearest(r * unit(0.4)).distance, std::min(r - 0.5, 1 - r), 1e-13);
 }
 
 using namespace testing_faces;
@@ -122,7 +121,7 @@ TEST(MostInteriorPoint, stays_on_the_mirror_axis_and_moves_with_the_face) {
 
 TEST(MostInteriorPoint, of_a_thin_face_lies_in_its_middle_line) {
   const CadFace face = make_face({polygon({{0, 0}, {1, 0}, {1.002, 0.01}, {0, 0.01}})});
-  EXPECT_NEAR(signed_clearance(face, most_interior_point(face, {{{0, 0}, 0, false}})), 0.005, 1e-4);
+  EXPECT_NEAR(curve::FaceBoundary(face).signed_distance(most_interior_point(face, {{{0, 0}, 0, false}})), 0.005, 1e-4);
 }
 
 }  // namespace
