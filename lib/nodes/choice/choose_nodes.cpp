@@ -67,9 +67,8 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
 
 /// By curve: whether nodes keep a distance from it.
 std::vector<bool> curves_with_clearance(const CadFace& face, const std::vector<placement::WallClearance>& walls) {
-  std::vector<bool> have(face.curves.size(), false);
-  for (const placement::WallClearance& wall : walls)
-    for (const int curve : wall.curves) have[curve] = true;
+  std::vector<bool> have;
+  for (const double clearance : placement::clearance_of_curves(face, walls)) have.push_back(clearance > 0);
   return have;
 }
 

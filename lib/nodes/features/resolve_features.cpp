@@ -96,10 +96,6 @@ placement::NodeSet nodes_of(const FeatureState& state, const CriticalPoints& poi
 
 }  // namespace
 
-void resolve_features(const CadFace& face, double size, CriticalPoints& points) {
-  resolve_features(face, size, std::vector<bool>(face.curves.size(), false), points);
-}
-
 void resolve_features(const CadFace& face, double size, const std::vector<bool>& keeps_clear, CriticalPoints& points,
                       Progress* progress) {
   if (!(size >= 0) || std::isinf(size))

@@ -48,7 +48,4 @@ namespace quadrille::features {
 void resolve_features(const CadFace& face, double size, const std::vector<bool>& keeps_clear, CriticalPoints& points,
                       Progress* progress = nullptr);
 
-/// Without such curves.
-void resolve_features(const CadFace& face, double size, CriticalPoints& points);
-
 }  // namespace quadrille::features

@@ -2,7 +2,7 @@
 // Valences of corners (lib/method.md §3): near a corner the field follows the chord between the data on its two sides,
 // so that V is the integer nearest to 2 omega / pi. At omega = 45, 135, 225, 315 degrees the chord passes through 0: a
 // tie, which the field away from the corner decides. This is the valence in the limit at the corner. Close to a tie a
-// critical point may be too near to the corner for a block between: guide/absorb decides about it. The
+// critical point may be too near to the corner for a block between: guide/find_critical_points decides about it. The
 // blocks at a corner need angles between 15 and 165 degrees (§5), and all valences must have the index sum (§1).
 
 #include <vector>

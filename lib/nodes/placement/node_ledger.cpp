@@ -10,17 +10,13 @@
 namespace quadrille::placement {
 namespace {
 
-/// Keeps the zeros of the field before nodes change for the first time. Those of a field that is tilted at ties are
-/// kept for prescribed valences only.
-void keep_zeros(const std::vector<CriticalPoint>& after, const std::vector<NodeChange>& changes,
-                CriticalPoints& points) {
+/// Keeps the zeros of the field before nodes change for the first time.
+void keep_zeros(const std::vector<CriticalPoint>& after, CriticalPoints& points) {
   const auto is_same = [](const CriticalPoint& a, const CriticalPoint& b) { return a.position == b.position; };
   const std::vector<CriticalPoint>& before = points.critical_points;
   if (!points.zeros.empty() || std::equal(before.begin(), before.end(), after.begin(), after.end(), is_same)) return;
-  if (points.form == NodeForm::harmonic ||
-      std::any_of(changes.begin(), changes.end(), [](const NodeChange& c) { return c.kind == ChangeKind::corner; }))
-    std::copy_if(before.begin(), before.end(), std::back_inserter(points.zeros),
-                 [](const CriticalPoint& p) { return p.source == NodeSource::zero; });
+  std::copy_if(before.begin(), before.end(), std::back_inserter(points.zeros),
+               [](const CriticalPoint& p) { return p.source == NodeSource::zero; });
 }
 
 std::vector<CriticalPoint> kept_nodes(const std::vector<NodeEdit>& edits, const CriticalPoints& points) {
@@ -64,7 +60,7 @@ void apply(const std::vector<NodeEdit>& edits, CriticalPoints& points) {
 }
 
 void replace_nodes(NodeSet nodes, const std::vector<NodeChange>& changes, CriticalPoints& points) {
-  keep_zeros(nodes.critical_points, changes, points);
+  keep_zeros(nodes.critical_points, points);
   if (std::any_of(changes.begin(), changes.end(), [](const NodeChange& c) { return c.kind != ChangeKind::absorb; }))
     points.form = NodeForm::phase;
   points.critical_points = std::move(nodes.critical_points);

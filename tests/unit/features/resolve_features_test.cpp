@@ -21,6 +21,11 @@ using namespace testing_features;
 
 using hand_made::node;
 
+/// Without curves from which nodes keep a distance.
+void resolve_features(const CadFace& face, double size, CriticalPoints& points) {
+  features::resolve_features(face, size, std::vector<bool>(face.curves.size(), false), points);
+}
+
 CriticalPoints points_with(const CadFace& face, const std::vector<CriticalPoint>& nodes) {
   CriticalPoints points = hand_made::points_of(face, nodes);
   points.index_sum_expected = 4 * face.euler_characteristic();

@@ -92,7 +92,7 @@ TEST(ZeroSearch, the_corner_absorbs_what_is_closer_than_a_block) {
   for (const double excess : {-1e-4, 0.0, 1e-7, 1e-5, 1e-4, 2e-3}) {
     const Field field = adapted_field(chamfered(excess));
     Report report;
-    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), report);
+    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), {}, report);
     EXPECT_NO_THROW(guide::require_index_sum(points));
     const bool separate = excess > 1e-3;
     EXPECT_EQ(points.critical_points.size(), separate ? 1u : 0u) << excess;
@@ -104,7 +104,7 @@ TEST(ZeroSearch, regular_polygons_have_their_zero_at_the_centre) {
   for (const int n : {3, 5}) {
     const Field field = adapted_field(polygon_face(regular_polygon(n, 0.3)));
     Report report;
-    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), report);
+    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), {}, report);
     ASSERT_EQ(points.critical_points.size(), 1u);
     EXPECT_NEAR(norm(points.critical_points[0].position), 0, 1e-12);
     EXPECT_EQ(points.critical_points[0].index, 4 - n);
@@ -119,8 +119,8 @@ TEST(ZeroSearch, a_turned_and_moved_face_has_its_points_turned_and_moved) {
   for (const Vec2 c : corners) moved.push_back(move(c));
   Report report;
   const Field a = adapted_field(polygon_face(corners)), b = adapted_field(polygon_face(moved));
-  const CriticalPoints here = guide::find_critical_points(field::FieldEvaluator(a), report);
-  const CriticalPoints there = guide::find_critical_points(field::FieldEvaluator(b), report);
+  const CriticalPoints here = guide::find_critical_points(field::FieldEvaluator(a), {}, report);
+  const CriticalPoints there = guide::find_critical_points(field::FieldEvaluator(b), {}, report);
   EXPECT_NO_THROW(guide::require_index_sum(here));
   ASSERT_EQ(here.critical_points.size(), there.critical_points.size());
   ASSERT_GE(here.critical_points.size(), 1u);
