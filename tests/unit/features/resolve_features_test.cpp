@@ -118,7 +118,7 @@ TEST(ResolveFeatures, PutsNodesOfReflexFilletsInTheMiddleOfTheirArcs) {
 TEST(ResolveFeatures, LeavesNodesInsideThatKeepADistanceFromTheirFillets) {
   CriticalPoints points = frame_points();
   const CadFace face = filleted_frame();
-  resolve_features(face, 0.015, std::vector<bool>(face.curves.size(), true), points);
+  features::resolve_features(face, 0.015, std::vector<bool>(face.curves.size(), true), points);
   EXPECT_EQ(points.critical_points.size(), 8u);
   EXPECT_TRUE(points.boundary_nodes.empty());
 }
