@@ -249,4 +249,16 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   return find_critical_points(evaluator, options, corner_valences(evaluator, options.noise), {}, report);
 }
 
+std::vector<bool> absorb_into_corners(const CadFace& face, const std::vector<zeros::FoundZero>& zeros, double length,
+                                      CriticalPoints& points) {
+  std::vector<bool> is_absorbed(zeros.size(), false);
+  if (length == 0) return is_absorbed;
+  const double tol = tolerance::tied * length;
+  const std::vector<Candidates> candidates = candidates_of(face, zeros, length, tol, points.corners);
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    if (points.corners[c].source != NodeSource::line)
+      absorb_into(c, zeros, candidates[c], length, tol, is_absorbed, points);
+  return is_absorbed;
+}
+
 }  // namespace quadrille::guide

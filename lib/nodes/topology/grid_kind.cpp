@@ -168,8 +168,7 @@ std::vector<guide::CornerOverride> grid_corners(const CadFace& face, GridKind ki
   if (kind == GridKind::none) return corners;
   for (const Corner& c : points.corners) {
     const int valence = valence_of(face, kind, c);
-    if (valence != c.valence && c.source != NodeSource::corner && c.source != NodeSource::divide &&
-        guide::is_admissible_valence(c.angle_degrees, valence))
+    if (valence != c.valence && may_change(c) && guide::is_admissible_valence(c.angle_degrees, valence))
       corners.push_back({c.curves[0], c.curves[1], valence});
   }
   return corners;

@@ -42,8 +42,7 @@ constexpr long long max_cells = 50000;  // in one element; a simple zero needs s
 std::array<Vec2, 3> vertices(const Cell& cell) { return {cell.vertex(0), cell.vertex(1), cell.vertex(2)}; }
 
 bool touches_vertex(const Cell& cell, int k) {
-  const Vec2 vertex = k == 0 ? Vec2{-1, -1} : k == 1 ? Vec2{1, -1} : Vec2{-1, 1};
-  return std::find(cell.xi.begin(), cell.xi.end(), vertex) != cell.xi.end();
+  return std::find(cell.xi.begin(), cell.xi.end(), reference_vertices[k]) != cell.xi.end();
 }
 
 bool is_inside(const FoundZero& zero) { return mesh::outside_reference(zero.xi) <= inside_tol; }
