@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/tolerance.hpp"
-
 namespace quadrille::placement {
 namespace {
+
+constexpr double rounding = 1e-13;  // of sines, and of lengths relative to the greatest one; steps are far greater
 
 double greatest_length(const std::vector<HalfPlane>& planes, Vec2 target) {
   double length = norm(target);
@@ -21,7 +21,7 @@ std::optional<Vec2> nearest_on_line(const std::vector<HalfPlane>& planes, std::s
   double low = -HUGE_VAL, high = HUGE_VAL;
   for (std::size_t j = 0; j < i; ++j) {
     const double slope = dot(planes[j].normal, along), rest = planes[j].bound - dot(planes[j].normal, foot);
-    if (std::abs(slope) <= tolerance::round_off) {
+    if (std::abs(slope) <= rounding) {
       if (rest > tol) return std::nullopt;
     } else if (slope > 0) {
       low = std::max(low, rest / slope);
@@ -42,7 +42,7 @@ std::vector<HalfPlane> lowered(std::vector<HalfPlane> planes, double shortfall) 
 }  // namespace
 
 std::optional<Vec2> nearest_common_point(const std::vector<HalfPlane>& planes, Vec2 target, double reach) {
-  const double tol = tolerance::round_off * greatest_length(planes, target);
+  const double tol = rounding * greatest_length(planes, target);
   // If the nearest point of the planes so far is outside the next one, the new one is on its line.
   Vec2 nearest = target;
   for (std::size_t i = 0; i < planes.size(); ++i) {
