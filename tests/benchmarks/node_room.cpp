@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <string>
 
+#include "curve/face_boundary.hpp"
+#include "io/input_file.hpp"
 #include "io/stage_files.hpp"
-#include "io/whole_file.hpp"
-#include "placement/smooth_boundary_distance.hpp"
 
 using namespace quadrille;
 
@@ -21,11 +21,11 @@ namespace {
 std::string number_or_null(double x) { return x < 1e9 ? fmt::format("{:.5g}", x) : "null"; }
 
 void tell_room(const CadFace& face, const CriticalPoints& points) {
-  const placement::SmoothBoundaryDistance walls(face);
+  const curve::FaceBoundary walls(face);
   double least_wall = 1e10, least_pair = 1e10;
   std::string nodes;
   for (const CriticalPoint& node : points.critical_points) {
-    const double wall = walls.nearest(node.position) / face.diameter;
+    const double wall = walls.nearest(node.position).distance / face.diameter;
     least_wall = std::min(least_wall, wall);
     for (const CriticalPoint& other : points.critical_points)
       if (&other != &node) least_pair = std::min(least_pair, distance(node.position, other.position) / face.diameter);

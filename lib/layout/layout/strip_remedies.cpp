@@ -7,8 +7,7 @@
 #include <set>
 
 #include "base/angle.hpp"
-#include "guide/admissible_valence.hpp"
-#include "guide/tie_measures.hpp"
+#include "guide/valence.hpp"
 
 namespace quadrille::layout {
 namespace {

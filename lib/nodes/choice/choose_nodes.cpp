@@ -7,15 +7,15 @@
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
-#include "features/automatic_size.hpp"
 #include "features/resolve_features.hpp"
+#include "features/small_features.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "guide/complete_nodes.hpp"
-#include "guide/index_sum.hpp"
 #include "guide/line_field.hpp"
 #include "guide/override_corners.hpp"
 #include "guide/resolve_clusters.hpp"
+#include "guide/valence.hpp"
 #include "placement/keep_clearance.hpp"
 
 namespace quadrille::choice {
@@ -67,9 +67,8 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
 
 /// By curve: whether nodes keep a distance from it.
 std::vector<bool> curves_with_clearance(const CadFace& face, const std::vector<placement::WallClearance>& walls) {
-  std::vector<bool> have(face.curves.size(), false);
-  for (const placement::WallClearance& wall : walls)
-    for (const int curve : wall.curves) have[curve] = true;
+  std::vector<bool> have;
+  for (const double clearance : placement::clearance_of_curves(face, walls)) have.push_back(clearance > 0);
   return have;
 }
 

@@ -19,13 +19,13 @@
 #include <vector>
 
 #include "base/report.hpp"
-#include "guide/corner_override.hpp"
 #include "guide/divide_corners.hpp"
 #include "guide/find_critical_points.hpp"
+#include "guide/override_corners.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
+#include "placement/keep_clearance.hpp"
 #include "placement/place_nodes.hpp"
-#include "placement/wall_clearance.hpp"
 #include "ties/choose_at_ties.hpp"
 #include "topology/apply_topology.hpp"
 
@@ -38,7 +38,7 @@ struct NodeOptions {
   std::vector<guide::CornerOverride> overrides;  ///< prescribed corner valences
   ties::TiePolicy ties = ties::TiePolicy::choose;
   guide::DegeneratePolicy degenerate = guide::DegeneratePolicy::divide;
-  std::optional<double> feature_size;  ///< length, 0: fillets and holes keep their nodes; none: features/automatic_size
+  std::optional<double> feature_size;  ///< length, 0: fillets and holes keep their nodes; none: features/small_features
   topology::NodeRule nodes = topology::NodeRule::by_grid;
   topology::GridKind topology = topology::GridKind::by_outline;
   topology::LayerCorners layer_corners = topology::LayerCorners::by_bodies;

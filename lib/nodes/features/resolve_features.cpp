@@ -9,11 +9,9 @@
 
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
-#include "features/cancel_pairs.hpp"
-#include "features/feature_constants.hpp"
-#include "features/merge_on_boundary.hpp"
-#include "features/move_inward.hpp"
-#include "features/put_on_boundary.hpp"
+#include "features/feature_state.hpp"
+#include "features/move_nodes.hpp"
+#include "features/node_pairs.hpp"
 #include "features/separate_nodes.hpp"
 #include "placement/node_ledger.hpp"
 
@@ -42,7 +40,7 @@ bool lies_on(const SmallFeature& feature, const std::vector<bool>& curves) {
 }
 
 /// Applies the rules own, boundary, corner, inward.
-void move_nodes_of_features(const CadFace& face, const BoundaryClearance& clearance,
+void move_nodes_of_features(const CadFace& face, const curve::FaceBoundary& boundary,
                             const std::vector<bool>& keeps_clear, FeatureState& state) {
   const std::vector<SmallFeature> features = small_features(face, state.size);
   const std::vector<std::vector<OwnedNode>> owned = nodes_of_features(face, state, features);
@@ -59,7 +57,7 @@ void move_nodes_of_features(const CadFace& face, const BoundaryClearance& cleara
     for (const OwnedNode& own : owned[f]) moves.push_back(inward_move(face, state.nodes[own.node], features[f], own));
   }
   // Moves refer to nodes by number: those that corners took are removed only afterwards.
-  move_inward(state, clearance, moves);
+  move_inward(state, boundary, moves);
   remove_nodes(state, taken_by_corners);
 }
 
@@ -98,22 +96,18 @@ placement::NodeSet nodes_of(const FeatureState& state, const CriticalPoints& poi
 
 }  // namespace
 
-void resolve_features(const CadFace& face, double size, CriticalPoints& points) {
-  resolve_features(face, size, std::vector<bool>(face.curves.size(), false), points);
-}
-
 void resolve_features(const CadFace& face, double size, const std::vector<bool>& keeps_clear, CriticalPoints& points,
                       Progress* progress) {
   if (!(size >= 0) || std::isinf(size))
     throw UsageError(fmt::format("the feature size is {}, it must be a finite length, 0 or more", size));
   if (size == 0) return;
-  const BoundaryClearance clearance(face);
+  const curve::FaceBoundary boundary(face);
   FeatureState state = initial_state(face, size, points);
   const std::array<std::function<void()>, 5> rules{
-      [&] { cancel_pairs(face, state, clearance, feature_constants.first_cancellation * size); },
-      [&] { move_nodes_of_features(face, clearance, keeps_clear, state); },
-      [&] { cancel_pairs(face, state, clearance, feature_constants.second_cancellation * size); },
-      [&] { merge_on_boundary(face, state); }, [&] { separate_nodes(state, clearance); }};
+      [&] { cancel_pairs(state, boundary, feature_constants.first_cancellation * size); },
+      [&] { move_nodes_of_features(face, boundary, keeps_clear, state); },
+      [&] { cancel_pairs(state, boundary, feature_constants.second_cancellation * size); },
+      [&] { merge_on_boundary(face, state); }, [&] { separate_nodes(state, boundary); }};
   const Progress::Part part(progress, "rules", std::ssize(rules));
   for (const auto& apply : rules) {
     apply();

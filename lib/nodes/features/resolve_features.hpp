@@ -31,7 +31,7 @@
 // Reasons for this order. Opposite pairs first: a pair that cancels needs no feature, and a node put onto the boundary
 // could no longer find its partner. Boundary and corner before inward: a node that moves onto the boundary or into a
 // corner does not stop nodes that move inward. Cancelling again, because moves bring nodes together that were apart.
-// Merging before separating: boundary nodes cannot be pushed. All constants are in features/feature_constants.
+// Merging before separating: boundary nodes cannot be pushed. All constants are in features/feature_state.
 
 #include <vector>
 
@@ -43,12 +43,9 @@ namespace quadrille::features {
 
 /// Applies the rules above with L = `size`, in the file's unit; 0: no change. The definition of a feature and the index
 /// that it forces: features/small_features. `keeps_clear`, one per curve: whether nodes keep a distance from the curve
-/// (placement/wall_clearance), so that layers along it run past the feature. Nodes that were moved keep `elem` and `xi`
+/// (placement/keep_clearance), so that layers along it run past the feature. Nodes that were moved keep `elem` and `xi`
 /// of their old position. Throws UsageError if `size` is negative or not finite.
 void resolve_features(const CadFace& face, double size, const std::vector<bool>& keeps_clear, CriticalPoints& points,
                       Progress* progress = nullptr);
-
-/// Without such curves.
-void resolve_features(const CadFace& face, double size, CriticalPoints& points);
 
 }  // namespace quadrille::features

@@ -1,13 +1,22 @@
 #include "features/small_features.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
 #include "base/tolerance.hpp"
+#include "curve/mean_width.hpp"
 #include "curve/nurbs.hpp"
-#include "features/curved_runs.hpp"
-#include "features/feature_constants.hpp"
+#include "curve/pole_box.hpp"
+#include "features/feature_state.hpp"
+#include "model/far_field.hpp"
+#include "model/offset_names.hpp"
 
 namespace quadrille::features {
 namespace {
@@ -67,6 +76,66 @@ void add_bends(const CadFace& face, int loop, double size, bool is_small_hole, s
   }
 }
 
+bool has_sign(const SmallFeature& feature, const FeatureNode& node) {
+  return (feature.kind == FeatureKind::convex) == (node.index() > 0);
+}
+
+struct Owner {
+  int feature = 0;
+  SectionFoot foot;
+};
+
+std::optional<Owner> owning_feature(const FeatureState& state, const std::vector<SmallFeature>& features,
+                                    const FeatureNode& node) {
+  std::optional<Owner> nearest;
+  bool is_tied = false;
+  for (size_t f = 0; f < features.size(); ++f) {
+    if (!has_sign(features[f], node)) continue;
+    const SectionFoot here = features[f].section.foot(node.position);
+    if (here.distance >= state.size - state.tie) continue;
+    if (nearest && here.distance > nearest->foot.distance - state.tie) {
+      is_tied |= here.distance < nearest->foot.distance + state.tie &&
+                 distance(here.position, nearest->foot.position) > state.tie;
+      continue;
+    }
+    nearest = Owner{static_cast<int>(f), here};
+    is_tied = false;
+  }
+  return is_tied ? std::nullopt : nearest;
+}
+
+/// Whether a run that is not part of the feature is nearer to the node.
+bool has_nearer_run(const FeatureState& state, const std::vector<SmallFeature>& runs, const SmallFeature& feature,
+                    const FeatureNode& node, double distance) {
+  return std::any_of(runs.begin(), runs.end(), [&](const SmallFeature& run) {
+    return (run.kind == FeatureKind::convex) == (feature.kind == FeatureKind::convex) &&
+           !do_overlap(run.section, feature.section) && run.section.foot(node.position).distance < distance - state.tie;
+  });
+}
+
+/// Keeps at most as many nodes as the feature's capacity; nodes of equal distance together or not at all.
+void keep_to_capacity(const FeatureState& state, size_t capacity, std::vector<OwnedNode>& owned) {
+  std::stable_sort(owned.begin(), owned.end(),
+                   [](const OwnedNode& a, const OwnedNode& b) { return a.foot.distance < b.foot.distance; });
+  if (owned.size() <= capacity) return;
+  size_t kept = capacity;
+  while (kept > 0 && owned[kept].foot.distance - owned[kept - 1].foot.distance <= state.tie) --kept;
+  owned.resize(kept);
+}
+
+/// The diameter of the face; in a far field, that of the box around the bodies, which a far field may exceed at will.
+/// Around layers with blocks of their own it is that of the face: the curves above layers are smooth, and between two
+/// of them fewer nodes are better (two elements of an aerofoil in a box: 56 blocks in place of 64).
+double reference_length(const CadFace& face) {
+  if (!has_far_field(face)) return face.diameter;
+  std::vector<Nurbs> bodies;
+  for (int curve = 0; curve < face.num_curves(); ++curve) {
+    if (is_offset_name(face.curve_names[curve])) return face.diameter;
+    if (!is_far_field(face, curve) && !face.is_interface(curve)) bodies.push_back(face.curves[curve]);
+  }
+  return bodies.empty() ? face.diameter : std::min(face.diameter, curve::pole_box(bodies).diagonal());
+}
+
 }  // namespace
 
 int index_capacity_of(double turning) {
@@ -100,6 +169,35 @@ std::vector<SmallFeature> runs_of_any_size(const CadFace& face) {
     }
   }
   return features;
+}
+
+std::vector<std::vector<OwnedNode>> nodes_of_features(const CadFace& face, const FeatureState& state,
+                                                      const std::vector<SmallFeature>& features) {
+  const std::vector<SmallFeature> runs = runs_of_any_size(face);
+  std::vector<std::vector<OwnedNode>> owned(features.size());
+  for (size_t i = 0; i < state.nodes.size(); ++i) {
+    const FeatureNode& node = state.nodes[i];
+    if (!node.is_inside() || std::abs(node.index()) != 1) continue;
+    const std::optional<Owner> owner = owning_feature(state, features, node);
+    if (owner && !has_nearer_run(state, runs, features[owner->feature], node, owner->foot.distance))
+      owned[owner->feature].push_back({static_cast<int>(i), owner->foot});
+  }
+  for (size_t f = 0; f < features.size(); ++f)
+    keep_to_capacity(state, static_cast<size_t>(features[f].index_capacity), owned[f]);
+  return owned;
+}
+
+double automatic_feature_size(const CadFace& face) {
+  return std::min(feature_constants.automatic_size * reference_length(face), curve::mean_width(face) / 2);
+}
+
+std::optional<double> parse_feature_size(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  double size = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  if (error != std::errc() || end != text.data() + text.size() || !(size >= 0) || !std::isfinite(size))
+    throw UsageError(fmt::format("--feature-size {}: expected \"auto\" or a length in file units, 0 or above", text));
+  return size;
 }
 
 }  // namespace quadrille::features

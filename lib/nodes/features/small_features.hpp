@@ -12,9 +12,13 @@
 // -4 less the index of its corners. A loop that is one bend all round is a hole or the outline, never a fillet.
 // Radii and sizes within 1e-6 of L are not below it (base/tolerance).
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "features/feature_state.hpp"
 #include "features/loop_section.hpp"
+#include "model/cad_face.hpp"
 
 namespace quadrille::features {
 
@@ -36,5 +40,31 @@ std::vector<SmallFeature> runs_of_any_size(const CadFace& face);
 
 /// |index| of the nodes forced by a run that turns by `turning` radians.
 int index_capacity_of(double turning);
+
+/// A node of a feature and its foot on the feature's section.
+struct OwnedNode {
+  int node = 0;
+  SectionFoot foot;
+};
+
+/// Rule "own": for each feature its nodes, nearest first. An inner node of index 1 (convex bends) or -1 (reflex bends
+/// and holes) belongs to the nearest feature of its sign that is nearer than L. It belongs to none
+///   - if two features are equally near, unless their nearest points coincide (a hole and a bend of it: then to the
+///     bend, which is listed first),
+///   - if a run of any size of that sign that is not part of the feature is nearer (curved_runs): that run forced the
+///     node.
+/// A feature has no more nodes than its index capacity: the nearest, nodes equally near together or not at all.
+std::vector<std::vector<OwnedNode>> nodes_of_features(const CadFace& face, const FeatureState& state,
+                                                      const std::vector<SmallFeature>& features);
+
+/// The feature size if the user prescribes none: a five-hundredth of the diameter: blocks of that size at the usual
+/// element sizes (a twentieth) have elements of edge ratios near 100. In a far field (model/far_field) the diameter is
+/// that of the box around the bodies, unless curves at a distance from walls are embedded. At most half the mean width
+/// of the face, which is its area divided by half its perimeter. It depends on the face alone, never on element sizes,
+/// so that refinement keeps the blocks.
+double automatic_feature_size(const CadFace& face);
+
+/// "auto", which gives std::nullopt, or a length, 0 for none. Throws UsageError.
+std::optional<double> parse_feature_size(const std::string& text);
 
 }  // namespace quadrille::features

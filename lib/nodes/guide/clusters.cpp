@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <optional>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
-#include "guide/cluster_centre.hpp"
-#include "guide/opposite_zeros.hpp"
-#include "guide/segment_in_mesh.hpp"
-#include "placement/clearance.hpp"
+#include "guide/zeros_in_circle.hpp"
 #include "zeros/undecided_zeros.hpp"
 #include "zeros/winding.hpp"
 
@@ -31,8 +28,7 @@ struct Part {
 /// A circle around discs; its centre is the middle of their bounding box.
 template <typename Discs>
 zeros::Disc circle_about(const Discs& discs) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vec2 lower{infinity, infinity}, upper{-infinity, -infinity};
+  Vec2 lower{HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL};
   for (const auto& d : discs) {
     lower = {std::min(lower.x, d.centre.x - d.radius), std::min(lower.y, d.centre.y - d.radius)};
     upper = {std::max(upper.x, d.centre.x + d.radius), std::max(upper.y, d.centre.y + d.radius)};
@@ -72,6 +68,7 @@ class ClusterFinder {
       : evaluator_(&evaluator),
         zeros_(&zeros),
         criterion_(criterion),
+        boundary_(evaluator.field().mesh.face),
         diameter_(evaluator.field().mesh.face.diameter),
         parts_(parts_of(zeros, open_cells)) {}
 
@@ -108,7 +105,7 @@ class ClusterFinder {
   std::vector<int> unite_opposite(DisjointSets& together) const {
     std::vector<int> result;
     if (criterion_.distance == 0) return result;
-    for (const std::vector<int>& group : opposite_zeros(*evaluator_, *zeros_)) {
+    for (const std::vector<int>& group : opposite_zeros(*evaluator_, boundary_, *zeros_)) {
       for (const int i : group) together.unite(group[0], i);
       result.push_back(group[0]);
     }
@@ -147,8 +144,7 @@ class ClusterFinder {
   bool belong_together(const Part& a, const Part& b) const {
     const double gap = distance(a.centre, b.centre) - a.radius - b.radius;
     if (gap <= std::max(a.radius, b.radius)) return true;
-    if (gap <= criterion_.distance * (1 + tolerance::tied) && is_segment_in_mesh(*evaluator_, a.centre, b.centre))
-      return true;
+    if (gap <= criterion_.distance * (1 + tolerance::tied) && boundary_.is_visible(a.centre, b.centre)) return true;
     return gap <= 0.05 * diameter_ && stays_small(a, b);
   }
 
@@ -215,6 +211,7 @@ class ClusterFinder {
   const field::FieldEvaluator* evaluator_;
   const std::vector<zeros::FoundZero>* zeros_;
   ClusterCriterion criterion_;
+  curve::FaceBoundary boundary_;
   double diameter_;
   std::vector<Part> parts_;
 };

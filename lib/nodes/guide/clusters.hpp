@@ -11,7 +11,7 @@
 //   (c) a region connects them in which |v| is below the field's error, however far they are from each other and
 //       however it is bent (zeros/undecided_zeros): the field does not decide whether they exist; or
 //   (d) their indices are opposite, they are far from the boundary for their distance, and fewer nodes can replace them
-//       (guide/opposite_zeros). Not if `distance` is 0.
+//       (guide/zeros_in_circle). Not if `distance` is 0.
 // In (a), (b) and (d) the segment between them lies in the domain, and lengths equal within 1e-6 count as equal. Zeros
 // linked through others are in one cluster, so that a symmetric set of zeros has a symmetric set of clusters. Cells
 // that the search classified as open (|v| below noise all over) are parts of clusters too; neighbouring cells are
@@ -37,7 +37,7 @@ struct Clustering {
 };
 
 /// Sorts the zeros into clusters and simple ones. The centre of a cluster with |index| >= 2 is the centre of the
-/// corresponding multiple zero (guide/cluster_centre), else the mean of its members; if that lies outside the domain,
+/// corresponding multiple zero (guide/zeros_in_circle), else the mean of its members; if that lies outside the domain,
 /// the member nearest to it. Throws ComputeError if the index of open cells is unknown because no contour about them
 /// stays in the domain and away from the other zeros. Quadratic in the number of zeros and open cells.
 Clustering find_clusters(const field::FieldEvaluator& evaluator, const std::vector<zeros::FoundZero>& zeros,

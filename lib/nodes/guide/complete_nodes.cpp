@@ -6,8 +6,6 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "base/tolerance.hpp"
-#include "guide/sort_by_position.hpp"
 
 namespace quadrille::guide {
 

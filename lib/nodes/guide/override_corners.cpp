@@ -3,21 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
-#include "guide/admissible_valence.hpp"
+#include "curve/face_boundary.hpp"
 #include "guide/valence.hpp"
-#include "placement/clearance.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {
 namespace {
+
+std::optional<int> whole_number(const std::string& text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_whole = error == std::errc() && end == text.data() + text.size() && value >= 0;
+  return is_whole ? std::optional<int>(value) : std::nullopt;
+}
 
 std::string name_of(const CadFace& face, const Corner& c) {
   return fmt::format("the corner of {:.6g} degrees at {}, between curves {} and {},", c.angle_degrees,
@@ -97,12 +105,13 @@ std::vector<NodeMark> added_nodes(const CadFace& face, const CriticalPoints& poi
   const int n = std::abs(d.index) - static_cast<int>(d.removed.size());
   const Joint& joint = face.joints[points.corners[d.corner].joint];
   std::vector<Vec2> directions;
+  const curve::FaceBoundary boundary(face);
   double clearance = INFINITY;
   for (int k = 1; k <= n; ++k) {
     directions.push_back(unit(joint.tangent_out + joint.interior_angle * k / (n + 1)));
     const double start = tolerance::same_point * face.diameter;  // away from the corner itself
-    clearance = std::min(
-        clearance, placement::clearance_along(face, joint.position + start * directions.back(), directions.back()));
+    clearance =
+        std::min(clearance, boundary.length_inside(joint.position + start * directions.back(), directions.back()));
   }
   const double radius = free_radius(points, joint.position, directions, 0.25 * clearance);
   std::vector<NodeMark> added;
@@ -186,6 +195,20 @@ class Overrider {
 };
 
 }  // namespace
+
+CornerOverride parse_corner_override(const std::string& text) {
+  const std::size_t colon = text.find(':'), equals = text.find('=');
+  std::optional<int> a, b, valence;
+  if (colon != std::string::npos && equals != std::string::npos && colon < equals) {
+    a = whole_number(text.substr(0, colon));
+    b = whole_number(text.substr(colon + 1, equals - colon - 1));
+    valence = whole_number(text.substr(equals + 1));
+  }
+  if (!a || !b || !valence)
+    throw UsageError(
+        fmt::format("'{}' is not a corner valence: write CURVE_A:CURVE_B=VALENCE, for example 3:4=2", text));
+  return {*a, *b, *valence};
+}
 
 void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points,
                       const std::string& why) {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
@@ -107,6 +107,44 @@ CornerValences corner_valences(const field::FieldEvaluator& evaluator, double no
     corner.source = NodeSource::field;
   }
   return result;
+}
+
+bool is_admissible_valence(double angle_degrees, int valence) {
+  if (valence == 0) return true;
+  const double block = angle_degrees / valence;
+  return valence > 0 && valence <= greatest_corner_valence && block <= greatest_block_angle + tolerance::tied &&
+         (valence == 1 || block >= least_block_angle - tolerance::tied);
+}
+
+bool is_admissible_after_absorption(double angle_degrees, int valence) {
+  if (valence == 0) return std::abs(angle_degrees - 45) < degrees(near_tie);
+  const double block = angle_degrees / valence;
+  return valence > 0 && valence <= greatest_corner_valence && block >= least_block_angle &&
+         block <= greatest_block_angle && std::abs(valence - angle_degrees / 90) <= 0.75;
+}
+
+int index_sum_with_clusters(const CriticalPoints& points) {
+  int sum = index_sum_of(points);
+  for (const Cluster& cluster : points.clusters) sum += cluster.index;
+  return sum;
+}
+
+void require_index_sum(const CriticalPoints& points) {
+  const int excess = points.index_sum - points.index_sum_expected;
+  if (excess == 0) return;
+  std::string message = fmt::format(
+      "the sum of 4 - V over {} critical points and of 2 - V over {} corners is {}, but it must be {} for this face: "
+      "{} too {}",
+      points.critical_points.size(), points.corners.size(), points.index_sum, points.index_sum_expected,
+      std::abs(excess), excess > 0 ? "many" : "few");
+  const auto from_tie = [](const Corner& c) { return degrees(tie_distance(radians(c.angle_degrees))); };
+  const auto nearest = std::min_element(points.corners.begin(), points.corners.end(),
+                                        [&](const Corner& a, const Corner& b) { return from_tie(a) < from_tie(b); });
+  if (nearest != points.corners.end()) {
+    message += fmt::format("; the least certain corner is the one of {:.6g} degrees at {}, valence {}",
+                           nearest->angle_degrees, position_text(nearest->position + points.origin), nearest->valence);
+  }
+  throw ComputeError(message);
 }
 
 }  // namespace quadrille::guide

@@ -6,8 +6,7 @@
 namespace quadrille::placement {
 namespace {
 
-constexpr double on_line = 1e-13;   // relative to the greatest length: such points count as common ones
-constexpr double parallel = 1e-12;  // sine of the angle between lines that have no crossing
+constexpr double rounding = 1e-13;  // of sines, and of lengths relative to the greatest one; steps are far greater
 
 double greatest_length(const std::vector<HalfPlane>& planes, Vec2 target) {
   double length = norm(target);
@@ -22,7 +21,7 @@ std::optional<Vec2> nearest_on_line(const std::vector<HalfPlane>& planes, std::s
   double low = -HUGE_VAL, high = HUGE_VAL;
   for (std::size_t j = 0; j < i; ++j) {
     const double slope = dot(planes[j].normal, along), rest = planes[j].bound - dot(planes[j].normal, foot);
-    if (std::abs(slope) <= parallel) {
+    if (std::abs(slope) <= rounding) {
       if (rest > tol) return std::nullopt;
     } else if (slope > 0) {
       low = std::max(low, rest / slope);
@@ -43,7 +42,7 @@ std::vector<HalfPlane> lowered(std::vector<HalfPlane> planes, double shortfall) 
 }  // namespace
 
 std::optional<Vec2> nearest_common_point(const std::vector<HalfPlane>& planes, Vec2 target, double reach) {
-  const double tol = on_line * greatest_length(planes, target);
+  const double tol = rounding * greatest_length(planes, target);
   // If the nearest point of the planes so far is outside the next one, the new one is on its line.
   Vec2 nearest = target;
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -56,17 +55,17 @@ std::optional<Vec2> nearest_common_point(const std::vector<HalfPlane>& planes, V
 }
 
 Vec2 nearest_point_with_least_shortfall(const std::vector<HalfPlane>& planes, Vec2 target, double reach,
-                                        double tolerance) {
+                                        double shortfall_tol) {
   if (const auto point = nearest_common_point(planes, target, reach)) return *point;
   double low = 0, high = 0;
   for (const HalfPlane& plane : planes)
     if (plane.may_miss) high = std::max(high, plane.bound);
-  while (high - low > tolerance / 2) {
+  while (high - low > shortfall_tol / 2) {
     const double middle = (low + high) / 2;
     (nearest_common_point(lowered(planes, middle), target, reach) ? high : low) = middle;
   }
   // Within the tolerance the target decides, not rounding errors of nearly parallel lines.
-  return nearest_common_point(lowered(planes, high + tolerance / 2), target, reach).value_or(Vec2{});
+  return nearest_common_point(lowered(planes, high + shortfall_tol / 2), target, reach).value_or(Vec2{});
 }
 
 }  // namespace quadrille::placement

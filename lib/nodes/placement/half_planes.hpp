@@ -20,9 +20,9 @@ struct HalfPlane {
 std::optional<Vec2> nearest_common_point(const std::vector<HalfPlane>& planes, Vec2 target, double reach);
 
 /// As nearest_common_point; where there is no such point, all bounds that may be missed are lowered by the least equal
-/// amount for which there is one, to `tolerance`. The point 0 must be at most `reach` from `target` and keep all bounds
-/// that may not be missed.
+/// amount for which there is one, to `shortfall_tol`. The point 0 must be at most `reach` from `target` and keep all
+/// bounds that may not be missed.
 Vec2 nearest_point_with_least_shortfall(const std::vector<HalfPlane>& planes, Vec2 target, double reach,
-                                        double tolerance);
+                                        double shortfall_tol);
 
 }  // namespace quadrille::placement

@@ -11,17 +11,38 @@
 // stay symmetric. The energy of the nodes is not used: it depends on all pairs of nodes and boundary elements, and its
 // minimum under these conditions gives no better blocks.
 
+#include <string>
 #include <vector>
 
 #include "base/report.hpp"
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
-#include "placement/wall_clearance.hpp"
 
 namespace quadrille::placement {
 
+/// Boundary curves from which nodes keep a distance.
+struct WallClearance {
+  std::vector<int> curves;
+  double clearance = 0;  ///< a length
+};
+
+/// NAME=L of the command line.
+struct NamedClearance {
+  std::string name;
+  double clearance = 0;
+};
+
+/// Throws UsageError with the text, if it is not NAME=L with L > 0.
+NamedClearance parse_clearance(const std::string& text);
+
+/// Throws UsageError for names that no boundary of the face has.
+std::vector<WallClearance> wall_clearances(const CadFace& face, const std::vector<NamedClearance>& named);
+
+/// By curve: the clearance of its wall, the greatest if there are several; 0: none.
+std::vector<double> clearance_of_curves(const CadFace& face, const std::vector<WallClearance>& walls);
+
 /// Moves the nodes with may_move[k] that are nearer to a wall than its clearance, and records the moves
-/// (placement/record_moves). Report: clearance.moved, clearance.missed (numbers of nodes). Warning: W-PLACE-003 if
+/// (placement/node_ledger). Report: clearance.moved, clearance.missed (numbers of nodes). Warning: W-PLACE-003 if
 /// nodes miss more than a tenth of a clearance. Cost: linear in the number of nodes and curves for each node that
 /// moves.
 void keep_clearance(const CadFace& face, const std::vector<WallClearance>& walls, const std::vector<bool>& may_move,

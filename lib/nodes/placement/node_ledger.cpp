@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <vector>
+
+#include "base/tolerance.hpp"
 
 namespace quadrille::placement {
 namespace {
 
-/// Keeps the zeros of the field before nodes change for the first time. Those of a field that is tilted at ties are
-/// kept for prescribed valences only.
-void keep_zeros(const std::vector<CriticalPoint>& after, const std::vector<NodeChange>& changes,
-                CriticalPoints& points) {
+/// Keeps the zeros of the field before nodes change for the first time.
+void keep_zeros(const std::vector<CriticalPoint>& after, CriticalPoints& points) {
   const auto is_same = [](const CriticalPoint& a, const CriticalPoint& b) { return a.position == b.position; };
   const std::vector<CriticalPoint>& before = points.critical_points;
   if (!points.zeros.empty() || std::equal(before.begin(), before.end(), after.begin(), after.end(), is_same)) return;
-  if (points.form == NodeForm::harmonic ||
-      std::any_of(changes.begin(), changes.end(), [](const NodeChange& c) { return c.kind == ChangeKind::corner; }))
-    std::copy_if(before.begin(), before.end(), std::back_inserter(points.zeros),
-                 [](const CriticalPoint& p) { return p.source == NodeSource::zero; });
+  std::copy_if(before.begin(), before.end(), std::back_inserter(points.zeros),
+               [](const CriticalPoint& p) { return p.source == NodeSource::zero; });
 }
 
 std::vector<CriticalPoint> kept_nodes(const std::vector<NodeEdit>& edits, const CriticalPoints& points) {
@@ -61,7 +60,7 @@ void apply(const std::vector<NodeEdit>& edits, CriticalPoints& points) {
 }
 
 void replace_nodes(NodeSet nodes, const std::vector<NodeChange>& changes, CriticalPoints& points) {
-  keep_zeros(nodes.critical_points, changes, points);
+  keep_zeros(nodes.critical_points, points);
   if (std::any_of(changes.begin(), changes.end(), [](const NodeChange& c) { return c.kind != ChangeKind::absorb; }))
     points.form = NodeForm::phase;
   points.critical_points = std::move(nodes.critical_points);
@@ -88,5 +87,21 @@ CriticalPoint changed_node(CriticalPoint node, Vec2 position, int valence, NodeS
 NodeMark mark_of(const CriticalPoint& node) { return {node.position, node.valence, NodeLocation::inside}; }
 
 NodeMark mark_of(const Corner& corner) { return {corner.position, corner.valence, NodeLocation::corner}; }
+
+void record_moves(const CadFace& face, const CriticalPoints& moved, const std::function<std::string(double)>& reason,
+                  CriticalPoints& points) {
+  NodeSet nodes{points.critical_points, points.corners, points.boundary_nodes};
+  std::vector<NodeChange> changes;
+  for (std::size_t k = 0; k < nodes.critical_points.size(); ++k) {
+    CriticalPoint& node = nodes.critical_points[k];
+    const Vec2 from = node.position;
+    node.position = moved.critical_points[k].position;
+    const double way = distance(from, node.position);
+    if (way <= tolerance::round_off * face.diameter) continue;
+    node = changed_node(node, node.position, node.valence, NodeSource::place);
+    changes.push_back({ChangeKind::place, reason(way), {{from, node.valence}}, {mark_of(node)}});
+  }
+  if (!changes.empty()) replace_nodes(std::move(nodes), changes, points);
+}
 
 }  // namespace quadrille::placement

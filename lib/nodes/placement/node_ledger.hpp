@@ -3,9 +3,11 @@
 // valences, form, zeros, index sum and the record of changes are updated here and nowhere else, so that they agree.
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 #include "model/phase_nodes.hpp"
 
@@ -46,5 +48,12 @@ CriticalPoint changed_node(CriticalPoint node, Vec2 position, int valence, NodeS
 
 NodeMark mark_of(const CriticalPoint& node);
 NodeMark mark_of(const Corner& corner);
+
+/// Gives the nodes of `points` the positions of those of `moved`. Adds a change of the kind `place` for each node that
+/// moved by more than 1e-9 diameters, with the reason for a move of that length; such nodes get the source `place`, no
+/// Jacobian and no error bar, and keep `elem` and `xi` of their old position, because only the caller has the mesh. If
+/// no node moved so far, nothing changes.
+void record_moves(const CadFace& face, const CriticalPoints& moved, const std::function<std::string(double)>& reason,
+                  CriticalPoints& points);
 
 }  // namespace quadrille::placement

@@ -1,5 +1,9 @@
 #pragma once
 // The isometries of a face that map its nodes onto each other, and the movements of nodes that keep these symmetries.
+//
+// The variables of placement: node k = base + scale_k (movements y)_k, y the coefficients of the movements that keep
+// the symmetry of the nodes. The scale of a node is its distance to the nearest boundary point or node, which makes all
+// curvatures of the energy similar in size.
 
 #include <Eigen/Core>
 #include <vector>
@@ -7,6 +11,7 @@
 #include "curve/symmetry.hpp"
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
+#include "placement/smooth_boundary_distance.hpp"
 
 namespace quadrille::placement {
 
@@ -28,5 +33,22 @@ void symmetrise(const std::vector<NodeSymmetry>& group, const std::vector<bool>&
 /// Orthonormal columns that span the invariant movements: entries 2 i and 2 i + 1 are x and y of free node i, relative
 /// to the node's own length scale (which is the same for nodes that are images of each other).
 Eigen::MatrixXd invariant_movements(const std::vector<NodeSymmetry>& group, const std::vector<bool>& is_free);
+
+struct ReducedCoordinates {
+  std::vector<int> free;       ///< the nodes that move, ascending
+  Eigen::MatrixXd movements;   ///< invariant movements (placement/node_symmetry), one in each column
+  std::vector<double> scales;  ///< of all nodes
+
+  /// The movement of every node; 0 for a node that is not free.
+  std::vector<Vec2> movement(const Eigen::VectorXd& y) const;
+  /// The nodes moved by y.
+  CriticalPoints moved(const CriticalPoints& base, const Eigen::VectorXd& y) const;
+  /// The gradient with respect to y of a function with the gradient `by_nodes` with respect to the nodes.
+  Eigen::VectorXd gradient(const std::vector<Vec2>& by_nodes) const;
+};
+
+/// The scales of all nodes, averaged over nodes that are images of each other; 0 for nodes that are not free.
+std::vector<double> length_scales(const SmoothBoundaryDistance& boundary, const CriticalPoints& points,
+                                  const std::vector<int>& free, const std::vector<NodeSymmetry>& group);
 
 }  // namespace quadrille::placement

@@ -10,9 +10,8 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "placement/minimise.hpp"
+#include "placement/node_ledger.hpp"
 #include "placement/node_symmetry.hpp"
-#include "placement/record_moves.hpp"
-#include "placement/reduced_coordinates.hpp"
 
 namespace quadrille::placement {
 
@@ -20,7 +19,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double visible_step = 1e-8;          // relative to the diameter: no warning if the last step was shorter
+constexpr double visible_step = 1e-8;          // diameters: no warning if the last step was shorter
 constexpr int iterations_between_scales = 30;  // then the length scales of the nodes are recomputed
 
 struct Problem {

@@ -15,7 +15,7 @@
 // blocks: therefore the zeros are moved only with --place energy.
 //
 // Nodes of opposite index attract each other, as may a node and a corner whose valence is not the natural one: such
-// pairs are kept apart (placement/repulsion_terms) and reported.
+// pairs are kept apart (placement/placement_objective) and reported.
 
 #include <vector>
 
@@ -40,7 +40,7 @@ struct PlacementOptions {
 
 /// Moves the nodes with is_free[k] to a minimum of F near their positions; the others stay. Nodes that are invariant
 /// under symmetries of the face remain so (and are a minimum among such sets). Records the moves
-/// (placement/record_moves). Report: placement.{energy_before, energy_after, iterations, evaluations, last_step,
+/// (placement/node_ledger). Report: placement.{energy_before, energy_after, iterations, evaluations, last_step,
 /// symmetries, least_curvature}. Warnings: W-PLACE-001 not converged, W-PLACE-002 a pair that would meet. Throws the
 /// errors of the energy at the start.
 void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::vector<bool>& is_free,

@@ -9,21 +9,20 @@
 #include <array>
 #include <vector>
 
+#include "curve/face_boundary.hpp"
+#include "curve/symmetry.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::placement {
 
-/// Stores a reference to the face. Positions are relative to face.origin, lengths in the file's unit.
-class SmoothBoundaryDistance {
+/// Positions are relative to face.origin, lengths in the file's unit.
+class SmoothBoundaryDistance : public curve::FaceBoundary {
  public:
   /// Cuts the curves into pieces on which 16 Gauss points are exact.
   explicit SmoothBoundaryDistance(const CadFace& face);
 
   /// ln delta(x) and its gradient, to 1e-12; x must not lie on the boundary. Linear in the number of curves.
   double log_smooth(Vec2 x, Vec2& gradient) const;
-
-  /// The ordinary distance to the nearest point of the boundary.
-  double nearest(Vec2 x) const;
 
  private:
   struct Piece {
@@ -39,8 +38,12 @@ class SmoothBoundaryDistance {
   void cut(int curve, double t0, double t1, int depth);
   void add(const Piece& piece, Vec2 x, int depth, Integral& sum) const;
 
-  const CadFace& face_;
   std::vector<Piece> pieces_;
 };
+
+/// The middle of a face: the point with the largest smooth distance to the boundary among those that are
+/// invariant under `group`: if it has a mirror axis, on the axis. Not for groups with rotations, which have a single
+/// invariant point.
+Vec2 most_interior_point(const CadFace& face, const std::vector<curve::Isometry>& group);
 
 }  // namespace quadrille::placement

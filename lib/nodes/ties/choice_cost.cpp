@@ -6,8 +6,7 @@
 #include "base/angle.hpp"
 #include "base/tolerance.hpp"
 #include "field/boundary_values.hpp"
-#include "guide/tie_measures.hpp"
-#include "placement/clearance.hpp"
+#include "guide/valence.hpp"
 
 namespace quadrille::ties {
 namespace {
@@ -24,12 +23,12 @@ constexpr ChoiceRules rules;
 /// Differences that count. Sides and positions may differ by what the angle is off the tie.
 constexpr Cost tolerances{0.5, 0.5, 0.5, tolerance::tied, 0.5, 1e-3, 1e-3};
 
-double node_clearance(const CadFace& face, const CriticalPoints& points, std::size_t node) {
+double node_clearance(const curve::FaceBoundary& boundary, const CriticalPoints& points, std::size_t node) {
   const Vec2 x = points.critical_points[node].position;
-  double least = placement::signed_clearance(face, x);
+  double least = boundary.signed_distance(x);
   for (std::size_t i = 0; i < points.critical_points.size(); ++i)
     if (i != node) least = std::min(least, distance(points.critical_points[i].position, x));
-  return least / face.diameter;
+  return least / boundary.face().diameter;
 }
 
 int num_halved(const TieOrbits& ties, const Choice& choice) {
@@ -66,7 +65,7 @@ std::string text_of(Criterion criterion) {
 }
 
 CostMeasure::CostMeasure(const field::FieldEvaluator& field, const TieOrbits& ties)
-    : face_(&field.field().mesh.face), ties_(&ties) {
+    : face_(&field.field().mesh.face), boundary_(*face_), ties_(&ties) {
   for (const Joint& joint : face_->joints) middle_ += joint.position / static_cast<double>(face_->joints.size());
   for (const Tie& tie : ties.ties) far_signs_.push_back(far_sign(field, tie));
 }
@@ -85,7 +84,7 @@ Cost CostMeasure::operator()(const Choice& choice, const CriticalPoints& points)
   Cost cost{};
   const auto at = [&](Criterion criterion) -> double& { return cost[static_cast<std::size_t>(criterion)]; };
   for (std::size_t i = 0; i < points.critical_points.size(); ++i) {
-    const double clearance = node_clearance(*face_, points, i);
+    const double clearance = node_clearance(boundary_, points, i);
     at(Criterion::crowded) += clearance < rules.crowded;
     at(Criterion::narrow) += clearance < rules.narrow;
     at(Criterion::defect) += rules.node * std::abs(points.critical_points[i].index);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "curve/face_boundary.hpp"
 #include "field/evaluate.hpp"
 #include "model/critical_points.hpp"
 #include "ties/tilted_field.hpp"
@@ -40,6 +41,7 @@ class CostMeasure {
   int far_sign(const field::FieldEvaluator& field, const Tie& tie) const;
 
   const CadFace* face_;
+  curve::FaceBoundary boundary_;
   const TieOrbits* ties_;
   Vec2 middle_;
   std::vector<int> far_signs_;  ///< of each tie; 1: the smaller valence, -1: the larger, 0: undecided

@@ -1,10 +1,8 @@
 #include "topology/apply_topology.hpp"
 
 #include "guide/override_corners.hpp"
-#include "model/special_names.hpp"
-#include "topology/corners_without_nodes.hpp"
+#include "model/offset_names.hpp"
 #include "topology/fewest_nodes.hpp"
-#include "topology/wake_nodes.hpp"
 
 namespace quadrille::topology {
 namespace {

@@ -5,7 +5,6 @@
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
 #include "topology/grid_kind.hpp"
-#include "topology/layer_corners.hpp"
 
 namespace quadrille::topology {
 
@@ -25,8 +24,8 @@ struct TopologyOptions {
 
 /// Sets corner valences of the grid, then those without nodes, then merges nodes. Returns whether all nodes (but those
 /// of divided corners) are to be placed at the least energy: true unless the nodes are those of the field, or lie in
-/// the wakes of an O-grid (topology/wake_nodes). `face` has one region; kinds of grid are not of regions between walls
-/// and their offset curves. A far field's grid is not chosen if `nodes` is `field`.
+/// the wakes of an O-grid (topology/fewest_nodes). `face` has one region; kinds of grid are not of regions between
+/// walls and their offset curves. A far field's grid is not chosen if `nodes` is `field`.
 bool apply_topology(const CadFace& face, const TopologyOptions& options, CriticalPoints& points);
 
 }  // namespace quadrille::topology

@@ -1,7 +1,6 @@
 #include "zeros/enclosure.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/angle.hpp"
 #include "field/lifting.hpp"
@@ -9,8 +8,6 @@
 
 namespace quadrille::zeros {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Angles {
   double low = 0, high = 0;
@@ -29,6 +26,19 @@ Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
     angles = {std::min(angles.low, angle), std::max(angles.high, angle)};
   }
   return angles;
+}
+
+constexpr int most_bisections = 4;
+
+bool is_cell_empty(const field::FieldEvaluator& evaluator, const Cell& cell, double margin, int bisections) {
+  Enclosure enclosure;
+  enclosure.set(cell, evaluator.field().liftings, margin);
+  if (enclosure.excludes_zero()) return true;
+  if (bisections == 0) return false;
+  Cell first, second;
+  bisect(cell, first, second);
+  return is_cell_empty(evaluator, first, margin, bisections - 1) &&
+         is_cell_empty(evaluator, second, margin, bisections - 1);
 }
 
 }  // namespace
@@ -84,7 +94,7 @@ void Enclosure::add_by_angles(const Lifting& lifting) {
   const Vec2 middle = lifting.jump * (field::lifting_angle(lifting, centre_) + 0.5 * (low + high));
   for (Vec2& value : values_) value += middle;
   ranges_.push_back({lifting.jump, 0.5 * (high - low)});
-  gradient_error_ = infinity;
+  gradient_error_ = INFINITY;
 }
 
 /// The least value of direction . v over all contributions of the ranges.
@@ -103,7 +113,7 @@ bool Enclosure::excludes_zero() const {
     const double length = norm(y);
     if (length <= slack_ + margin_) return false;
     const Vec2 direction = y / length;
-    double least = infinity;
+    double least = INFINITY;
     Vec2 nearest;
     for (const Vec2 value : values_) {
       const double d = dot(direction, value);
@@ -124,7 +134,7 @@ bool Enclosure::excludes_zero() const {
 }
 
 bool Enclosure::isolates(Mat2& inverse_jacobian, double& contraction) const {
-  if (gradient_error_ == infinity) return false;
+  if (gradient_error_ == INFINITY) return false;
   const int n = cell_->degree;
   const auto derivative = [&](int j, int k) {
     const Vec2 base = values_[spectral::bernstein_index(n, j, k)];
@@ -162,6 +172,11 @@ double Enclosure::greatest_value() const {
   double greatest = std::sqrt(greatest2);
   for (const Range& range : ranges_) greatest += norm(range.jump) * range.half_width;
   return greatest;
+}
+
+bool is_surely_empty(const field::FieldEvaluator& evaluator, int elem, double margin) {
+  if (margin >= 1) return false;
+  return is_cell_empty(evaluator, element_cell(evaluator, elem), margin, most_bisections);
 }
 
 }  // namespace quadrille::zeros

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "field/evaluate.hpp"
 #include "zeros/cell.hpp"
 
 namespace quadrille::zeros {
@@ -15,7 +16,7 @@ namespace quadrille::zeros {
 class Enclosure {
  public:
   /// Recomputes everything for `cell`, which must live as long as the results are used; storage is reused. `margin`:
-  /// uncertainty of the field itself (zeros/edge_jumps); a value of at most this length may be a zero.
+  /// uncertainty of the field itself (zeros/zero_search); a value of at most this length may be a zero.
   void set(const Cell& cell, const std::vector<Lifting>& liftings, double margin = 0);
 
   /// True if the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
@@ -49,5 +50,9 @@ class Enclosure {
   std::vector<Range> ranges_;
   double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised
 };
+
+/// Whether each field that differs by at most `margin` from this one on element `elem` has no zero there. A proof, made
+/// with few cells: it may fail although there is none. For continuous fields.
+bool is_surely_empty(const field::FieldEvaluator& evaluator, int elem, double margin);
 
 }  // namespace quadrille::zeros

@@ -8,8 +8,12 @@
 namespace quadrille::zeros {
 namespace {
 
-constexpr double small_turn = 0.3;  // radians; a step that turns more is halved
-constexpr int max_halvings = 30;
+struct FollowingRules {
+  int steps = 128;          ///< of an arc
+  double small_turn = 0.3;  ///< radians; a step that turns more is halved
+  int max_halvings = 30;
+};
+constexpr FollowingRules rules;
 
 class Follower {
  public:
@@ -24,7 +28,7 @@ class Follower {
   /// Adds the turn from a to b, with the values va and vb; false if the phase cannot be followed.
   bool turn(double a, Vec2 va, double b, Vec2 vb, int halvings, double& sum) {
     const double step = std::atan2(cross(va, vb), dot(va, vb));
-    if (std::abs(step) <= small_turn || halvings == 0) {
+    if (std::abs(step) <= rules.small_turn || halvings == 0) {
       sum += step;
       return true;
     }
@@ -44,7 +48,7 @@ class Follower {
 
 std::optional<ArcTurn> phase_turn(const field::FieldEvaluator& evaluator, Vec2 centre, double radius, double angle0,
                                   double angle1) {
-  constexpr int steps = 128;
+  constexpr int steps = rules.steps;
   Follower follower(evaluator, centre, radius);
   std::vector<Vec2> values(steps + 1);
   std::vector<int> inside;
@@ -54,7 +58,7 @@ std::optional<ArcTurn> phase_turn(const field::FieldEvaluator& evaluator, Vec2 c
   if (inside.size() < 2 || inside.back() - inside.front() != static_cast<int>(inside.size()) - 1) return {};
   ArcTurn result{0, 0, angle(inside.front()), angle(inside.back())};
   for (int i = inside.front(); i < inside.back(); ++i)
-    if (!follower.turn(angle(i), values[i], angle(i + 1), values[i + 1], max_halvings, result.turn)) return {};
+    if (!follower.turn(angle(i), values[i], angle(i + 1), values[i + 1], rules.max_halvings, result.turn)) return {};
   result.least_value = follower.least();
   return result;
 }

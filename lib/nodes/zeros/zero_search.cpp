@@ -1,12 +1,40 @@
 #include "zeros/zero_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "zeros/cell_zero.hpp"
+#include "base/angle.hpp"
 
 namespace quadrille::zeros {
 namespace {
+
+constexpr std::array<Vec2, 3> reference_vertices{Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}};
+
+Vec2 on_edge(int edge, double t) {
+  const Vec2 a = reference_vertices[edge], b = reference_vertices[(edge + 1) % 3];
+  return a + t * (b - a);
+}
+
+Vec2 value(const field::FieldEvaluator& evaluator, int elem, Vec2 xi) {
+  Vec2 x;
+  Mat2 dx_dxi;
+  return evaluator.value(elem, xi, x, dx_dxi);
+}
+
+double jump(const field::FieldEvaluator& evaluator, int elem, int edge) {
+  const mesh::TriTopology& topology = evaluator.topology();
+  const int other = topology.elem2neighbors[elem][edge], other_edge = topology.elem2neighbor_edges[elem][edge];
+  const std::vector<int>& orders = evaluator.field().elem_order;
+  const int n = std::max(orders[elem], orders[other]) + 2;
+  double greatest = 0;
+  for (int i = 0; i < n; ++i) {
+    const double t = 0.5 * (1 - std::cos((2 * i + 1) * pi / (2 * n)));
+    greatest = std::max(
+        greatest, norm(value(evaluator, elem, on_edge(edge, t)) - value(evaluator, other, on_edge(other_edge, 1 - t))));
+  }
+  return 2 * greatest;
+}
 
 constexpr int max_depth = 72;           // 2^-36 of an element's size
 constexpr long long max_cells = 50000;  // in one element; a simple zero needs some hundred at most
@@ -14,11 +42,38 @@ constexpr long long max_cells = 50000;  // in one element; a simple zero needs s
 std::array<Vec2, 3> vertices(const Cell& cell) { return {cell.vertex(0), cell.vertex(1), cell.vertex(2)}; }
 
 bool touches_vertex(const Cell& cell, int k) {
-  const Vec2 vertex = k == 0 ? Vec2{-1, -1} : k == 1 ? Vec2{1, -1} : Vec2{-1, 1};
-  return std::find(cell.xi.begin(), cell.xi.end(), vertex) != cell.xi.end();
+  return std::find(cell.xi.begin(), cell.xi.end(), reference_vertices[k]) != cell.xi.end();
+}
+
+bool is_inside(const FoundZero& zero) { return mesh::outside_reference(zero.xi) <= inside_tol; }
+
+bool is_same(const FoundZero& a, const FoundZero& b, double diameter) {
+  const double reach = 1e-3 * std::min(a.cell_radius, b.cell_radius) + 8 * std::max(a.shift, b.shift);
+  return a.index == b.index && distance(a.x, b.x) <= reach + 1e-12 * diameter;
 }
 
 }  // namespace
+
+std::vector<Jumps> edge_jumps(const field::FieldEvaluator& evaluator) {
+  const TriMesh& mesh = evaluator.field().mesh;
+  const mesh::TriTopology& topology = evaluator.topology();
+  if (evaluator.field().method == FieldMethod::cg) return {};
+  std::vector<double> by_edge(topology.edge2elems.size(), 0.0), by_vertex(mesh.vertices.size(), 0.0);
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int k = 0; k < 3; ++k) {
+      if (topology.elem2neighbors[e][k] < e) continue;  // also skips the boundary, -1
+      const int edge = topology.elem2edges[e][k];
+      by_edge[edge] = jump(evaluator, e, k);
+      for (const int vertex : topology.edge2vertices[edge]) by_vertex[vertex] += by_edge[edge];
+    }
+  std::vector<Jumps> result(mesh.num_elems());
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int k = 0; k < 3; ++k) {
+      result[e].edge[k] = by_edge[topology.elem2edges[e][k]];
+      result[e].vertex[k] = by_vertex[mesh.elem2vertices[e][k]] / 2;
+    }
+  return result;
+}
 
 ZeroSearch::ZeroSearch(const field::FieldEvaluator& evaluator, std::vector<Disc> ignored, double noise)
     : evaluator_(&evaluator),
@@ -88,6 +143,31 @@ void ZeroSearch::visit(const Cell& cell, int depth) {
   bisect(cell, first, second);
   visit(first, depth + 1);
   visit(second, depth + 1);
+}
+
+std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros) {
+  const double diameter = evaluator.field().mesh.face.diameter;
+  std::vector<FoundZero> result;
+  for (const bool inside : {true, false})
+    for (const FoundZero& zero : zeros) {
+      if (is_inside(zero) != inside) continue;
+      const bool known = std::any_of(result.begin(), result.end(),
+                                     [&](const FoundZero& other) { return is_same(zero, other, diameter); });
+      if (known) continue;
+      if (inside || evaluator.locator().find(zero.x).elem >= 0) result.push_back(zero);
+    }
+  return result;
+}
+
+std::vector<OpenCell> cells_without_zero(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros) {
+  std::vector<OpenCell> result;
+  for (const OpenCell& cell : open_cells) {
+    const bool is_explained = std::any_of(zeros.begin(), zeros.end(), [&](const FoundZero& zero) {
+      return distance(cell.centre, zero.x) + cell.radius <= 8 * zero.shift;
+    });
+    if (!is_explained) result.push_back(cell);
+  }
+  return result;
 }
 
 }  // namespace quadrille::zeros

@@ -1,14 +1,30 @@
 #pragma once
 // The search for zeros in all elements: cells are bisected until each is proved empty or proved to contain at most one.
+//
+// A discontinuous field (hybridised DG) has two values on an edge, and a zero near the edge may appear on both sides or
+// on neither. Zeros are therefore those of a continuous field w that stays within the local jump of the one-sided
+// values; any such w will do: if J is regular and varies by less than the jump allows, all of them have the same zeros,
+// each within |J^-1 jump| of the one-sided one. Hence the search of an element is widened by the jump, and zeros of two
+// elements that are nearer than their shifts are one.
 
 #include <array>
 #include <vector>
 
+#include "field/evaluate.hpp"
 #include "zeros/cell.hpp"
-#include "zeros/edge_jumps.hpp"
 #include "zeros/enclosure.hpp"
 
 namespace quadrille::zeros {
+
+/// The jumps of one element.
+struct Jumps {
+  std::array<double, 3> edge{};    ///< across local edge k, 0 on the boundary
+  std::array<double, 3> vertex{};  ///< at local vertex k: the sum over half the edges that meet there
+};
+
+/// The jumps of each element. The jump of an edge is twice the greatest at P + 2 points. Empty for continuous fields
+/// (method "cg").
+std::vector<Jumps> edge_jumps(const field::FieldEvaluator& evaluator);
 
 /// A disc that the search ignores: zeros inside belong to a corner (guide/valence).
 struct Disc {
@@ -80,5 +96,17 @@ class ZeroSearch {
   long long budget_ = 1;  ///< cells left for this element
   SearchResult found_;
 };
+
+/// Removes duplicates: a zero on an edge or vertex is found in every adjacent element. Two zeros of equal index are one
+/// if they are nearer to each other than their shifts allow: near each other and with J of one sign the field is
+/// injective, so that two zeros are impossible. Of each group the zero is kept that lies inside its own element, and of
+/// the lowest such element; if none does (the zero falls into the gap between elements) the first that still lies in
+/// the mesh. A zero of an element's polynomial that lies beyond the mesh is removed. `zeros` in the order of a search
+/// of the elements in ascending order. Quadratic in their number.
+std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros);
+
+/// The open cells without those that lie no farther from a zero than rounding may shift it: next to a zero with small J
+/// the smallest cells cannot be isolated, and they contain that zero.
+std::vector<OpenCell> cells_without_zero(const std::vector<OpenCell>& open_cells, const std::vector<FoundZero>& zeros);
 
 }  // namespace quadrille::zeros

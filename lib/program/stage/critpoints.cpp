@@ -8,16 +8,15 @@
 #include "base/error.hpp"
 #include "base/options.hpp"
 #include "check/check.hpp"
-#include "features/automatic_size.hpp"
+#include "features/small_features.hpp"
 #include "field/error_estimate.hpp"
 #include "guide/override_corners.hpp"
-#include "placement/wall_clearance.hpp"
+#include "placement/keep_clearance.hpp"
 #include "regions/join.hpp"
 #include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
 #include "topology/grid_kind.hpp"
-#include "topology/layer_corners.hpp"
 
 namespace quadrille::stage {
 

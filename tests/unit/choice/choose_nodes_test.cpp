@@ -31,5 +31,19 @@ TEST(ChooseNodes, OverridesAreUsedAndCheckedAgainstTheFace) {
   EXPECT_THROW(choose_nodes(field, options, 1, report), UsageError);
 }
 
+TEST(ChooseNodes, ZerosOfAFieldWithTiesAreKeptWhenTheirNodesMove) {
+  const Field field = adapted_field(polygon_face({{0, 0}, {10, 0}, {10, 2}, {6, 6}, {0, 6}}));
+  Report report;
+  NodeOptions options;
+  EXPECT_TRUE(choose_nodes(field, options, 1, report).zeros.empty()) << "the nodes are the zeros";
+  options.place = placement::PlaceRule::energy;
+  const CriticalPoints points = choose_nodes(field, options, 1, report);
+  ASSERT_EQ(points.critical_points.size(), 1U);
+  EXPECT_EQ(points.critical_points[0].source, NodeSource::place);
+  ASSERT_EQ(points.zeros.size(), 1U);
+  EXPECT_EQ(points.zeros[0].source, NodeSource::zero);
+  EXPECT_GT(distance(points.zeros[0].position, points.critical_points[0].position), 1e-3);
+}
+
 }  // namespace
 }  // namespace quadrille::choice

@@ -21,6 +21,11 @@ using namespace testing_features;
 
 using hand_made::node;
 
+/// Without curves from which nodes keep a distance.
+void resolve_features(const CadFace& face, double size, CriticalPoints& points) {
+  features::resolve_features(face, size, std::vector<bool>(face.curves.size(), false), points);
+}
+
 CriticalPoints points_with(const CadFace& face, const std::vector<CriticalPoint>& nodes) {
   CriticalPoints points = hand_made::points_of(face, nodes);
   points.index_sum_expected = 4 * face.euler_characteristic();
@@ -113,7 +118,7 @@ TEST(ResolveFeatures, PutsNodesOfReflexFilletsInTheMiddleOfTheirArcs) {
 TEST(ResolveFeatures, LeavesNodesInsideThatKeepADistanceFromTheirFillets) {
   CriticalPoints points = frame_points();
   const CadFace face = filleted_frame();
-  resolve_features(face, 0.015, std::vector<bool>(face.curves.size(), true), points);
+  features::resolve_features(face, 0.015, std::vector<bool>(face.curves.size(), true), points);
   EXPECT_EQ(points.critical_points.size(), 8u);
   EXPECT_TRUE(points.boundary_nodes.empty());
 }

@@ -11,7 +11,7 @@ using namespace testing_features;
 
 FeatureState separated(const CadFace& face, double size, const std::vector<FeatureNode>& nodes) {
   FeatureState state = state_of(face, size, nodes);
-  separate_nodes(state, BoundaryClearance(face));
+  separate_nodes(state, curve::FaceBoundary(face));
   expect_sound_changes(state.changes);
   return state;
 }
@@ -23,6 +23,35 @@ FeatureNode changed(FeatureNode node) {
 
 bool has_no_room(const FeatureState& state) {
   return !state.changes.empty() && state.changes.back().reason.find("no room") != std::string::npos;
+}
+
+TEST(FeetOf, HasOneFootOnEachCurveInReach) {
+  const CadFace face = plate(2);
+  const curve::FaceBoundary boundary(face);
+  EXPECT_TRUE(feet_of(boundary, {0, 0}, 2).empty());  // nearer than the reach, not as near
+  EXPECT_EQ(feet_of(boundary, {0, 0}, 2.1).size(), 4u);
+  EXPECT_EQ(feet_of(boundary, {1.8, 0}, 1).size(), 1u);
+}
+
+TEST(FeetOf, CountsACornerThatTwoCurvesShareOnce) {
+  const CadFace face = plate(4, {window({-1, -1}, {1, 1}, 0)});
+  const std::vector<CurveFoot> feet = feet_of(curve::FaceBoundary(face), {1.3, 1.4}, 1);
+  ASSERT_EQ(feet.size(), 1u);
+  EXPECT_NEAR(distance(feet[0].position, {1, 1}), 0, 1e-12);
+  EXPECT_TRUE(feet[0].is_reflex);
+}
+
+TEST(FeetOf, KnowsWhereTheBoundaryTurnsAway) {
+  const CadFace face = plate(4, {window({-1, -1}, {1, 1}, 0.2)});
+  const curve::FaceBoundary boundary(face);
+  const auto count_reflex = [&](Vec2 x) {
+    const std::vector<CurveFoot> feet = feet_of(boundary, x, 0.25);
+    return std::count_if(feet.begin(), feet.end(), [](const CurveFoot& foot) { return foot.is_reflex; });
+  };
+  EXPECT_EQ(count_reflex({1.1, 1.1}), 1);   // before a fillet
+  EXPECT_EQ(count_reflex({1.2, 0.85}), 2);  // before its end: the fillet and the end of the straight side
+  EXPECT_EQ(count_reflex({1.2, 0}), 0);     // before a straight side
+  EXPECT_EQ(count_reflex({3.9, 3.9}), 0);   // in a convex corner
 }
 
 TEST(SeparateNodes, PushesInnerNodesApartBothAlike) {
@@ -62,7 +91,7 @@ TEST(SeparateNodes, LeavesChangedNodesBesideReflexBoundary) {
 TEST(SeparateNodes, PushesNoNodeOntoReflexBoundary) {
   const CadFace face = plate(2, {round_hole({0, 0}, 0.3)});
   const FeatureState state = separated(face, 3.6, {boundary_node(face, 0, 2), changed(inner_node({0, -1.2}, 5))});
-  EXPECT_GT(BoundaryClearance(face).at(state.nodes[1].position), 0.4);
+  EXPECT_GT(curve::FaceBoundary(face).nearest(state.nodes[1].position).distance, 0.4);
 }
 
 TEST(SeparateNodes, RecordsPairsWithoutRoomButNotThoseOfOneHole) {

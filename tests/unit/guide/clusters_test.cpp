@@ -8,7 +8,6 @@
 #include "../support/square_field.hpp"
 #include "base/warning_codes.hpp"
 #include "guide/find_critical_points.hpp"
-#include "guide/segment_in_mesh.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -49,11 +48,6 @@ TEST_F(ClustersTest, leave_zeros_of_opposite_index_that_more_than_one_node_would
   ASSERT_EQ(find_clusters(evaluator, ring(2), {}, {1e-3, 1e-10}).clusters.size(), 1u);
   EXPECT_EQ(find_clusters(evaluator, ring(2), {}, {1e-3, 1e-10}).clusters[0].index, -1);
   EXPECT_TRUE(find_clusters(evaluator, ring(3), {}, {1e-3, 1e-10}).clusters.empty());
-}
-
-TEST_F(ClustersTest, do_not_reach_across_what_is_outside) {
-  EXPECT_TRUE(is_segment_in_mesh(evaluator, {-0.9, -0.9}, {0.9, 0.9}));
-  EXPECT_FALSE(is_segment_in_mesh(evaluator, {0.9, 0}, {1.3, 0}));
 }
 
 TEST_F(ClustersTest, the_error_of_the_field_makes_a_cluster_too) {

@@ -12,10 +12,20 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "curve/symmetry.hpp"
-#include "guide/admissible_valence.hpp"
+#include "guide/valence.hpp"
 
 namespace quadrille::guide {
 namespace {
+
+TEST(ParseCornerOverride, reads_two_curves_and_a_valence) {
+  const CornerOverride o = parse_corner_override("3:14=2");
+  EXPECT_EQ(o.curve_a, 3);
+  EXPECT_EQ(o.curve_b, 14);
+  EXPECT_EQ(o.valence, 2);
+  for (const char* text :
+       {"", "3", "3:4", "3=4:2", "3:4=", ":4=2", "a:4=2", "3:4=2x", "-3:4=2", "3:4=-1", "3: 4=2", "3:4=99999999999"})
+    EXPECT_THROW(parse_corner_override(text), UsageError) << text;
+}
 
 using namespace testing_faces;
 using hand_made::expect_sound_changes;

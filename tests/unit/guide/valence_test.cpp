@@ -4,11 +4,25 @@
 
 #include <complex>
 
+#include "../hand_made.hpp"
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::guide {
 namespace {
+
+TEST(TieMeasures, TheAngleDefectIsZeroForBlocksOfRightAngles) {
+  for (int valence = 1; valence <= 4; ++valence) EXPECT_NEAR(angle_defect(valence * half_pi, valence), 0, 1e-15);
+  EXPECT_NEAR(angle_defect(radians(135), 1), 0.25, 1e-15);
+  EXPECT_NEAR(angle_defect(radians(135), 2), 0.125, 1e-15) << "the larger valence is the better one at a tie";
+}
+
+TEST(TieMeasures, ASideIsMeasuredBetweenItsEnds) {
+  const CadFace face = hand_made::quarter_annulus(1, 2).face;
+  EXPECT_NEAR(side_length(face, 0), 1, 1e-15);
+  EXPECT_NEAR(side_length(face, 1), 2 * std::sqrt(2.0), 1e-14) << "the chord of the arc";
+  EXPECT_NEAR(side_length(face, 3), std::sqrt(2.0), 1e-14) << "the last curve ends where the first one starts";
+}
 
 TEST(TieDistance, is_zero_at_odd_multiples_of_45_degrees) {
   for (const double tie : {45.0, 135.0, 225.0, 315.0}) {
@@ -65,6 +79,77 @@ TEST(CornerValences, away_from_ties_is_the_nearest_integer) {
 TEST(CornerValences, a_tie_that_the_field_leaves_open_is_an_error) {
   const Field field = wedge_field(0);
   EXPECT_THROW(corner_valences(field::FieldEvaluator(field)), ComputeError);
+}
+
+TEST(AdmissibleValence, blocks_have_15_to_165_degrees_but_those_of_sharp_corners) {
+  EXPECT_TRUE(is_admissible_valence(90, 1));
+  EXPECT_TRUE(is_admissible_valence(165, 1));
+  EXPECT_FALSE(is_admissible_valence(166, 1));
+  EXPECT_TRUE(is_admissible_valence(30, 2));
+  EXPECT_FALSE(is_admissible_valence(29, 2));
+  EXPECT_TRUE(is_admissible_valence(10, 0));
+  EXPECT_FALSE(is_admissible_valence(10, 2));
+  EXPECT_TRUE(is_admissible_valence(10, 1));  // a sharp corner needs a block
+  EXPECT_FALSE(is_admissible_valence(90, -1));
+  EXPECT_FALSE(is_admissible_valence(340, 5));
+}
+
+TEST(AdmissibleAfterAbsorption, keeps_blocks_between_15_and_165_degrees_and_near_right_angles) {
+  EXPECT_TRUE(is_admissible_after_absorption(134, 1));
+  EXPECT_TRUE(is_admissible_after_absorption(134, 2));
+  EXPECT_FALSE(is_admissible_after_absorption(134, 3));
+  EXPECT_TRUE(is_admissible_after_absorption(120, 2));   // 4/3 to 2: two thirds off
+  EXPECT_FALSE(is_admissible_after_absorption(100, 2));  // 10/9 to 2
+  EXPECT_FALSE(is_admissible_after_absorption(170, 1));
+  EXPECT_TRUE(is_admissible_after_absorption(228.7, 2));
+  EXPECT_TRUE(is_admissible_after_absorption(228.7, 3));
+  EXPECT_FALSE(is_admissible_after_absorption(350, 5));
+  EXPECT_FALSE(is_admissible_after_absorption(60, -1));
+}
+
+TEST(AdmissibleAfterAbsorption, zero_only_at_the_tie) {
+  EXPECT_TRUE(is_admissible_after_absorption(45.5, 0));
+  EXPECT_FALSE(is_admissible_after_absorption(60, 0));
+}
+
+/// One node of valence 3, one corner of valence 1, a boundary node of valence 3 and a cluster of index -2.
+CriticalPoints some_points() {
+  CriticalPoints points;
+  points.critical_points.resize(1);
+  points.critical_points[0].valence = 3;
+  points.corners = {{0, {0, 0}, 90, 1, {1, 0}}};
+  points.boundary_nodes.resize(1);
+  points.clusters = {{{1, 1}, 0, -2, {{1, 1}}, {}}};
+  return points;
+}
+
+TEST(IndexSumWithClusters, AddsNodesCornersBoundaryNodesAndClusters) {
+  EXPECT_EQ(index_sum_with_clusters(some_points()), 1 + 1 - 1 - 2);
+  EXPECT_EQ(index_sum_of(some_points()), 1 + 1 - 1);
+}
+
+TEST(RequireIndexSum, AcceptsTheExpectedSum) {
+  CriticalPoints points = some_points();
+  points.index_sum = points.index_sum_expected = 1;
+  EXPECT_NO_THROW(require_index_sum(points));
+  points.index_sum_expected = 2;
+  EXPECT_THROW(require_index_sum(points), ComputeError) << "any other one is refused";
+}
+
+TEST(RequireIndexSum, ReportsTheDifferenceAndTheCornerNearestToATie) {
+  CriticalPoints points;
+  points.origin = {100, 0};
+  points.corners = {{0, {0, 0}, 90, 1, {1, 0}}, {1, {1, 2}, 134, 1, {0, 1}}};
+  points.index_sum = 2;
+  points.index_sum_expected = 4;
+  try {
+    require_index_sum(points);
+    FAIL();
+  } catch (const ComputeError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("2 too few"), std::string::npos) << message;
+    EXPECT_NE(message.find("134 degrees at (101, 2), valence 1"), std::string::npos) << message;
+  }
 }
 
 }  // namespace

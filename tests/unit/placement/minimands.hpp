@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "placement/descent.hpp"
+#include "placement/minimise.hpp"
 
 namespace quadrille::placement {
 

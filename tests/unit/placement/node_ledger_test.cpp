@@ -72,6 +72,10 @@ TEST(NodeLedger, KeepsTheZerosOfTheFieldOnlyBeforeTheFirstChangeOfNodes) {
   apply({{ChangeKind::divide, "b", {}, {{{0.2, 0.1}, 5}}, {0}}}, points);
   ASSERT_EQ(points.zeros.size(), 3u);
   EXPECT_EQ(points.zeros[0].position, (Vec2{0.2, 0.5}));
+  CriticalPoints tilted = three_nodes();
+  tilted.form = NodeForm::phase;  // as after ties
+  apply({{ChangeKind::divide, "a", {}, {{{0.1, 0.1}, 3}}, {0}}}, tilted);
+  EXPECT_EQ(tilted.zeros.size(), 3u);
   CriticalPoints exchanged = three_nodes();
   apply({{ChangeKind::corner, "c", {{0, 2}, {1, 0}}}}, exchanged);
   EXPECT_EQ(exchanged.form, NodeForm::phase);

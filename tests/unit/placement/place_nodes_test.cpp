@@ -180,7 +180,7 @@ TEST(PlaceNodes, a_greater_weight_takes_them_further_from_the_boundary) {
   for (const double weight : {0.0, 0.7, 1.4, 2.8}) {
     const CadFace face = half_disc();
     const Placed placed(face, Motion()(half_disc_energy), points_at({{0.6, 0.3}, {-0.6, 0.3}}), weight);
-    const double clearance = SmoothBoundaryDistance(face).nearest(placed[0]);
+    const double clearance = SmoothBoundaryDistance(face).nearest(placed[0]).distance;
     EXPECT_GT(clearance, before + 0.01);
     before = clearance;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../triangulate/faces.hpp"
+#include "base/angle.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -78,7 +79,7 @@ TEST(SmoothBoundaryDistance, depends_on_the_curve_and_not_on_its_parameter) {
   face.curves[1] = {2, {0, 0, 0, 1, 1, 1}, {{5, 0}, {5, 0.5}, {5, 1}}, {1, 0.01, 1}};
   for (const Vec2 x : {Vec2{2.5, 0.5}, {0.1, 0.2}, {1e-3, 1e-3}, {4.999, 0.999}, {4.9999, 0.5}})
     EXPECT_NEAR(log_distance(face, x).value, std::log(pi / rectangle_integral(5, 1, x)),
-                rounding(face, SmoothBoundaryDistance(face).nearest(x)));
+                rounding(face, SmoothBoundaryDistance(face).nearest(x).distance));
 }
 
 TEST(SmoothBoundaryDistance, its_gradient_is_that_of_its_value) {
@@ -95,7 +96,32 @@ TEST(SmoothBoundaryDistance, knows_the_plain_distance_too) {
   const CadFace face = annulus();
   const SmoothBoundaryDistance walls(face);
   for (const double r : {0.5001, 0.6, 0.74, 0.8, 0.9999})
-    EXPECT_NEAR(walls.nearest(r * unit(0.4)), std::min(r - 0.5, 1 - r), 1e-13);
+    EXPECT_NEAR(walls.nearest(r * unit(0.4)).distance, std::min(r - 0.5, 1 - r), 1e-13);
+}
+
+using namespace testing_faces;
+
+TEST(MostInteriorPoint, of_symmetric_faces_is_the_centre) {
+  const CadFace face = make_face({polygon({{0, 0}, {3, 0}, {3, 1}, {0, 1}})});
+  EXPECT_LT(distance(most_interior_point(face, {{{0, 0}, 0, false}}), {1.5, 0.5}), 1e-9);
+  EXPECT_LT(distance(most_interior_point(half_disc(), {{{0, 0}, 0, false}}),
+                     most_interior_point(half_disc(), curve::symmetries(half_disc()))),
+            1e-9);
+}
+
+TEST(MostInteriorPoint, stays_on_the_mirror_axis_and_moves_with_the_face) {
+  const Vec2 on_axis = most_interior_point(l_shape(), curve::symmetries(l_shape()));
+  EXPECT_NEAR(on_axis.x, on_axis.y, 1e-12);
+  const CadFace face = make_face({polygon({{0, 0}, {3, 0}, {2, 1}, {0, 1.3}})});
+  const CadFace image = moved(face, 5, 0.7, {3, 1}, true);
+  const Vec2 x = most_interior_point(face, curve::symmetries(face));
+  const Vec2 expected = 5 * curve::Isometry{{0, 0}, 0.7, true}.turned(x) + Vec2{3, 1};
+  EXPECT_LT(distance(most_interior_point(image, curve::symmetries(image)), expected), 1e-9 * image.diameter);
+}
+
+TEST(MostInteriorPoint, of_a_thin_face_lies_in_its_middle_line) {
+  const CadFace face = make_face({polygon({{0, 0}, {1, 0}, {1.002, 0.01}, {0, 0.01}})});
+  EXPECT_NEAR(curve::FaceBoundary(face).signed_distance(most_interior_point(face, {{{0, 0}, 0, false}})), 0.005, 1e-4);
 }
 
 }  // namespace

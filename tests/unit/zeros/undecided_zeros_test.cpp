@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/square_field.hpp"
-#include "zeros/distinct_zeros.hpp"
+#include "zeros/zero_search.hpp"
 
 namespace quadrille::zeros {
 namespace {

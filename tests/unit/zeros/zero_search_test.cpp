@@ -2,13 +2,54 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../support/polygon_field.hpp"
+#include "../support/square_field.hpp"
 #include "guide/find_critical_points.hpp"
-#include "guide/index_sum.hpp"
+#include "guide/valence.hpp"
 #include "zeros/winding.hpp"
 
 namespace quadrille::zeros {
 namespace {
+
+/// The identity on two triangles; the second is shifted by `jump` along x. An orthonormal mode of degree 0 is
+/// 1/sqrt(2).
+Field shifted(double jump) {
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 1), 2, [](Vec2 x) { return x; });
+  field.u[field.coef_offsets[1]] += std::sqrt(2.0) * jump;
+  return field;
+}
+
+TEST(EdgeJumps, AreNoneForAContinuousField) { EXPECT_TRUE(edge_jumps(field::FieldEvaluator(shifted(0))).empty()); }
+
+TEST(EdgeJumps, BoundWhatIsBetweenNeighbours) {
+  Field field = shifted(1e-6);
+  field.method = FieldMethod::dg;
+  const auto jumps = edge_jumps(field::FieldEvaluator(field));
+  ASSERT_EQ(jumps.size(), 2u);
+  for (const Jumps& of_elem : jumps) {
+    EXPECT_EQ(std::count(of_elem.edge.begin(), of_elem.edge.end(), 0.0), 2);  // all but the diagonal are boundary
+    const double diagonal = *std::max_element(of_elem.edge.begin(), of_elem.edge.end());
+    EXPECT_NEAR(diagonal, 2e-6, 1e-12);
+    EXPECT_NEAR(*std::max_element(of_elem.vertex.begin(), of_elem.vertex.end()), 1e-6, 1e-12);
+    EXPECT_EQ(*std::min_element(of_elem.vertex.begin(), of_elem.vertex.end()), 0);
+  }
+}
+
+TEST(EdgeJumps, AddUpAtAVertexOverHalfTheEdges) {
+  // Four squares, eight triangles; one triangle at the middle vertex is shifted: two of its edges end there.
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 2), 1, [](Vec2 x) { return x; });
+  field.method = FieldMethod::dg;
+  const int middle = 4;
+  int elem = 0, local = 0;
+  for (int e = 0; e < field.mesh.num_elems(); ++e)
+    for (int k = 0; k < 3; ++k)
+      if (field.mesh.elem2vertices[e][k] == middle) elem = e, local = k;
+  field.u[field.coef_offsets[elem]] += std::sqrt(2.0) * 1e-3;
+  const auto jumps = edge_jumps(field::FieldEvaluator(field));
+  EXPECT_NEAR(jumps[elem].vertex[local], 2e-3, 1e-12);  // (2e-3 + 2e-3) / 2
+}
 
 /// A plate with a slanted left side and a chamfer `excess` radians off 45 degrees: 135 degrees - excess at (2, 0.7).
 CadFace chamfered(double excess) {
@@ -51,7 +92,7 @@ TEST(ZeroSearch, the_corner_absorbs_what_is_closer_than_a_block) {
   for (const double excess : {-1e-4, 0.0, 1e-7, 1e-5, 1e-4, 2e-3}) {
     const Field field = adapted_field(chamfered(excess));
     Report report;
-    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), report);
+    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), {}, report);
     EXPECT_NO_THROW(guide::require_index_sum(points));
     const bool separate = excess > 1e-3;
     EXPECT_EQ(points.critical_points.size(), separate ? 1u : 0u) << excess;
@@ -63,7 +104,7 @@ TEST(ZeroSearch, regular_polygons_have_their_zero_at_the_centre) {
   for (const int n : {3, 5}) {
     const Field field = adapted_field(polygon_face(regular_polygon(n, 0.3)));
     Report report;
-    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), report);
+    const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), {}, report);
     ASSERT_EQ(points.critical_points.size(), 1u);
     EXPECT_NEAR(norm(points.critical_points[0].position), 0, 1e-12);
     EXPECT_EQ(points.critical_points[0].index, 4 - n);
@@ -78,8 +119,8 @@ TEST(ZeroSearch, a_turned_and_moved_face_has_its_points_turned_and_moved) {
   for (const Vec2 c : corners) moved.push_back(move(c));
   Report report;
   const Field a = adapted_field(polygon_face(corners)), b = adapted_field(polygon_face(moved));
-  const CriticalPoints here = guide::find_critical_points(field::FieldEvaluator(a), report);
-  const CriticalPoints there = guide::find_critical_points(field::FieldEvaluator(b), report);
+  const CriticalPoints here = guide::find_critical_points(field::FieldEvaluator(a), {}, report);
+  const CriticalPoints there = guide::find_critical_points(field::FieldEvaluator(b), {}, report);
   EXPECT_NO_THROW(guide::require_index_sum(here));
   ASSERT_EQ(here.critical_points.size(), there.critical_points.size());
   ASSERT_GE(here.critical_points.size(), 1u);
@@ -100,6 +141,57 @@ TEST(CircleIndex, counts_the_zeros_inside) {
   EXPECT_GT(least, 1e-6);
   EXPECT_EQ(circle_index(evaluator, {0.3, 0.1}, 0.1, least), 0);
   EXPECT_EQ(circle_index(evaluator, {0.3, 0.1}, 0.9, least), std::nullopt);
+}
+
+struct DistinctZeros : testing::Test {
+  Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2) { return Vec2{1, 0}; });
+  field::FieldEvaluator evaluator{field};
+
+  /// A zero of the polynomial of `elem`, at x, found in a cell of radius 0.1.
+  FoundZero zero(int elem, Vec2 x, int index = 1, double shift = 0) const {
+    FoundZero result;
+    result.elem = elem;
+    result.x = x;
+    result.index = index;
+    result.cell_radius = 0.1;
+    result.shift = shift;
+    evaluator.maps()[elem].invert(x, result.xi);
+    return result;
+  }
+};
+
+TEST_F(DistinctZeros, KeepsOneOfThoseFoundOnBothSidesOfAnEdge) {
+  const Vec2 on_diagonal{0.5, 0.5};
+  const auto zeros = distinct_zeros(evaluator, {zero(0, on_diagonal), zero(1, on_diagonal + Vec2{1e-13, 0})});
+  ASSERT_EQ(zeros.size(), 1u);
+  EXPECT_EQ(zeros[0].elem, 0);
+}
+
+TEST_F(DistinctZeros, PrefersTheOneInsideItsOwnElement) {
+  // Both lie above the diagonal, in element 1: the one of element 0 is beyond its edge.
+  const auto zeros =
+      distinct_zeros(evaluator, {zero(0, {0.5, 0.5 + 1e-6}, 1, 1e-6), zero(1, {0.5, 0.5 + 2e-6}, 1, 1e-6)});
+  ASSERT_EQ(zeros.size(), 1u);
+  EXPECT_EQ(zeros[0].elem, 1);
+}
+
+TEST_F(DistinctZeros, KeepsTwoOfOppositeIndexOrFarApart) {
+  EXPECT_EQ(distinct_zeros(evaluator, {zero(0, {0.6, 0.2}, 1), zero(0, {0.6, 0.2}, -1)}).size(), 2u);
+  EXPECT_EQ(distinct_zeros(evaluator, {zero(0, {0.6, 0.2}), zero(0, {0.61, 0.2})}).size(), 2u);
+  EXPECT_EQ(distinct_zeros(evaluator, {zero(0, {0.6, 0.2}, 1, 2e-3), zero(0, {0.61, 0.2})}).size(), 1u);
+}
+
+TEST_F(DistinctZeros, KeepsAZeroThatFallsIntoTheGapButNoneBeyondTheMesh) {
+  const auto gap = distinct_zeros(evaluator, {zero(0, {0.5, 0.5 + 1e-6})});
+  EXPECT_EQ(gap.size(), 1u);
+  EXPECT_TRUE(distinct_zeros(evaluator, {zero(0, {0.5, -1e-3})}).empty());
+}
+
+TEST_F(DistinctZeros, UnexplainedAreOpenCellsThatNoZeroReaches) {
+  const OpenCell cell{0, {0.6, 0.2}, 1e-6, {}};
+  EXPECT_EQ(cells_without_zero({cell}, {zero(0, {0.6, 0.2}, 1, 1e-7)}).size(), 1u);
+  EXPECT_TRUE(cells_without_zero({cell}, {zero(0, {0.6, 0.2}, 1, 1e-6)}).empty());
+  EXPECT_EQ(cells_without_zero({cell}, {}).size(), 1u);
 }
 
 }  // namespace
