@@ -13,6 +13,33 @@ bool is_control(std::string_view text, int length) {
   return (length == 1 && (first < 0x20 || first == 0x7F)) || (length == 2 && first == 0xC2 && byte(text, 1) < 0xA0);
 }
 
+/// Bytes of the first character of `text`, which is not empty; a byte that is not UTF-8 is a character.
+std::size_t character_length(std::string_view text) { return static_cast<std::size_t>(std::max(1, utf8_length(text))); }
+
+constexpr std::size_t least_beginning = 5;
+
+/// Edit distance in which the exchange of two neighbours is one error.
+std::size_t num_errors(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      const std::size_t wrong = a[i - 1] == b[j - 1] ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + wrong});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+std::size_t num_errors_or_beginning(const std::string& word, const std::string& other) {
+  const std::size_t errors = num_errors(word, other);
+  return word.size() >= least_beginning && other.starts_with(word) ? std::min<std::size_t>(errors, 1) : errors;
+}
+
 }  // namespace
 
 int utf8_length(std::string_view text) {
@@ -79,13 +106,6 @@ std::string clean_name(std::string_view text) {
   return first == std::string::npos ? std::string() : name.substr(first, last - first + 1);
 }
 
-namespace {
-
-/// Bytes of the first character of `text`, which is not empty; a byte that is not UTF-8 is a character.
-std::size_t character_length(std::string_view text) { return static_cast<std::size_t>(std::max(1, utf8_length(text))); }
-
-}  // namespace
-
 std::vector<std::string> split_at_commas(std::string_view text) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -115,34 +135,6 @@ bool matches_wildcard(std::string_view text, std::string_view pattern) {
   }
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
-
-namespace {
-
-constexpr std::size_t least_beginning = 5;
-
-/// Edit distance in which the exchange of two neighbours is one error.
-std::size_t num_errors(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i)
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        d[i][j] = i + j;
-        continue;
-      }
-      const std::size_t wrong = a[i - 1] == b[j - 1] ? 0 : 1;
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + wrong});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  return d[a.size()][b.size()];
-}
-
-std::size_t num_errors_or_beginning(const std::string& word, const std::string& other) {
-  const std::size_t errors = num_errors(word, other);
-  return word.size() >= least_beginning && other.starts_with(word) ? std::min<std::size_t>(errors, 1) : errors;
-}
-
-}  // namespace
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& words) {
   std::string nearest;

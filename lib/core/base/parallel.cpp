@@ -105,6 +105,20 @@ class Helpers {
   std::vector<std::jthread> threads_;
 };
 
+int processors_of_affinity() {
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
+  return static_cast<int>(std::thread::hardware_concurrency());  // more processors than fit into a set; 0: unknown
+}
+
+/// Of /proc/self/cgroup: the line "0::/path" is that of version 2.
+std::string own_control_group() {
+  std::ifstream file("/proc/self/cgroup");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("0::/")) return line.substr(3);
+  return "/";
+}
+
 }  // namespace
 
 void start_threads_after(double cpu_seconds) { least_cpu_seconds = cpu_seconds; }
@@ -122,24 +136,6 @@ void parallel_for(int n, int num_threads, const std::function<void(int)>& f) {
   }  // joins
   loop.rethrow();
 }
-
-namespace {
-
-int processors_of_affinity() {
-  cpu_set_t set;
-  if (sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
-  return static_cast<int>(std::thread::hardware_concurrency());  // more processors than fit into a set; 0: unknown
-}
-
-/// Of /proc/self/cgroup: the line "0::/path" is that of version 2.
-std::string own_control_group() {
-  std::ifstream file("/proc/self/cgroup");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("0::/")) return line.substr(3);
-  return "/";
-}
-
-}  // namespace
 
 int quota_of_control_group(const std::string& mount, const std::string& group) {
   int least = 0;

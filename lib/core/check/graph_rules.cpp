@@ -41,6 +41,35 @@ bool may_follow(const CadFace& face, const GraphArc& arc, int curve) {
   return begins_on_cad_curve && face.is_interface(curve) && curve < face.partners[curve];
 }
 
+/// A part of a curve that an arc covers.
+struct Part {
+  int curve;
+  double low, high;
+  auto operator<=>(const Part&) const = default;
+};
+
+/// Of the boundary arcs, or of the others that follow CAD curves; sorted.
+std::vector<Part> covered_parts(const ArcGraph& graph, bool by_boundary_arcs) {
+  std::vector<Part> parts;
+  for (const GraphArc& arc : graph.arcs)
+    for (const ArcPiece& piece : arc.pieces)
+      if (arc.is_boundary == by_boundary_arcs && piece.curve < graph.face.num_curves())
+        parts.push_back({piece.curve, std::min(piece.t0, piece.t1), std::max(piece.t0, piece.t1)});
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+/// The parameter of curve c from which its parts do not cover it exactly once; none if they do. `i`: the first part of
+/// this curve, or of a later one; it is moved on to the first of a later one.
+std::optional<double> fault_of_cover(const Nurbs& curve, int c, const std::vector<Part>& parts, std::size_t& i) {
+  const double tol = 1e-9 * (curve.end() - curve.begin());
+  double t = curve.begin();
+  for (; i < parts.size() && parts[i].curve == c && std::abs(parts[i].low - t) <= tol; ++i) t = parts[i].high;
+  const bool has_more = i < parts.size() && parts[i].curve == c;
+  while (i < parts.size() && parts[i].curve == c) ++i;
+  return has_more || std::abs(t - curve.end()) > tol ? std::optional<double>(t) : std::nullopt;
+}
+
 }  // namespace
 
 void pieces_are_sound(const ArcGraph& graph, Findings& findings) {
@@ -85,39 +114,6 @@ void arcs_are_chains(const ArcGraph& graph, Findings& findings) {
     meet(graph.nodes[arc.to].position);
   }
 }
-
-namespace {
-
-/// A part of a curve that an arc covers.
-struct Part {
-  int curve;
-  double low, high;
-  auto operator<=>(const Part&) const = default;
-};
-
-/// Of the boundary arcs, or of the others that follow CAD curves; sorted.
-std::vector<Part> covered_parts(const ArcGraph& graph, bool by_boundary_arcs) {
-  std::vector<Part> parts;
-  for (const GraphArc& arc : graph.arcs)
-    for (const ArcPiece& piece : arc.pieces)
-      if (arc.is_boundary == by_boundary_arcs && piece.curve < graph.face.num_curves())
-        parts.push_back({piece.curve, std::min(piece.t0, piece.t1), std::max(piece.t0, piece.t1)});
-  std::sort(parts.begin(), parts.end());
-  return parts;
-}
-
-/// The parameter of curve c from which its parts do not cover it exactly once; none if they do. `i`: the first part of
-/// this curve, or of a later one; it is moved on to the first of a later one.
-std::optional<double> fault_of_cover(const Nurbs& curve, int c, const std::vector<Part>& parts, std::size_t& i) {
-  const double tol = 1e-9 * (curve.end() - curve.begin());
-  double t = curve.begin();
-  for (; i < parts.size() && parts[i].curve == c && std::abs(parts[i].low - t) <= tol; ++i) t = parts[i].high;
-  const bool has_more = i < parts.size() && parts[i].curve == c;
-  while (i < parts.size() && parts[i].curve == c) ++i;
-  return has_more || std::abs(t - curve.end()) > tol ? std::optional<double>(t) : std::nullopt;
-}
-
-}  // namespace
 
 void boundary_is_covered(const ArcGraph& graph, Findings& findings) {
   const std::vector<Part> outer = covered_parts(graph, true), inner = covered_parts(graph, false);

@@ -31,6 +31,18 @@ std::array<Beside, 2> beside_side(const QuadMesh& mesh, int elem, int k) {
   return both;
 }
 
+constexpr double significant = 0.05;
+constexpr double good_quality = 0.7;  ///< a block this good is not skew
+
+double log_excess(double value, double limit) { return limit > 0 && value > limit ? std::log(value / limit) : 0; }
+
+double greatest_edge_ratio(const QuadMesh& mesh, const std::vector<bool>& is_thin) {
+  double greatest = 1;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    if (is_thin.empty() || !is_thin[e]) greatest = std::max(greatest, mesh.elem_edge_ratio[e]);
+  return greatest;
+}
+
 }  // namespace
 
 EdgeGrowth edge_growth(const QuadMesh& mesh, double limit) {
@@ -52,22 +64,6 @@ EdgeGrowth edge_growth(const QuadMesh& mesh, double limit) {
     }
   return growth;
 }
-
-namespace {
-
-constexpr double significant = 0.05;
-constexpr double good_quality = 0.7;  ///< a block this good is not skew
-
-double log_excess(double value, double limit) { return limit > 0 && value > limit ? std::log(value / limit) : 0; }
-
-double greatest_edge_ratio(const QuadMesh& mesh, const std::vector<bool>& is_thin) {
-  double greatest = 1;
-  for (int e = 0; e < mesh.num_elems(); ++e)
-    if (is_thin.empty() || !is_thin[e]) greatest = std::max(greatest, mesh.elem_edge_ratio[e]);
-  return greatest;
-}
-
-}  // namespace
 
 bool exceeds(double a, double b) { return a > b + significant || (a > 0 && b == 0); }
 

@@ -110,24 +110,6 @@ Values points_of(const Quadrature& rule) {
   return Eigen::Map<const Values>(rule.points.data(), static_cast<Eigen::Index>(rule.points.size()));
 }
 
-}  // namespace
-
-FactoredModes factored_modes(int order, int num_points) {
-  FactoredModes modes;
-  modes.eta1 = gauss_legendre(num_points);
-  modes.eta2 = gauss_jacobi(num_points, 1, 0);
-  modes.f.resize(num_points, order + 2);
-  modes.df.resize(num_points, order + 2);
-  modes.g.resize(num_points, num_tri_modes(order));
-  modes.dg.resize(num_points, num_tri_modes(order));
-  append_factors(order, points_of(modes.eta1), {modes.f, modes.df});
-  const Values y = points_of(modes.eta2);
-  ModeColumns(order, y, modes).append_all();
-  return modes;
-}
-
-namespace {
-
 // Points eta2 x degrees q = 0..order - p: the factor of eta2 of the orthogonal modes (p, q), times the weight.
 Eigen::MatrixXd weighted_orthogonal_factors(int order, int p, const Quadrature& eta2) {
   const int num_points = static_cast<int>(eta2.points.size());
@@ -164,6 +146,20 @@ Eigen::MatrixXd make_to_orthogonal(int order) {
 }
 
 }  // namespace
+
+FactoredModes factored_modes(int order, int num_points) {
+  FactoredModes modes;
+  modes.eta1 = gauss_legendre(num_points);
+  modes.eta2 = gauss_jacobi(num_points, 1, 0);
+  modes.f.resize(num_points, order + 2);
+  modes.df.resize(num_points, order + 2);
+  modes.g.resize(num_points, num_tri_modes(order));
+  modes.dg.resize(num_points, num_tri_modes(order));
+  append_factors(order, points_of(modes.eta1), {modes.f, modes.df});
+  const Values y = points_of(modes.eta2);
+  ModeColumns(order, y, modes).append_all();
+  return modes;
+}
 
 const Eigen::MatrixXd& modified_to_orthogonal(int order) {
   static PerOrder<Eigen::MatrixXd> tables([](int n) {

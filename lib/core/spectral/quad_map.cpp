@@ -161,6 +161,19 @@ double least_corner(const BernsteinSquare& p) {
   return std::min({p.coefs.front(), p.coefs[width - 1], p.coefs[width * (width - 1)], p.coefs.back()});
 }
 
+/// Values and derivatives of the nodal basis at equispaced sample points, ends included.
+struct Samples {
+  Eigen::MatrixXd value, derivative;
+
+  explicit Samples(int order) {
+    const int count = 2 * order + 3;
+    std::vector<double> points(count);
+    for (int i = 0; i < count; ++i) points[i] = -1 + 2.0 * i / (count - 1);
+    value = interpolation_matrix(gll_points(order), points);
+    derivative = value * differentiation_matrix(gll_points(order));
+  }
+};
+
 }  // namespace
 
 BernsteinSquare quad_jacobian_det(int order, const Vec2* nodes) {
@@ -219,23 +232,6 @@ double least_value(const BernsteinSquare& polynomial, double tolerance) {
   }
   return attained;
 }
-
-namespace {
-
-/// Values and derivatives of the nodal basis at equispaced sample points, ends included.
-struct Samples {
-  Eigen::MatrixXd value, derivative;
-
-  explicit Samples(int order) {
-    const int count = 2 * order + 3;
-    std::vector<double> points(count);
-    for (int i = 0; i < count; ++i) points[i] = -1 + 2.0 * i / (count - 1);
-    value = interpolation_matrix(gll_points(order), points);
-    derivative = value * differentiation_matrix(gll_points(order));
-  }
-};
-
-}  // namespace
 
 double quad_jacobian_lower_bound(int order, const Vec2* nodes, int depth) {
   return lower_bound(quad_jacobian_det(order, nodes), depth);

@@ -62,6 +62,15 @@ std::vector<Vec2> make_nodes(int order) {
   return nodes;
 }
 
+// Values at tri_nodes(order) -> coefficients in the orthogonal basis.
+const Eigen::MatrixXd& nodal_to_orthogonal(int order) {
+  static PerOrder<Eigen::MatrixXd> tables([](int n) {
+    const Eigen::MatrixXd vandermonde = orthogonal_vandermonde(n, tri_nodes(n));
+    return Eigen::MatrixXd(vandermonde.partialPivLu().inverse());
+  });
+  return tables[order];
+}
+
 }  // namespace
 
 const std::vector<Vec2>& tri_nodes(int order) {
@@ -74,19 +83,6 @@ int tri_edge_node(int order, int edge, int j) {
   if (j == order) return (edge + 1) % 3;
   return 3 + edge * (order - 1) + j - 1;
 }
-
-namespace {
-
-// Values at tri_nodes(order) -> coefficients in the orthogonal basis.
-const Eigen::MatrixXd& nodal_to_orthogonal(int order) {
-  static PerOrder<Eigen::MatrixXd> tables([](int n) {
-    const Eigen::MatrixXd vandermonde = orthogonal_vandermonde(n, tri_nodes(n));
-    return Eigen::MatrixXd(vandermonde.partialPivLu().inverse());
-  });
-  return tables[order];
-}
-
-}  // namespace
 
 TriMap::TriMap(const std::array<Vec2, 3>& vertices) { set_affine(vertices.data()); }
 
