@@ -11,8 +11,8 @@
 #include <string>
 
 #include "curve/face_boundary.hpp"
-#include "io/input_file.hpp"
 #include "io/stage_files.hpp"
+#include "io/whole_file.hpp"
 
 using namespace quadrille;
 

@@ -11,12 +11,11 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
-#include "curve/mean_width.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "features/feature_state.hpp"
-#include "model/far_field.hpp"
-#include "model/offset_names.hpp"
+#include "model/special_names.hpp"
 
 namespace quadrille::features {
 namespace {

@@ -13,7 +13,6 @@
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/face_boundary.hpp"
-#include "curve/mean_width.hpp"
 #include "curve/named_curves.hpp"
 #include "curve/project.hpp"
 #include "placement/half_planes.hpp"

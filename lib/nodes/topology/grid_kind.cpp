@@ -9,8 +9,7 @@
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
 #include "guide/valence.hpp"
-#include "model/far_field.hpp"
-#include "model/offset_names.hpp"
+#include "model/special_names.hpp"
 
 namespace quadrille::topology {
 namespace {

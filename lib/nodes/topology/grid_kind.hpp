@@ -56,10 +56,7 @@ std::vector<guide::CornerOverride> grid_corners(const CadFace& face, GridKind ki
 /// that of the offset curve, V = 2 at both, and no strip leaves. `by_bodies`: `close` where strips of one body would
 /// run into another one.
 enum class LayerCorners { by_bodies, pass, close };
-constexpr auto enum_names(LayerCorners) {
-  return std::to_array<EnumName<LayerCorners>>(
-      {{LayerCorners::by_bodies, "auto"}, {LayerCorners::pass, "pass"}, {LayerCorners::close, "close"}});
-}
+constexpr auto enum_names(LayerCorners) { return std::to_array({"auto", "pass", "close"}); }
 
 /// `by_bodies` decided for the whole face: `close` with more than one hole that is a body.
 LayerCorners layer_corners(const CadFace& whole, LayerCorners corners);
