@@ -21,8 +21,7 @@
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
 #include "trace/adams_bashforth.hpp"
-#include "trace/fixed_nodes.hpp"
-#include "trace/launch_all.hpp"
+#include "trace/launch.hpp"
 
 using namespace quadrille;
 
@@ -46,7 +45,7 @@ class Comparison {
       : evaluator_(evaluator),
         diameter_(evaluator.field().mesh.face.diameter),
         launches_(trace::launch_all(evaluator, points)) {
-    for (const graph::FixedNode& node : trace::fixed_nodes(evaluator.field().mesh.face, points))
+    for (const GraphNode& node : trace::fixed_nodes(evaluator.field().mesh.face, points))
       nodes_.push_back(node.position);
     const trace::AdvanceOptions bounds{reference_tolerance * diameter_, max_step * diameter_, max_length * diameter_,
                                        node_margin * diameter_};

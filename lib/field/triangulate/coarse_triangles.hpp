@@ -1,5 +1,5 @@
 #pragma once
-// Few triangles, for midpoint division (midpoint/midpoint_graph.hpp).
+// Few triangles, for midpoint division (layout/midpoint_layout.hpp).
 
 #include "triangulate/triangulate.hpp"
 

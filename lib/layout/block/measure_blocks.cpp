@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/tolerance.hpp"
 #include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "mesh/transfinite.hpp"
+#include "mesh/chords.hpp"
 #include "model/interfaces.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quad_map.hpp"
@@ -17,7 +19,6 @@ namespace quadrille::block {
 namespace {
 
 constexpr int greatest_division = 16;
-constexpr double same_length = 1e-6;  // relative; a rotated shape must have the same result
 
 /// Cell (i, j) of n x n as a quad of order 8.
 std::vector<Vec2> cell_nodes(const mesh::TransfiniteMap& map, int n, int i, int j) {
@@ -127,7 +128,7 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, con
     const HalfEdge directed = layout.block2arcs[block][k];
     const int a = directed.arc;
     const curve::Chain& chain = maps.arc(a);
-    if (chain.length() < (1 - same_length) * m.shortest_side)
+    if (chain.length() < (1 - tolerance::tied) * m.shortest_side)
       m.shortest_side = chain.length(), m.shortest_side_index = k;
     m.area += (directed.is_backwards ? -1 : 1) * arc_areas[a];
     if (is_on_cad_curve(layout, layout.arcs[a])) measure_boundary_distance(layout, chain, layout.arcs[a], m);
@@ -136,6 +137,26 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, con
 }
 
 }  // namespace
+
+BlockMaps::BlockMaps(const BlockLayout& layout)
+    : layout_(&layout), table_(layout.face, layout.splines), chains_(layout.arcs.size()) {}
+
+const curve::Chain& BlockMaps::arc(int a) const {
+  std::optional<curve::Chain>& chain = chains_[a];
+  if (!chain) chain.emplace(table_, layout_->arcs[a].pieces);
+  return *chain;
+}
+
+mesh::TransfiniteMap BlockMaps::map(int block) const {
+  std::array<const curve::Chain*, 4> sides{};
+  std::array<bool, 4> backwards{};
+  for (int k = 0; k < 4; ++k) {
+    const HalfEdge directed = layout_->block2arcs[block][k];
+    sides[k] = &arc(directed.arc);
+    backwards[k] = directed.is_backwards;
+  }
+  return mesh::TransfiniteMap(sides, backwards);
+}
 
 std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress) {
   const BlockMaps maps(layout);

@@ -4,12 +4,30 @@
 // The quad interpolates the exact map (mesh/transfinite.hpp) in the Gauss-Lobatto-Legendre points. For long thin and
 // strongly bent blocks it may be invalid although the exact map is valid; `divisions` distinguishes the two cases.
 
+#include <optional>
 #include <vector>
 
 #include "base/progress.hpp"
-#include "block/block_maps.hpp"
+#include "curve/chain.hpp"
+#include "mesh/transfinite.hpp"
+#include "model/block_layout.hpp"
 
 namespace quadrille::block {
+
+/// The exact maps of a layout's blocks.
+class BlockMaps {
+ public:
+  /// `layout` must outlive it, and its arcs and splines must not change.
+  explicit BlockMaps(const BlockLayout& layout);
+  /// Constructed by the first call; not for several threads at once.
+  const curve::Chain& arc(int a) const;
+  mesh::TransfiniteMap map(int block) const;
+
+ private:
+  const BlockLayout* layout_;
+  curve::CurveTable table_;
+  mutable std::vector<std::optional<curve::Chain>> chains_;
+};
 
 struct BlockMeasure {
   double jacobian_bound = 0;      ///< least Bernstein bound of det J of the quad, length^2 (spectral/quad_map.hpp)

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,15 +13,68 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "couple/interface_corner.hpp"
-#include "couple/match_line_ends.hpp"
-#include "couple/periodic_nodes.hpp"
+#include "base/tolerance.hpp"
+#include "couple/join_layouts.hpp"
 #include "couple/side_pairs.hpp"
 #include "curve/arc_length.hpp"
+#include "curve/nurbs.hpp"
+#include "graph/arc_pieces.hpp"
+#include "model/periodic.hpp"
 #include "quantize/quantize_and_extend.hpp"
 
 namespace quadrille::couple {
 namespace {
+
+constexpr double least_turn = radians(45.0);
+
+/// Whether an embedded curve passes the joint: not its end, where it turns back along its other side.
+bool is_inside_curve(const CadFace& face, int joint) {
+  const int before = face.previous_in_loop(joint);
+  return face.is_interface(joint) && face.is_interface(before) && face.partners[joint] != before;
+}
+
+// A node inside a curve and the boundary arcs beside it.
+void move_node(SeparatrixGraph& graph, int node, const BoundaryPoint& point) {
+  GraphNode& n = graph.nodes[node];
+  for (GraphArc& arc : graph.arcs) {
+    if (!arc.is_boundary) continue;
+    ArcPiece &first = arc.pieces.front(), &last = arc.pieces.back();
+    if (arc.from == node && first.curve == point.curve) first.t0 = point.t;
+    if (arc.to == node && last.curve == point.curve) last.t1 = point.t;
+  }
+  n.t = point.t;
+  n.position = point.position(graph.face);
+}
+
+// Divides the boundary arc that runs through a point. Returns false where a node is.
+bool divide_at(graph::CandidateLayout& layout, int curve, double t) {
+  const ArcGraph& whole = layout.graph();
+  const Nurbs& c = whole.face.curves[curve];
+  for (int a = 0; a < static_cast<int>(whole.arcs.size()); ++a) {
+    const std::vector<ArcPiece>& pieces = whole.arcs[a].pieces;
+    if (!whole.arcs[a].is_boundary) continue;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (pieces[i].curve != curve) continue;
+      const bool is_start = is_same_parameter(c, t, pieces[i].t0), is_end = is_same_parameter(c, t, pieces[i].t1);
+      if ((is_start && i == 0) || (is_end && i + 1 == pieces.size())) return false;
+      if (!is_start && !is_end && (t <= pieces[i].t0 || t >= pieces[i].t1)) continue;
+      graph::divide_at_point(layout.subdivision, {a}, graph::point_on_piece(whole, pieces, i, t));
+      return true;
+    }
+  }
+  return false;
+}
+
+// The parameters of the ends of boundary arcs on a curve.
+std::vector<double> node_parameters(const ArcGraph& graph, int curve) {
+  std::vector<double> parameters;
+  for (const GraphArc& arc : graph.arcs) {
+    if (!arc.is_boundary) continue;
+    if (arc.pieces.front().curve == curve) parameters.push_back(arc.pieces.front().t0);
+    if (arc.pieces.back().curve == curve) parameters.push_back(arc.pieces.back().t1);
+  }
+  return parameters;
+}
 
 [[noreturn]] void fail_to_continue(const CadFace& face) {
   if (!face.periodic_pairs.empty())
@@ -88,7 +140,7 @@ std::vector<NodeMatch> forced_matches(const ArcGraph& t_mesh, const SidePair& pa
   }
   std::vector<NodeMatch> matches;
   for (const auto& [length, match] : found)
-    if (length <= least * (1 + relative_tie)) matches.push_back(match);
+    if (length <= least * (1 + tolerance::tied)) matches.push_back(match);
   return matches;
 }
 
@@ -131,6 +183,55 @@ class PeriodicMatching {
 };
 
 }  // namespace
+
+std::optional<InterfaceCorner> sharpest_interface_corner(const CadFace& face) {
+  std::optional<InterfaceCorner> sharpest;
+  double most = least_turn;
+  for (int j = 0; j < face.num_curves(); ++j) {
+    const double turn = std::abs(face.joints[j].interior_angle - pi);
+    if (!is_inside_curve(face, j) || turn <= most + tolerance::same_angle) continue;
+    most = turn;
+    sharpest = {j, turn};
+  }
+  return sharpest;
+}
+
+void snap_periodic_nodes(SeparatrixGraph& graph) {
+  const CadFace& face = graph.face;
+  for (const PeriodicPair& pair : face.periodic_pairs) {
+    const auto [a, b] = pair.curves;
+    for (int n = 0; n < static_cast<int>(graph.nodes.size()); ++n) {
+      const GraphNode& node = graph.nodes[n];
+      if (node.curve != b || node.t == face.curves[b].begin()) continue;
+      for (const GraphNode& other : graph.nodes) {
+        if (other.curve != a || other.t == face.curves[a].begin()) continue;
+        const BoundaryPoint image{b, periodic_parameter(face, a, other.t, b)};
+        if (distance(image.position(face), node.position) > relative_same * face.diameter) continue;
+        move_node(graph, n, image);
+        break;
+      }
+    }
+  }
+  close_lines(graph);
+}
+
+int divide_periodic_sides(graph::CandidateLayout& layout) {
+  int num_divided = 0;
+  for (const SidePair& pair : periodic_sides({layout.graph().face, {}, {}, {}})) {
+    const CadFace& face = layout.graph().face;
+    const int first = pair.curves[0].front(), last = pair.curves[0].back();
+    num_divided += divide_at(layout, first, face.curves[first].begin());
+    num_divided += divide_at(layout, last, face.curves[last].end());
+  }
+  const std::vector<PeriodicPair> pairs = layout.graph().face.periodic_pairs;
+  for (const PeriodicPair& pair : pairs)
+    for (const int side : {0, 1}) {
+      const int own = pair.curves[side], other = pair.curves[1 - side];
+      for (const double t : node_parameters(layout.graph(), own))
+        num_divided += divide_at(layout, other, periodic_parameter(layout.graph().face, own, t, other));
+    }
+  return num_divided;
+}
 
 graph::CandidateLayout conforming_layout(const RegionLayouts& regions, graph::CandidateLayout joined, Report& report) {
   PeriodicMatching matching(regions, std::move(joined));

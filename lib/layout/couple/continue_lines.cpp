@@ -2,21 +2,131 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "couple/continuations.hpp"
-#include "curve/nurbs.hpp"
+#include "base/tolerance.hpp"
+#include "curve/chain.hpp"
+#include "curve/fit_line.hpp"
 #include "graph/arc_pieces.hpp"
 #include "graph/crossings.hpp"
-#include "graph/divide_at_point.hpp"
-#include "graph/separatrix_lines.hpp"
+#include "simplify/chord_blend.hpp"
+#include "trace/advance.hpp"
 
 namespace quadrille::couple {
 namespace {
 
-constexpr double relative_end = 1e-6;  // of a piece: crossings nearer to its ends are at a node
+// Relative to the diameter of the region. A line that comes as near to a node as its hit distance is not continued.
+constexpr trace::AdvanceOptions relative{1e-10, 1.0 / 20, 4, 1e-5};
+
+// A point of a region's boundary, circles about the centre, before or after a rotation.
+BoundaryPoint rotated(const CadFace& face, const curve::Rotation& rotation, const BoundaryPoint& point) {
+  if (rotation.angle == 0) return point;
+  return nearest_boundary_point(face, face.loop_of(point.curve), rotation.of(point.position(face)));
+}
+
+/// The field of a region, rotated as its layout was.
+struct RotatedField {
+  const field::FieldEvaluator& field;
+  curve::Rotation rotation;
+};
+
+std::optional<TracedLine> traced_line(const graph::CandidateLayout& layout, const RotatedField& rotated_field,
+                                      const BoundaryPoint& start) {
+  const auto& [field, rotation] = rotated_field;
+  const CadFace& face = layout.graph().face;
+  const double d = face.diameter;
+  std::vector<Vec2> nodes;
+  for (const GraphNode& node : layout.graph().nodes)
+    if (node.curve < 0) nodes.push_back(rotation.inverse().of(node.position));
+  const BoundaryPoint before = rotated(face, rotation.inverse(), start);
+  const trace::Streamline line = trace::advance(
+      field, trace::launch_from_boundary(field, before.curve, before.t), PointGrid(std::move(nodes)),
+      {relative.tolerance * d, relative.max_step * d, relative.max_length * d, relative.hit_distance * d});
+  if (line.steps.empty()) return std::nullopt;
+  const auto point = [&field = field, &rotation = rotation, &line](double s, Vec2& direction) {
+    const Vec2 x = line.at(field, s, direction);
+    direction = rotation.of_vector(direction);
+    return rotation.of(x);
+  };
+  TracedLine traced;
+  traced.spline = curve::fit_line(point, line.length(), graph::relative_fit_tol * d);
+  traced.ends_on_boundary = line.end == trace::Streamline::End::boundary;
+  if (traced.ends_on_boundary)
+    traced.end = rotated(face, rotation, boundary_point(face, line.reached.curve, line.reached.t));
+  return traced;
+}
+
+bool has_node_at(const SidePair& pair, int side, double position, double same) {
+  return std::any_of(pair.nodes[side].begin(), pair.nodes[side].end(),
+                     [&](const SideNode& node) { return pair.distance(node.position, position) <= same; });
+}
+
+std::vector<Continuation> traced_continuations(const RegionLayouts& regions, CutEnds cuts,
+                                               const CanInsert& can_insert) {
+  const CadFace& face = regions.face;
+  std::vector<Continuation> found;
+  for (const SidePair& pair : interface_sides(regions, cuts))
+    for (const int side : {0, 1})
+      for (const SideNode& node : pair.nodes[side]) {
+        if (has_node_at(pair, 1 - side, node.position, relative_same * face.diameter)) continue;
+        Continuation next;
+        next.start = point_on_side(face, pair, 1 - side, regions.point_of(node.layout, node.node));
+        next.region = regions.region_of_curve(next.start.curve);
+        next.start.curve -= regions.first_curves[next.region];
+        const graph::CandidateLayout& layout = regions.layouts[next.region];
+        if (!can_insert(layout.subdivision, next.start)) continue;
+        next.line = traced_line(layout, {*regions.fields[next.region], regions.rotation_of(next.region)}, next.start);
+        found.push_back(std::move(next));
+      }
+  return found;
+}
+
+// How far, relative to their lengths, each of two lines through a region ends from where the other one starts.
+double end_distance(const CadFace& face, const Continuation& a, const Continuation& b) {
+  if (a.region != b.region || !a.line || !b.line || !a.line->ends_on_boundary || !b.line->ends_on_boundary)
+    return INFINITY;
+  const auto distance_to = [&](const Continuation& from, const Continuation& to) {
+    return distance(from.line->end.position(face), to.start.position(face)) / from.line->spline.end();
+  };
+  return std::max(distance_to(a, b), distance_to(b, a));
+}
+
+// The line from the start of one to the start of the other, a blend (simplify/chord_blend.hpp).
+TracedLine merged(const CadFace& face, const Continuation& a, const Continuation& b) {
+  const std::vector<Nurbs> splines{a.line->spline, b.line->spline};
+  const curve::CurveTable table(face, splines);
+  const int first = face.num_curves();
+  const curve::Chain from(table, {{first, splines[0].begin(), splines[0].end()}});
+  const curve::Chain to(table, {{first + 1, splines[1].end(), splines[1].begin()}});
+  return {curve::fit_line(simplify::blended_curve(from, to), simplify::blend_length(from, to),
+                          graph::relative_fit_tol * face.diameter),
+          true, b.start};
+}
+
+// Lines that cross a region in opposite directions, each the nearest to the other and not bent by more than
+// `greatest_bend`, become one.
+void merge_opposite_lines(const RegionLayouts& regions, std::vector<Continuation>& all) {
+  const auto nearest = [&](std::size_t i) {
+    std::optional<std::size_t> best;
+    double least = greatest_bend;
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (i == j || all[i].region != all[j].region) continue;
+      const double here = end_distance(regions.layouts[all[i].region].graph().face, all[i], all[j]);
+      if (here >= least + tolerance::tied) continue;
+      best = std::abs(here - least) <= tolerance::tied ? std::nullopt : std::optional(j);
+      least = std::min(here, least);
+    }
+    return best;
+  };
+  std::vector<std::optional<std::size_t>> partners;
+  for (std::size_t i = 0; i < all.size(); ++i) partners.push_back(nearest(i));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::optional<std::size_t> j = partners[i];
+    if (!j || *j < i || partners[*j] != i) continue;
+    all[i].line = merged(regions.layouts[all[i].region].graph().face, all[i], all[*j]);
+    all[*j].line.reset();
+  }
+}
 
 /// A point of an arc: `at.piece` counts the pieces of the half-edge.
 struct ArcPoint {
@@ -25,25 +135,18 @@ struct ArcPoint {
   bool is_end = false;  ///< the node at which the half-edge ends
 };
 
-curve::ChainPoint chain_point(const ArcGraph& graph, const graph::Pieces& pieces, int piece, double t) {
-  const ArcPiece& p = pieces[piece];
-  const Nurbs& curve = graph.curve(p.curve);
-  const Vec2 along = curve::tangent(curve, t);
-  return {curve::point(curve, t), p.t0 < p.t1 ? along : -along, piece, t};
-}
-
 // The arc that contains a parameter of a curve, not at its start.
 std::optional<ArcPoint> point_on_arcs(const ArcGraph& graph, const std::vector<HalfEdge>& arcs, int curve, double t) {
   for (const HalfEdge h : arcs) {
     const graph::Pieces pieces = graph::pieces_along(graph, h);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const auto [low, high] = std::minmax(pieces[i].t0, pieces[i].t1);
-      const double margin = relative_end * (high - low);
+      const double margin = tolerance::same_point * (high - low);  // nearer to an end of a piece is at the node
       const bool is_inner_joint = t == pieces[i].t0 && i > 0, is_last = i + 1 == pieces.size();
       const bool is_end = is_last && std::abs(t - pieces[i].t1) <= margin;
       const bool is_inside = t <= high - margin && (t >= low + margin || is_inner_joint);
       if (pieces[i].curve == curve && (is_inside || is_end))
-        return ArcPoint{h, chain_point(graph, pieces, static_cast<int>(i), t), is_end};
+        return ArcPoint{h, graph::point_on_piece(graph, pieces, i, t), is_end};
     }
   }
   return std::nullopt;
@@ -178,24 +281,16 @@ bool insert_line(graph::CandidateLayout& layout, TracedLine line, const Boundary
   return true;
 }
 
-// Of each region, the kinds of the lines of its splines.
-std::vector<std::vector<LineKind>> kinds_of_lines(const RegionLayouts& regions) {
-  std::vector<std::vector<LineKind>> kinds;
-  for (const graph::CandidateLayout& layout : regions.layouts)
-    kinds.push_back(graph::spline_kinds(layout.graph(), layout.lines));
-  return kinds;
-}
-
-// `kinds`: before the change.
-void rebuild_lines(RegionLayouts& regions, std::vector<std::vector<LineKind>> kinds) {
-  for (std::size_t r = 0; r < kinds.size(); ++r)
-    graph::rebuild_lines(regions.layouts[r], std::move(kinds[r]), LineKind::traced);
-}
-
 }  // namespace
 
+std::vector<Continuation> continuations(const RegionLayouts& regions, CutEnds cuts, const CanInsert& can_insert) {
+  std::vector<Continuation> all = traced_continuations(regions, cuts, can_insert);
+  merge_opposite_lines(regions, all);
+  return all;
+}
+
 int continue_lines(RegionLayouts& regions, CutEnds cuts, ContinueTo limit) {
-  std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
+  std::vector<std::vector<LineKind>> kinds = regions.line_kinds();
   std::vector<int> first_new;  // spline of each region
   for (const graph::CandidateLayout& layout : regions.layouts)
     first_new.push_back(static_cast<int>(layout.graph().splines.size()));
@@ -207,13 +302,13 @@ int continue_lines(RegionLayouts& regions, CutEnds cuts, ContinueTo limit) {
     if (next.line)
       num_lines +=
           insert_line(regions.layouts[next.region], std::move(*next.line), next.start, first_new[next.region], limit);
-  rebuild_lines(regions, std::move(kinds));
+  regions.rebuild_lines(std::move(kinds), LineKind::traced);
   return num_lines;
 }
 
 int remove_needless_cuts(RegionLayouts& regions) {
   int num_removed = 0;
-  std::vector<std::vector<LineKind>> kinds = kinds_of_lines(regions);
+  std::vector<std::vector<LineKind>> kinds = regions.line_kinds();
   for (std::size_t r = 0; r < regions.layouts.size(); ++r) {
     graph::CandidateLayout& layout = regions.layouts[r];
     graph::Subdivision& subdivision = layout.subdivision;
@@ -232,7 +327,7 @@ int remove_needless_cuts(RegionLayouts& regions) {
     }
     subdivision.compact();
   }
-  rebuild_lines(regions, std::move(kinds));
+  regions.rebuild_lines(std::move(kinds), LineKind::traced);
   return num_removed;
 }
 

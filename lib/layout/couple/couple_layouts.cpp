@@ -2,20 +2,21 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
-#include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "couple/conforming_layout.hpp"
 #include "couple/continue_lines.hpp"
 #include "couple/join_layouts.hpp"
-#include "couple/match_line_ends.hpp"
-#include "couple/periodic_nodes.hpp"
 #include "couple/rotate_circular_regions.hpp"
-#include "graph/face_corners.hpp"
+#include "couple/side_pairs.hpp"
+#include "graph/candidate_layout.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
+#include "layout/midpoint_layout.hpp"
 #include "model/periodic.hpp"
+#include "regions/region_numbers.hpp"
+#include "regions/split.hpp"
 #include "simplify/simplify.hpp"
 
 namespace quadrille::couple {
@@ -25,16 +26,7 @@ namespace {
 // more; with blocks worse than the second also if it makes more.
 constexpr double good_scaled_jacobian = 0.7, acceptable_scaled_jacobian = 0.5;
 
-constexpr double equal_quality = 1e-6;
-
 constexpr int max_rounds = 8;  // of lines continued from one region into the next
-
-// The deviation of continued lines is that from the field of the region through which each runs.
-void certify(const field::FieldsOfRegions& fields, graph::CandidateLayout& layout, Report& report) {
-  double& deviation = layout.certificate.largest_deviation_degrees;
-  deviation = std::max(deviation, degrees(layout::deviation_of_extended_lines(fields, layout)));
-  layout::certify(*layout.certificate.method, layout, report);
-}
 
 // Lines of the regions that end on interfaces match lines of the other side, or are continued there.
 void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, Report& report) {
@@ -71,7 +63,7 @@ graph::CandidateLayout coupled(RegionLayouts regions, ContinueTo limit, const la
   report.set("couple.faces", layout.subdivision.num_faces());
   graph::require_drawn_in_order(layout.subdivision);
   require_periodic_arcs(layout.graph(), "leave out --simplify, or the pair (cad2tri --periodic)");
-  certify(fields, layout, report);
+  layout::certify(fields, *layout.certificate.method, layout, report);
   return layout;
 }
 
@@ -85,13 +77,24 @@ void follow_field_if_better(RegionLayouts regions, const layout::LayoutOptions& 
   try {
     graph::CandidateLayout attempt = coupled(std::move(regions), ContinueTo::boundary, options, attempt_report);
     const layout::LayoutQuality after = layout::quality_of(attempt.subdivision);
-    if (!after.is_valid || after.least_scaled_jacobian <= quality + equal_quality) return;
+    if (!after.is_valid || after.least_scaled_jacobian <= quality + tolerance::tied) return;
     if (quality >= acceptable_scaled_jacobian && after.num_blocks > before.num_blocks) return;
     layout = std::move(attempt);
   } catch (const ComputeError&) {
     return;
   }
   for (const auto& [key, value] : attempt_report.entries()) report.set(key, value);
+}
+
+// Nodes on interfaces are those of the triangles on both sides, so that none is a T-junction.
+graph::CandidateLayout joined_division(const CadFace& face, const TriMesh& triangles) {
+  RegionLayouts regions{face, {}, {}, {}};
+  const std::vector<TriMesh> parts = regions::split(triangles);
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    regions.layouts.push_back(graph::candidate_layout(layout::divide_triangles(parts[r]).graph));
+    regions.first_curves.push_back(regions::curves_of(triangles.face, static_cast<int>(r)).begin);
+  }
+  return graph::candidate_layout(join_layouts(regions));
 }
 
 }  // namespace
@@ -103,6 +106,37 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOption
   graph::CandidateLayout layout = coupled(regions, ContinueTo::first_line, options, report);
   follow_field_if_better(std::move(regions), options, layout, report);
   return graph::separatrix_graph(std::move(layout));
+}
+
+SeparatrixGraph midpoint_regions(const CadFace& face, const TriMesh& mesh, const layout::CoarseMesher& mesher,
+                                 const std::string& reason, Report& report) {
+  graph::CandidateLayout layout;
+  if (face.partners.empty()) {
+    layout = layout::midpoint_layout(mesh, mesher, report);
+  } else {
+    layout = joined_division(face, layout::coarse_triangles(mesh.face, mesher, report));
+    report.set("midpoint.blocks", graph::require_four_corners(layout.subdivision));
+  }
+  require_periodic_arcs(layout.graph(), "leave out the pair (cad2tri --periodic)");
+  layout::certify_midpoint(layout, reason, report);
+  return graph::separatrix_graph(std::move(layout));
+}
+
+SeparatrixGraph layout_without_field(const CadFace& face, const TriMesh& mesh, const layout::LayoutOptions& options,
+                                     Report& report) {
+  return midpoint_regions(face, mesh, options.coarse_mesher, layout::reason_without_field(options.layout), report);
+}
+
+SeparatrixGraph couple_or_divide(RegionLayouts regions, const TriMesh& mesh, const layout::LayoutOptions& options,
+                                 Report& report) {
+  if (options.layout != layout::LayoutChoice::automatic || !options.coarse_mesher)
+    return couple_layouts(std::move(regions), options, report);
+  const CadFace face = regions.face;
+  try {
+    return couple_layouts(std::move(regions), options, report);
+  } catch (const ComputeError& error) {
+    return midpoint_regions(face, mesh, options.coarse_mesher, error.what(), report);
+  }
 }
 
 }  // namespace quadrille::couple

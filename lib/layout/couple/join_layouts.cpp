@@ -5,13 +5,12 @@
 #include <tuple>
 #include <utility>
 
-#include "curve/nurbs.hpp"
+#include "base/tolerance.hpp"
 
 namespace quadrille::couple {
 namespace {
 
-constexpr double relative_parameter = 1e-6;  // of a curve's interval: nodes that are one differ by less
-constexpr int straight = 2;                  // valence of a sector without a node
+constexpr int straight = 2;  // valence of a sector without a node
 
 /// A node of a region's graph.
 struct RegionNode {
@@ -70,7 +69,7 @@ class LayoutJoiner {
     const double same = relative_same * face_.diameter;
     for (auto& [point, members] : by_point) {
       if (!all.empty() && all.back().points.front().curve == point.curve && face_.is_interface(point.curve) &&
-          distance(position(all.back().points.front()), position(point)) <= same) {
+          distance(all.back().points.front().position(face_), point.position(face_)) <= same) {
         append(all.back().members, members);
         continue;
       }
@@ -82,8 +81,6 @@ class LayoutJoiner {
   static void append(std::vector<RegionNode>& all, const std::vector<RegionNode>& more) {
     all.insert(all.end(), more.begin(), more.end());
   }
-
-  Vec2 position(const BoundaryPoint& point) const { return curve::point(face_.curves[point.curve], point.t); }
 
   // The kind that the node has in the whole.
   NodeKind kind_of(const SharedPoint& shared) const {
@@ -124,7 +121,7 @@ class LayoutJoiner {
   double moved_onto(int node, int curve, double t) const {
     const auto on = on_curve_.find(curve);
     if (on == on_curve_.end()) return t;
-    const double tolerance = relative_parameter * (face_.curves[curve].end() - face_.curves[curve].begin());
+    const double tolerance = tolerance::same_point * (face_.curves[curve].end() - face_.curves[curve].begin());
     for (auto at = on->second.lower_bound(t - tolerance); at != on->second.end() && at->first <= t + tolerance; ++at)
       if (at->second == node) return at->first;
     return t;

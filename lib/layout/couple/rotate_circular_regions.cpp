@@ -7,13 +7,87 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "couple/best_rotation.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
+#include "graph/arc_pieces.hpp"
 
 namespace quadrille::couple {
 namespace {
 
-constexpr double relative_circular = 1e-9;  // relative to the diameter: deviation of a boundary from circles
+/// How far the own ends, rotated by an angle, are from the others.
+struct Offsets {
+  double mean = 0, squares = 0;
+};
+
+Offsets offsets(const std::vector<EndAngles>& loops, double angle) {
+  Offsets result;
+  int count = 0;
+  for (const EndAngles& loop : loops) {
+    if (loop.others.empty()) continue;
+    for (const double own : loop.own) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const double other : loop.others)
+        if (const double d = wrap_pi(other - own - angle); std::abs(d) < std::abs(least)) least = d;
+      result.mean += least, result.squares += least * least, ++count;
+    }
+  }
+  if (count > 0) result.mean /= count;
+  return result;
+}
+
+bool is_among(const std::vector<double>& angles, double angle) {
+  return std::any_of(angles.begin(), angles.end(),
+                     [&](double a) { return std::abs(wrap_pi(a - angle)) <= tolerance::same_angle; });
+}
+
+// Whether a rotation by this angle maps the own ends onto themselves.
+bool is_symmetry(const std::vector<EndAngles>& loops, double angle) {
+  return std::all_of(loops.begin(), loops.end(), [&](const EndAngles& loop) {
+    return std::all_of(loop.own.begin(), loop.own.end(), [&](double own) { return is_among(loop.own, own + angle); });
+  });
+}
+
+// The best of these angles, up to symmetries of the own ends; of each class the least in magnitude.
+std::vector<double> best_of(const std::vector<EndAngles>& loops, std::vector<double> angles) {
+  std::stable_sort(angles.begin(), angles.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  double least = std::numeric_limits<double>::infinity();
+  for (const double angle : angles) least = std::min(least, offsets(loops, angle).squares);
+  std::vector<double> best;
+  for (const double angle : angles) {
+    const bool is_known =
+        std::any_of(best.begin(), best.end(), [&](double b) { return is_symmetry(loops, angle - b); });
+    if (!is_known && offsets(loops, angle).squares <= least + tolerance::tied * (1 + least)) best.push_back(angle);
+  }
+  return best;
+}
+
+// The rotations that bring an own end to another one, each moved to the nearest minimum.
+std::vector<double> candidates(const std::vector<EndAngles>& loops) {
+  std::vector<double> angles;
+  for (const EndAngles& loop : loops)
+    for (const double own : loop.own)
+      for (const double other : loop.others) {
+        const double angle = other - own;
+        angles.push_back(wrap_pi(angle + offsets(loops, angle).mean));
+      }
+  return angles;
+}
+
+// In the middle between two neighbours of the equally good angles, their images under symmetries included.
+std::vector<double> middles(const std::vector<EndAngles>& loops, const std::vector<double>& all,
+                            const std::vector<double>& best) {
+  std::vector<double> good, angles;
+  for (const double angle : all)
+    if (std::any_of(best.begin(), best.end(), [&](double b) { return is_symmetry(loops, angle - b); }))
+      if (!is_among(good, angle)) good.push_back(angle);
+  std::sort(good.begin(), good.end());
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    const double next = i + 1 < good.size() ? good[i + 1] : good.front() + 2 * pi;
+    angles.push_back(wrap_pi((good[i] + next) / 2));
+  }
+  return angles;
+}
+
 constexpr int samples_of_curve = 9;
 
 Vec2 point_at(const Nurbs& curve, double fraction) {
@@ -37,7 +111,7 @@ std::optional<Vec2> common_centre(const CadFace& face) {
     for (int c = face.loop_offsets[l]; c < face.loop_offsets[l + 1]; ++c)
       for (int i = 0; i <= samples_of_curve; ++i) {
         const Vec2 x = point_at(face.curves[c], static_cast<double>(i) / samples_of_curve);
-        if (std::abs(distance(x, *centre) - radius) > relative_circular * face.diameter) return std::nullopt;
+        if (std::abs(distance(x, *centre) - radius) > tolerance::round_off * face.diameter) return std::nullopt;
       }
   }
   return centre;
@@ -107,15 +181,13 @@ class CircularRegions {
     return false;
   }
 
-  double angle_about(Vec2 centre, Vec2 x) const { return angle_of(x - centre); }
-
   std::vector<EndAngles> angles_of_loops(int region) const {
     const CadFace& face = regions_.layouts[region].graph().face;
     std::vector<EndAngles> loops(face.num_loops());
     const std::vector<GraphNode>& nodes = regions_.layouts[region].graph().nodes;
     for (std::size_t n = 0; n < nodes.size(); ++n)
       if (is_line_end_[region][n])
-        loops[face.loop_of(nodes[n].curve)].own.push_back(angle_about(*centres_[region], nodes[n].position));
+        loops[face.loop_of(nodes[n].curve)].own.push_back(angle_of(nodes[n].position - *centres_[region]));
     for (std::size_t other = 0; other < regions_.layouts.size(); ++other) {
       if (!is_settled_[other]) continue;
       const ArcGraph& graph = regions_.layouts[other].graph();
@@ -125,7 +197,7 @@ class CircularRegions {
              coincident_points(regions_.face, regions_.point_of(static_cast<int>(other), static_cast<int>(n))))
           if (regions_.region_of_curve(point.curve) == region)
             loops[face.loop_of(point.curve - regions_.first_curves[region])].others.push_back(
-                angle_about(*centres_[region], graph.nodes[n].position));
+                angle_of(graph.nodes[n].position - *centres_[region]));
       }
     }
     for (int c = 0; c < face.num_curves(); ++c)
@@ -152,19 +224,6 @@ class CircularRegions {
     return true;
   }
 
-  static std::vector<ArcPiece> path(const CadFace& face, const GraphNode& from, const GraphNode& to) {
-    std::vector<ArcPiece> pieces;
-    int curve = from.curve;
-    double t = from.t;
-    while (curve != to.curve || (t >= to.t && pieces.empty())) {
-      pieces.push_back({curve, t, face.curves[curve].end()});
-      curve = face.next_in_loop(curve);
-      t = face.curves[curve].begin();
-    }
-    if (t < to.t) pieces.push_back({curve, t, to.t});
-    return pieces;
-  }
-
   static void rotate(SeparatrixGraph& graph, const curve::Rotation& rotation) {
     for (Nurbs& spline : graph.splines)
       for (Vec2& pole : spline.poles) pole = rotation.of(pole);
@@ -176,7 +235,7 @@ class CircularRegions {
       node.t = point.t;
     }
     for (GraphArc& arc : graph.arcs)
-      if (arc.is_boundary) arc.pieces = path(graph.face, graph.nodes[arc.from], graph.nodes[arc.to]);
+      if (arc.is_boundary) arc.pieces = graph::boundary_path(graph.face, graph.nodes[arc.from], graph.nodes[arc.to]);
   }
 
   RegionLayouts& regions_;
@@ -187,6 +246,15 @@ class CircularRegions {
 };
 
 }  // namespace
+
+double best_rotation(const std::vector<EndAngles>& loops) {
+  const std::vector<double> all = candidates(loops);
+  if (all.empty()) return 0;
+  const std::vector<double> best = best_of(loops, all);
+  if (best.size() == 1) return best.front();
+  const std::vector<double> between = best_of(loops, middles(loops, all, best));
+  return between.size() == 1 ? between.front() : best.front();
+}
 
 int rotate_circular_regions(RegionLayouts& regions) {
   if (regions.layouts.size() == 1) return 0;

@@ -1,9 +1,11 @@
 #pragma once
-// Pairs of sides that are one side for the layout: the two sides of an interface or a slit, and periodic sides.
+// Pairs of sides that are one side for the layout: the two sides of an interface or a slit, and periodic sides. Lines
+// that end on one of them near a line of the other side are bent to meet it.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "couple/region_layouts.hpp"
@@ -49,5 +51,27 @@ BoundaryPoint point_on_side(const CadFace& face, const SidePair& pair, int side,
 
 /// The point on the first side at an arc length along it.
 BoundaryPoint point_at(const CadFace& face, const SidePair& pair, double position);
+
+inline constexpr double greatest_bend = 0.1;  ///< radians: of lines that become one
+
+/// Two nodes of both sides that become one.
+struct NodeMatch {
+  std::array<int, 2> nodes{};  ///< SidePair::nodes
+  double position = 0;         ///< along the first side; of no meaning if one of the nodes cannot move
+};
+
+/// Two nodes match if each is the nearest one to the other and their distance is less than a third of that to the next
+/// node on either side, or no line is bent by more than `greatest_bend`: in the middle between them, or at the one that
+/// cannot move (a corner, or an irregular node). Nodes nearer than 1e-9 diameters need no match.
+std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter);
+
+using MatchRule = std::function<std::vector<NodeMatch>(const SidePair&)>;
+
+/// Moves the ends of lines of the layouts, and so the lines, to the places at which they match. `pairs`: of these
+/// layouts. Raises the largest deviations of their certificates. Returns the number of matches.
+int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, const MatchRule& rule);
+
+/// By the rule `matches_of_neighbours`.
+int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs);
 
 }  // namespace quadrille::couple

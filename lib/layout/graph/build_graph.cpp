@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "graph/arc_pieces.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -23,11 +24,16 @@ struct Building {
   std::vector<FinishedLine>& lines;
   double snap;
   std::size_t num_fixed = 0;
-  std::vector<int> fixed_on_boundary;        // nodes
-  std::vector<std::array<int, 2>> ends;      // nodes of each line, -1: determined by a crossing
-  std::vector<std::vector<OnLine>> on_line;  // the nodes of each line
-  SeparatrixGraph graph;
+  std::vector<int> fixed_on_boundary = {};        // nodes
+  std::vector<std::array<int, 2>> ends = {};      // nodes of each line, -1: determined by a crossing
+  std::vector<std::vector<OnLine>> on_line = {};  // the nodes of each line
+  SeparatrixGraph graph = {};
 };
+
+int add_node(Building& build, const GraphNode& node) {
+  build.graph.nodes.push_back(node);
+  return static_cast<int>(build.graph.nodes.size()) - 1;
+}
 
 void snap_to_fixed(const Building& build, LineEnd& end) {
   const Vec2 x = curve::point(build.face.curves[end.curve], end.t);
@@ -54,15 +60,13 @@ int boundary_node(Building& build, const LineEnd& end, bool is_cut) {
     if (last.curve == end.curve && distance(last.position, x) <= build.snap)
       return static_cast<int>(build.graph.nodes.size()) - 1;
   }
-  build.graph.nodes.push_back({x, is_cut ? NodeKind::cut : NodeKind::boundary, 2, end.curve, end.t});
-  return static_cast<int>(build.graph.nodes.size()) - 1;
+  return add_node(build, {x, is_cut ? NodeKind::cut : NodeKind::boundary, 2, end.curve, end.t});
 }
 
 int node_at_start_of(Building& build, int loop) {
   const int joint = build.face.loop_offsets[loop];
-  build.graph.nodes.push_back(
-      {build.face.joints[joint].position, NodeKind::boundary, 2, joint, build.face.curves[joint].begin()});
-  return static_cast<int>(build.graph.nodes.size()) - 1;
+  return add_node(build,
+                  {build.face.joints[joint].position, NodeKind::boundary, 2, joint, build.face.curves[joint].begin()});
 }
 
 void put_end(Building& build, int line, int which, int node) {
@@ -102,27 +106,9 @@ void put_on_line(Building& build, int line, double t, int node, bool crosses_its
   build.on_line[line].push_back({t, node});
 }
 
-void add_boundary_arc(Building& build, int from, int to) {
-  const GraphNode &a = build.graph.nodes[from], &b = build.graph.nodes[to];
-  GraphArc arc{from, to, true, 0, {}};
-  int curve = a.curve;
-  double t = a.t;
-  while (!(curve == b.curve && (t < b.t || !arc.pieces.empty()))) {
-    arc.pieces.push_back({curve, t, build.face.curves[curve].end()});
-    curve = build.face.next_in_loop(curve);
-    t = build.face.curves[curve].begin();
-  }
-  if (t < b.t) arc.pieces.push_back({curve, t, b.t});
-  build.graph.arcs.push_back(std::move(arc));
-}
-
-void add_fixed(Building& build, const std::vector<FixedNode>& fixed) {
-  for (const FixedNode& n : fixed) {
-    const int curve = n.joint >= 0 ? n.joint : n.curve;
-    const double t = n.joint >= 0 ? build.face.curves[n.joint].begin() : n.t;
-    if (curve >= 0) build.fixed_on_boundary.push_back(static_cast<int>(build.graph.nodes.size()));
-    build.graph.nodes.push_back({n.position, n.kind, n.valence, curve, t});
-  }
+void add_fixed(Building& build, const std::vector<GraphNode>& fixed) {
+  for (const GraphNode& n : fixed)
+    if (const int node = add_node(build, n); n.curve >= 0) build.fixed_on_boundary.push_back(node);
   build.num_fixed = build.graph.nodes.size();
 }
 
@@ -163,10 +149,7 @@ void add_crossing(Building& build, const Crossing& c) {
   }
   int node = crossing_near(build, c.a, c.position);
   if (node < 0) node = crossing_near(build, c.b, c.position);
-  if (node < 0) {
-    node = static_cast<int>(build.graph.nodes.size());
-    build.graph.nodes.push_back({c.position, NodeKind::crossing, 4, -1, 0});
-  }
+  if (node < 0) node = add_node(build, {c.position, NodeKind::crossing, 4, -1, 0});
   for (const auto& [line, t] : {std::pair{c.a, c.s}, std::pair{c.b, c.t}}) {
     const int which = open_end(build, line, t);
     which >= 0 ? put_end(build, line, which, node) : put_on_line(build, line, t, node, c.a == c.b);
@@ -207,22 +190,21 @@ void add_boundary_arcs(Building& build) {
       const GraphNode &p = build.graph.nodes[a], &q = build.graph.nodes[b];
       return p.curve != q.curve ? p.curve < q.curve : p.t < q.t;
     });
-    for (size_t k = 0; k < nodes.size(); ++k) add_boundary_arc(build, nodes[k], nodes[(k + 1) % nodes.size()]);
+    for (size_t k = 0; k < nodes.size(); ++k) {
+      const int from = nodes[k], to = nodes[(k + 1) % nodes.size()];
+      build.graph.arcs.push_back(
+          {from, to, true, 0, boundary_path(build.face, build.graph.nodes[from], build.graph.nodes[to])});
+    }
   }
 }
 
 }  // namespace
 
-SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& fixed, std::vector<FinishedLine> lines,
+SeparatrixGraph build_graph(const CadFace& face, const std::vector<GraphNode>& fixed, std::vector<FinishedLine> lines,
                             const std::vector<Crossing>& crossings, double snap) {
-  Building build{face,
-                 lines,
-                 snap,
-                 0,
-                 {},
-                 std::vector<std::array<int, 2>>(lines.size()),
-                 std::vector<std::vector<OnLine>>(lines.size()),
-                 {}};
+  Building build{face, lines, snap};
+  build.ends.resize(lines.size());
+  build.on_line.resize(lines.size());
   build.graph.face = face;
   add_fixed(build, fixed);
   add_line_ends(build);

@@ -9,16 +9,6 @@
 
 namespace quadrille::graph {
 
-/// An irregular node, a corner or an irregular point of the boundary: a node that does not depend on the lines.
-struct FixedNode {
-  Vec2 position;
-  NodeKind kind = NodeKind::irregular;
-  int valence = 4;
-  int joint = -1;  ///< of a corner, or of a boundary node at a smooth joint
-  int curve = -1;  ///< of a boundary node inside a curve, with its parameter
-  double t = 0;
-};
-
 /// An end of a line: a fixed node, a position on the boundary, or neither: then the line ends on another line, at a
 /// crossing at the end of the spline's domain.
 struct LineEnd {
@@ -34,11 +24,12 @@ struct FinishedLine {
   LineKind kind = LineKind::traced;
 };
 
+/// `fixed`: irregular nodes, corners and irregular points of the boundary, which do not depend on the lines.
 /// Nodes in this order: fixed ones, line ends on the boundary by (curve, t), crossings by (line, parameter). Ends
 /// within `snap` (a length) of a fixed node on the boundary or of a joint are moved to it, ends within `snap` of each
 /// other are one node, crossings within `snap` of each other on one line too. `crossings`: of the lines' splines.
 /// Throws ComputeError if a line passes through the end of another; one that ends ON another makes a T-junction.
-SeparatrixGraph build_graph(const CadFace& face, const std::vector<FixedNode>& fixed, std::vector<FinishedLine> lines,
+SeparatrixGraph build_graph(const CadFace& face, const std::vector<GraphNode>& fixed, std::vector<FinishedLine> lines,
                             const std::vector<Crossing>& crossings, double snap);
 
 }  // namespace quadrille::graph

@@ -1,5 +1,7 @@
 #pragma once
-// A layout under construction: a separatrix graph together with its topology.
+// A layout under construction: a separatrix graph together with its topology, its lines from the splines of the graph,
+// while every inner arc is a part of one spline, and the corners of its faces, which decide whether it is a layout of
+// four-sided blocks.
 
 #include <vector>
 
@@ -35,5 +37,36 @@ inline SeparatrixGraph separatrix_graph(CandidateLayout layout) {
   return {layout.subdivision.release(), std::move(layout.provenance), std::move(layout.lines),
           std::move(layout.t_junctions), std::move(layout.certificate)};
 }
+
+/// The kind of the line of each spline; traced where none uses it.
+std::vector<LineKind> spline_kinds(const ArcGraph& graph, const std::vector<SeparatrixLine>& lines);
+
+/// For each spline a line for each run of arcs, of the kind that `kinds` has for the spline.
+std::vector<SeparatrixLine> lines_of_arcs(const ArcGraph& graph, const std::vector<LineKind>& kinds);
+
+/// Sets the lines of a layout whose arcs changed, and removes splines that no arc uses. `kinds`: of its splines before
+/// the change; those that were added are of the kind `added`.
+void rebuild_lines(CandidateLayout& layout, std::vector<LineKind> kinds, LineKind added);
+
+/// The mean of the middles of a face's arcs, file coordinates: a position for messages.
+Vec2 middle_of_face(const Subdivision& subdivision, int face);
+
+/// The faces that are no quadrilaterals: their number of sides or of corners is not four.
+std::vector<int> faces_without_four_corners(const Subdivision& subdivision);
+
+/// Throws ComputeError unless every face has four corners and the graph has no more parts than regions; the message
+/// states how many faces violate this and the position of the first. Returns the number of faces.
+int require_four_corners(const Subdivision& subdivision);
+
+/// Whether the curves at a node start in the counter-clockwise order of the topology. Operations of
+/// graph/subdivision.hpp do not check this.
+bool is_drawn_in_order(const Subdivision& subdivision, int node);
+
+/// Throws ComputeError with a position unless is_drawn_in_order holds at every node: whoever reads the graph from a
+/// file has only its curves, and would find other faces.
+void require_drawn_in_order(const Subdivision& subdivision);
+
+/// Number of faces for each number of corners, ascending.
+std::vector<FaceCount> face_valence_histogram(const Subdivision& subdivision);
 
 }  // namespace quadrille::graph

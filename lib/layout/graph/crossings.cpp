@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <compare>
 #include <utility>
 
-#include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
@@ -31,8 +28,6 @@ bool meet(const Box& a, const Box& b) {
 constexpr double side_by_side = 0.1;  // radians
 constexpr std::size_t most_sought = 100;
 
-double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
-
 // A piece of a curve as a cubic Bezier over [t0, t1].
 struct Bezier {
   std::array<Vec2, 4> p;
@@ -54,15 +49,12 @@ struct Bezier {
   bool is_beside(const Bezier& other, double margin) const {
     const Vec2 normal = left_of(chord()) / norm(chord());
     if (!std::isfinite(normal.x)) return false;
-    double low = 0, high = 0, other_low = 1e300, other_high = -1e300;
-    for (const Vec2 q : p) {
-      const double h = dot(normal, q - p[0]);
-      low = std::min(low, h), high = std::max(high, h);
-    }
-    for (const Vec2 q : other.p) {
-      const double h = dot(normal, q - p[0]);
-      other_low = std::min(other_low, h), other_high = std::max(other_high, h);
-    }
+    const auto heights = [&](const Bezier& of) {
+      const auto height = [&](int i) { return dot(normal, of.p[i] - p[0]); };
+      return std::minmax({height(0), height(1), height(2), height(3)});
+    };
+    const auto [low, high] = heights(*this);
+    const auto [other_low, other_high] = heights(other);
     return other_low > high + margin || other_high < low - margin;
   }
 };
@@ -272,7 +264,7 @@ class Finder {
     if (distance(position, curve::point(cb, t)) > 2 * same_) return true;
     for (size_t i = first_; i < found.size(); ++i)
       if (distance(found[i].position, position) <= same_) return true;
-    const double angle = std::abs(std::atan2(cross(da, db), dot(da, db)));
+    const double angle = angle_between(da, db);
     found.push_back({a, b, s, t, position, std::min(angle, std::numbers::pi - angle)});
     counter_.require_few_crossings(found);
     return true;
@@ -286,18 +278,39 @@ class Finder {
   size_t first_ = 0;  // of the present pair in `found`
 };
 
-}  // namespace
-
 bool comes_before(const Crossing& x, const Crossing& y) {
   return x.a != y.a ? x.a < y.a : x.s != y.s ? x.s < y.s : x.b < y.b;
 }
 
+}  // namespace
+
 std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds) {
   Finder finder(splines, same, bounds);
   finder.run();
-  std::vector<Crossing> found = std::move(finder.found);
-  std::stable_sort(found.begin(), found.end(), comes_before);
-  return found;
+  std::stable_sort(finder.found.begin(), finder.found.end(), comes_before);
+  return std::move(finder.found);
+}
+
+const std::vector<Crossing>& CrossingCache::find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines,
+                                                 double same, CrossingBounds bounds) {
+  std::map<CurveKey, int> numbers;
+  std::vector<int> new_number(numbers_.size(), -1);
+  bounds.sought.clear();
+  for (int i = 0; i < static_cast<int>(keys.size()); ++i) {
+    numbers[keys[i]] = i;
+    const auto known = numbers_.find(keys[i]);
+    bounds.sought.push_back(known == numbers_.end());
+    if (known != numbers_.end()) new_number[known->second] = i;
+  }
+  std::vector<Crossing> all = find_crossings(splines, same, bounds);
+  for (Crossing c : crossings_) {
+    c.a = new_number[c.a], c.b = new_number[c.b];
+    if (c.a >= 0 && c.b >= 0) all.push_back(c);
+  }
+  std::stable_sort(all.begin(), all.end(), comes_before);
+  numbers_ = std::move(numbers);
+  crossings_ = std::move(all);
+  return crossings_;
 }
 
 }  // namespace quadrille::graph

@@ -5,7 +5,10 @@
 // the angle between them, then Newton's method finds the only crossing that is possible. Curves are C2, so tangential
 // contacts of one curve with itself do not occur.
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "base/error.hpp"
@@ -13,6 +16,9 @@
 #include "model/cad_face.hpp"
 
 namespace quadrille::graph {
+
+/// Radians in [0, pi].
+inline double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
 
 /// Curve a at parameter s meets curve b at parameter t; a < b, or a == b and s < t.
 struct Crossing {
@@ -38,13 +44,26 @@ class CrowdedLinesError : public ComputeError {
   using ComputeError::ComputeError;
 };
 
-/// The order of crossings: by (a, s, b).
-bool comes_before(const Crossing& x, const Crossing& y);
-
 /// Crossings of non-rational cubic splines (curve/nurbs.hpp, cubic_spline), sorted by (a, s, b). Two finds of one pair
 /// closer than `same` (a length) count as one. Curves that meet at an end are reported there too, where they do not
 /// merely touch within round-off. Throws ComputeError (for max_crossings: CrowdedLinesError) with a position if a limit
 /// is reached.
 std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds = {});
+
+/// Curves with equal keys are the same curve in all searches.
+using CurveKey = std::array<double, 3>;
+
+/// Cached crossings of curves, few of which change from one search to the next.
+class CrossingCache {
+ public:
+  /// find_crossings(splines, same, bounds), searched only for pairs with a new curve; bounds.sought is not used. Curves
+  /// that occur again must keep their order.
+  const std::vector<Crossing>& find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines, double same,
+                                    CrossingBounds bounds);
+
+ private:
+  std::map<CurveKey, int> numbers_;
+  std::vector<Crossing> crossings_;
+};
 
 }  // namespace quadrille::graph

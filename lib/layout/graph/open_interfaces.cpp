@@ -1,9 +1,14 @@
 #include "graph/open_interfaces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
-#include "graph/node_rotation.hpp"
+#include "base/error.hpp"
+#include "curve/named_curves.hpp"
+#include "graph/arc_pieces.hpp"
+#include "graph/subdivision.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::graph {
@@ -67,8 +72,7 @@ class Opener {
   static void run_along_curve(GraphArc& arc) {
     if (arc.pieces.front().t0 < arc.pieces.front().t1) return;
     std::swap(arc.from, arc.to);
-    std::reverse(arc.pieces.begin(), arc.pieces.end());
-    for (ArcPiece& piece : arc.pieces) std::swap(piece.t0, piece.t1);
+    arc.pieces = reversed_pieces(std::move(arc.pieces));
   }
 
   void double_arc(int a) {
@@ -153,6 +157,30 @@ class Opener {
 };
 
 }  // namespace
+
+CadFace with_open_curves(CadFace face, const std::vector<std::string>& names, const std::string& option) {
+  const CadFace closed = face;
+  for (const std::string& name : names)
+    for (const int curve : curve::named_curves(face, name, option)) {
+      if (!closed.is_interface(curve))
+        throw UsageError(fmt::format("{} {}: the curve {} is a boundary, not between two regions or inside one", option,
+                                     name, curve));
+      face.partners[closed.partners[curve]] = -1;
+      face.partners[curve] = -1;
+    }
+  return face;
+}
+
+std::vector<std::string> nonconforming_interfaces(const std::vector<std::string>& options) {
+  std::vector<std::string> names;
+  for (const std::string& option : options) {
+    const std::size_t end = option.rfind('=');
+    if (end == std::string::npos || end == 0 || option.substr(end + 1) != "nonconforming")
+      throw UsageError(fmt::format("--interface {}: expected NAME=nonconforming", option));
+    names.push_back(option.substr(0, end));
+  }
+  return names;
+}
 
 void open_interfaces(SeparatrixGraph& graph, const std::vector<bool>& is_open) { Opener(graph, is_open).open(); }
 

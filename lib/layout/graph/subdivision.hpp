@@ -3,21 +3,21 @@
 //
 // The geometry is an ArcGraph (model/arc_graph.hpp). The topology is a table over half-edges (model/arc_graph.hpp):
 //
-//        ^                        next(h)      the half-edge that follows h around the face on its left
-//        | next(h)                face(h)      that face; -1 where the outside of the domain is on the left
-//        |                        quarters(h)  quarter turns of the cross between h and next(h), inside the face, at
-//        the
-//   ---- o <----- h ----          node where h ends: 1 at the corner of a block, 2 on a straight side
+//        ^                next(h)      the half-edge that follows h around the face on its left
+//        | next(h)        face(h)      that face; -1 where the outside of the domain is on the left
+//        |                quarters(h)  quarter turns of the cross between h and next(h), inside the face, at the node
+//   ---- o <----- h ----               where h ends: 1 at the corner of a block, 2 on a straight side
 //
 // A face is a cycle h, next(h), next(next(h)), ... that has it on the left. It has sum (2 - quarters) corners, and the
 // quarters around a node add up to its valence. In a domain whose graph is not connected an annular face has two
 // cycles, and each counts as a face.
 //
-// A subdivision is built from a graph once: directions of curves are compared around every node. From then on it is
-// changed only by the operations below, which evaluate no angle and whose cost is proportional to the change. Each
-// results in the subdivision that would be built from the changed graph, up to the numbers. Numbers stay valid during
-// consecutive operations: new nodes, arcs and faces are numbered after the others, and the numbers of removed ones are
-// not used again. `compact` closes the gaps; then even the numbers are those of a subdivision built from the graph.
+// A subdivision is built from a graph once, from the order of half-edges around nodes by the directions of their
+// curves. From then on it is changed only by the operations below, which evaluate no angle and whose cost is
+// proportional to the change. Each results in the subdivision that would be built from the changed graph, up to the
+// numbers. Numbers stay valid during consecutive operations: new nodes, arcs and faces are numbered after the others,
+// and the numbers of removed ones are not used again. `compact` closes the gaps; then even the numbers are those of a
+// subdivision built from the graph.
 //
 // Copies are independent values. To try operations without the cost of a copy, begin a trial, and keep or undo it.
 
@@ -29,12 +29,21 @@
 
 namespace quadrille::graph {
 
-/// What is known of a half-edge, besides its arc.
-struct HalfEdgeRecord {
-  HalfEdge next;
-  int face = -1;
-  int quarters = 0;
-};
+/// Angle of a half-edge's tangent where it starts, radians in (-pi, pi].
+double start_angle(const ArcGraph& graph, HalfEdge h);
+
+/// Sorts half-edges that start at one node, counter-clockwise. On the boundary the first runs along the boundary with
+/// the domain on its left and the last runs against it, independent of the rounding of their angles.
+void sort_around_node(const ArcGraph& graph, std::vector<HalfEdge>& half_edges);
+
+/// The sorted half-edges that start at each node.
+std::vector<std::vector<HalfEdge>> half_edges_around_nodes(const ArcGraph& graph);
+
+/// Quarter turns of the cross in the sectors between consecutive half-edges of a sorted, not empty list around `node`;
+/// inside the domain the last sector lies between the last and the first. If all lines of the node are present, each
+/// sector is one quarter; at a T-junction one sector is two quarters; else the valence is divided in proportion to the
+/// angles.
+std::vector<int> sector_quarters(const ArcGraph& graph, int node, const std::vector<HalfEdge>& half_edges);
 
 class Subdivision {
  public:
@@ -125,22 +134,34 @@ class Subdivision {
   std::vector<int> compact();
 
  private:
-  using Record = HalfEdgeRecord;
+  /// What is known of a half-edge, besides its arc.
+  struct Record {
+    HalfEdge next;
+    int face = -1;
+    int quarters = 0;
+  };
   /// The state before a trial of what it has changed, as often as that was changed, and the numbers of everything.
   struct Trial {
-    std::vector<std::pair<std::size_t, Record>> records;
-    std::vector<std::pair<int, GraphArc>> arcs;
-    std::vector<std::pair<int, GraphNode>> nodes;
-    std::vector<std::pair<int, HalfEdge>> node_starts, face_starts;
+    template <typename Value>
+    using Saved = std::vector<std::pair<std::size_t, Value>>;
+    Saved<Record> records;
+    Saved<GraphArc> arcs;
+    Saved<GraphNode> nodes;
+    Saved<HalfEdge> node_starts, face_starts;
     std::size_t num_arcs = 0, num_nodes = 0, num_faces = 0, num_splines = 0;
   };
   const Record& record(HalfEdge h) const { return records_[h.index()]; }
-  // What is changed is obtained from these.
-  Record& record(HalfEdge h);
-  GraphArc& changing_arc(int arc);
-  GraphNode& changing_node(int node);
-  HalfEdge& changing_node_start(int node);
-  HalfEdge& changing_face_start(int face);
+  // What is changed is obtained from these, which record it for a trial first.
+  template <typename Value>
+  Value& changing(Trial::Saved<Value> Trial::*saved, std::vector<Value>& values, std::size_t number) {
+    if (trial_) (*trial_.*saved).emplace_back(number, values[number]);
+    return values[number];
+  }
+  Record& record(HalfEdge h) { return changing(&Trial::records, records_, h.index()); }
+  GraphArc& changing_arc(int arc) { return changing(&Trial::arcs, graph_.arcs, arc); }
+  GraphNode& changing_node(int node) { return changing(&Trial::nodes, graph_.nodes, node); }
+  HalfEdge& changing_node_start(int node) { return changing(&Trial::node_starts, node_start_, node); }
+  HalfEdge& changing_face_start(int face) { return changing(&Trial::face_starts, face_start_, face); }
   bool is_inside(HalfEdge h) const { return face(h) >= 0; }
   void link_around(int node, const std::vector<HalfEdge>& half_edges);
   HalfEdge add_arc(int from, int to, bool is_boundary, std::vector<ArcPiece> pieces);

@@ -7,7 +7,7 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/face_corners.hpp"
+#include "graph/candidate_layout.hpp"
 
 namespace quadrille::layout {
 namespace {
@@ -28,10 +28,10 @@ void report_certificate(const LayoutCertificate& certificate, Report& report) {
 
 }  // namespace
 
-void certify(const field::FieldEvaluator& evaluator, LayoutMethod method, graph::CandidateLayout& layout,
+void certify(const field::FieldsOfRegions& fields, LayoutMethod method, graph::CandidateLayout& layout,
              Report& report) {
   double& deviation = layout.certificate.largest_deviation_degrees;
-  deviation = std::max(deviation, degrees(deviation_of_extended_lines(evaluator, layout)));
+  deviation = std::max(deviation, degrees(deviation_of_extended_lines(fields, layout)));
   certify(method, layout, report);
 }
 

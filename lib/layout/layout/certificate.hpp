@@ -9,10 +9,9 @@
 namespace quadrille::layout {
 
 /// Sets the method, counts index sum, faces by corners and T-junctions, and raises the largest deviation to the
-/// deviation of lines of kind LineKind::extended, which do not follow the field. Counts of merges and collapses are not
-/// changed. The report repeats the certificate (certificate.*).
-void certify(const field::FieldEvaluator& evaluator, LayoutMethod method, graph::CandidateLayout& layout,
-             Report& report);
+/// deviation of lines of kind LineKind::extended, which do not follow the field of the region through which they run.
+/// Counts of merges and collapses are not changed. The report repeats the certificate (certificate.*).
+void certify(const field::FieldsOfRegions& fields, LayoutMethod method, graph::CandidateLayout& layout, Report& report);
 /// The same for a layout that was made without a field.
 void certify(LayoutMethod method, graph::CandidateLayout& layout, Report& report);
 

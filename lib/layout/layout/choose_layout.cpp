@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "simplify/block_quality.hpp"
 
 namespace quadrille::layout {
@@ -16,8 +17,6 @@ constexpr int max_traced_lines = 500;
 // Lines that stop at each other result in one block per line plus the Euler characteristic of the domain. If whole
 // lines result in this many times as many blocks, they probably cross each other more often than necessary.
 constexpr double many_blocks = 1.2;
-
-constexpr double equal_scaled_jacobian = 1e-6;
 
 void report_choice(LayoutMethod method, const std::string& reason, Report& report) {
   report.set("layout.method", enum_name(method));
@@ -58,30 +57,27 @@ ChosenLayout midpoint_instead(const std::string& reason, const CertainLayout& mi
   return chosen;
 }
 
-ChosenLayout crowded_instead(graph::CandidateLayout crowded, const std::string& reason, Report& report) {
-  report_choice(LayoutMethod::traced, reason, report);
-  crowded.certificate.reason = reason;
-  return {std::move(crowded), LayoutMethod::traced,
-          reason + ": each separatrix was followed to its end all the same, which makes many blocks"};
-}
-
-ChosenLayout quantized_instead(graph::CandidateLayout quantized, const std::string& reason, Report& report) {
-  report_choice(LayoutMethod::quantized, reason, report);
-  quantized.certificate.reason = reason;
-  return {
-      std::move(quantized), LayoutMethod::quantized,
-      reason + ": each separatrix was stopped at the first line that crosses it, and continued by an integer program"};
+ChosenLayout instead(graph::CandidateLayout layout, LayoutMethod method, const std::string& reason,
+                     const char* consequence, Report& report) {
+  report_choice(method, reason, report);
+  layout.certificate.reason = reason;
+  return {std::move(layout), method, reason + consequence};
 }
 
 ChosenLayout instead_of_traced(const LayoutAttempt& traced, const LayoutComputations& compute, Report& report) {
   LayoutAttempt quantized = compute.quantized(report);
-  if (quantized.layout) return quantized_instead(std::move(*quantized.layout), traced.reason, report);
+  if (quantized.layout)
+    return instead(
+        std::move(*quantized.layout), LayoutMethod::quantized, traced.reason,
+        ": each separatrix was stopped at the first line that crosses it, and continued by an integer program", report);
   const std::string reason = quantized.reason == traced.reason
                                  ? traced.reason
                                  : traced.reason + "; stopped where they meet: " + quantized.reason;
   if (traced.is_crowded) {
     LayoutAttempt crowded = compute.crowded(report);
-    if (crowded.layout) return crowded_instead(std::move(*crowded.layout), reason, report);
+    if (crowded.layout)
+      return instead(std::move(*crowded.layout), LayoutMethod::traced, reason,
+                     ": each separatrix was followed to its end all the same, which makes many blocks", report);
   }
   return midpoint_instead(reason, compute.midpoint, report);
 }
@@ -113,7 +109,7 @@ LayoutQuality quality_of(const graph::Subdivision& subdivision) {
 
 bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced) {
   return quantized.num_blocks < traced.num_blocks && quantized.is_valid &&
-         quantized.least_scaled_jacobian >= traced.least_scaled_jacobian - equal_scaled_jacobian;
+         quantized.least_scaled_jacobian >= traced.least_scaled_jacobian - tolerance::tied;
 }
 
 }  // namespace quadrille::layout

@@ -4,19 +4,23 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "graph/crossings.hpp"
 #include "layout/certificate.hpp"
 #include "layout/choose_layout.hpp"
-#include "layout/fine_tolerance.hpp"
 #include "layout/midpoint_layout.hpp"
 #include "layout/quantized_layout.hpp"
 #include "layout/trace_separatrices.hpp"
 #include "quantize/t_mesh.hpp"
-#include "trace/launch_all.hpp"
+#include "trace/launch.hpp"
+#include "trace/merged_lines.hpp"
 
 namespace quadrille::layout {
 namespace {
+
+constexpr double refinement = 100;
+constexpr double finest_tolerance = 1e-12 * (1 - tolerance::tied);  // in diameters; round-off makes finer ones useless
 
 // Only here an error is converted to the reason why there is no layout.
 template <class Layout>
@@ -43,16 +47,15 @@ const char* warning_code(LayoutMethod method) {
 
 graph::CandidateLayout automatic_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                         const LayoutOptions& options, Report& report) {
-  const auto traced = [&](Report& r) {
-    return with_fine_tolerance(options, r,
-                               [&](const LayoutOptions& o) { return trace_separatrices(evaluator, points, o, r); });
+  const auto tracing = [&](int times) {
+    return [&evaluator, &points, &options, times](Report& r) {
+      LayoutOptions more = options;
+      more.max_lines *= times;
+      return with_fine_tolerance(more, r,
+                                 [&](const LayoutOptions& o) { return trace_separatrices(evaluator, points, o, r); });
+    };
   };
-  const auto crowded = [&](Report& r) {
-    LayoutOptions more = options;
-    more.max_lines *= crowding;
-    return with_fine_tolerance(more, r,
-                               [&](const LayoutOptions& o) { return trace_separatrices(evaluator, points, o, r); });
-  };
+  const auto traced = tracing(1), crowded = tracing(crowding);
   const auto quantized = [&](Report& r) {
     return with_fine_tolerance(options, r,
                                [&](const LayoutOptions& o) { return quantized_layout(evaluator, points, o, r); });
@@ -91,29 +94,28 @@ graph::CandidateLayout prescribed_layout(const field::FieldEvaluator& evaluator,
   return layout;
 }
 
-// std::nullopt: choose_layout decides.
-std::optional<LayoutMethod> prescribed_method(LayoutChoice choice) {
-  switch (choice) {
-    case LayoutChoice::traced:
-      return LayoutMethod::traced;
-    case LayoutChoice::quantized:
-      return LayoutMethod::quantized;
-    case LayoutChoice::t_mesh:
-      return LayoutMethod::t_mesh;
-    case LayoutChoice::midpoint:
-      return LayoutMethod::midpoint;
-    case LayoutChoice::automatic:
-      break;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
+
+graph::CandidateLayout with_fine_tolerance(LayoutOptions options, Report& report, const LayoutOfOptions& compute) {
+  std::optional<Progress::Part> finer;
+  for (;;) {
+    try {
+      return compute(options);
+    } catch (const trace::FamilyOrderError&) {
+      options.trace.tolerance /= refinement;
+      const bool has_tolerance = options.trace.integrator == trace::Integrator::runge_kutta;
+      if (!has_tolerance || options.trace.tolerance < finest_tolerance) throw;
+      report.set("layout.tolerance", options.trace.tolerance);
+      finer.emplace(report.progress(), "finer tolerance");
+    }
+  }
+}
 
 SeparatrixGraph compute_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                                const LayoutOptions& options, Report& report) {
   options.validate();
-  const std::optional<LayoutMethod> method = prescribed_method(options.layout);
+  // None for `automatic`: choose_layout decides.
+  const std::optional<LayoutMethod> method = enum_value<LayoutMethod>(enum_name(options.layout));
   graph::CandidateLayout layout = method ? prescribed_layout(evaluator, points, options, *method, report)
                                          : automatic_layout(evaluator, points, options, report);
   report.set("subdivision.built", layout.num_built);

@@ -1,13 +1,23 @@
 #pragma once
 // Computes the graph of blocks from a guiding field and its nodes, by the method that the options prescribe.
 
+#include <functional>
+
 #include "base/report.hpp"
 #include "field/evaluate.hpp"
+#include "graph/candidate_layout.hpp"
 #include "layout/layout_options.hpp"
 #include "model/critical_points.hpp"
 #include "model/separatrix_graph.hpp"
 
 namespace quadrille::layout {
+
+using LayoutOfOptions = std::function<graph::CandidateLayout(const LayoutOptions&)>;
+
+/// compute(options); if it throws trace::FamilyOrderError, again with a tolerance 100 times finer, down to 1e-12
+/// diameters: where many lines approach one separatrix, their errors are larger than their distances. Reports
+/// layout.tolerance if it was changed. The integrator with a fixed step has no tolerance: its errors are not caught.
+graph::CandidateLayout with_fine_tolerance(LayoutOptions options, Report& report, const LayoutOfOptions& compute);
 
 /// options.layout:
 /// - "traced": separatrices are traced to their ends (layout/trace_separatrices.hpp).

@@ -5,19 +5,28 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "curve/face_boundary.hpp"
 #include "graph/build_graph.hpp"
-#include "graph/face_corners.hpp"
-#include "layout/lines_to_fillets.hpp"
+#include "graph/candidate_layout.hpp"
+#include "simplify/line_ends.hpp"
 #include "simplify/simplify.hpp"
-#include "trace/fixed_nodes.hpp"
+#include "trace/launch.hpp"
 #include "trace/line_tracer.hpp"
 #include "trace/merged_lines.hpp"
 
 namespace quadrille::layout {
 namespace {
+
+bool is_move_from_fillet(const NodeChange& change) {
+  const auto is_inner = [](const std::vector<NodeMark>& nodes) {
+    return nodes.size() == 1 && nodes[0].valence == 3 && nodes[0].location == NodeLocation::inside;
+  };
+  return change.kind == ChangeKind::feature && is_inner(change.before) && is_inner(change.after);
+}
 
 // Lengths, in diameters, to which lines are traced in turn, until the choice of merges is decided.
 constexpr double reaches[] = {1, 4, std::numeric_limits<double>::infinity()};
@@ -41,16 +50,12 @@ void require_total_length(const trace::LineTracer& tracer, double diameter, doub
                                    tracer.lines().size(), total, most));
 }
 
-struct Partition {
-  graph::CandidateLayout layout;
-  size_t num_merged = 0;
-  double largest_deviation = 0;  // of merged lines, radians
-};
-
-// The graph of the lines traced so far; std::nullopt if they must be continued.
-std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const std::vector<graph::FixedNode>& fixed,
-                                   const std::vector<Vec2>& nodes, const trace::LineTracer& tracer,
-                                   const LayoutOptions& options, Progress* progress) {
+// The graph of the lines traced so far, with its merged lines and their largest deviation; std::nullopt if they must be
+// continued.
+std::optional<graph::CandidateLayout> partition(const field::FieldEvaluator& evaluator,
+                                                const std::vector<GraphNode>& fixed, const std::vector<Vec2>& nodes,
+                                                const trace::LineTracer& tracer, const LayoutOptions& options,
+                                                Progress* progress) {
   const CadFace& face = evaluator.field().mesh.face;
   trace::MergedLines lines(evaluator, tracer.lines(), nodes, radians(options.trace.merge_angle),
                            options.trace.merge_distance, trace::LineEnds::required,
@@ -62,12 +67,32 @@ std::optional<Partition> partition(const field::FieldEvaluator& evaluator, const
     std::vector<graph::FinishedLine> finished;
     for (const trace::MergedLine& line : lines.arrangement().lines) finished.push_back(line.line);
     SeparatrixGraph graph = graph::build_graph(face, fixed, std::move(finished), lines.arrangement().crossings,
-                                               trace::relative_snap_tol * face.diameter);
+                                               tolerance::round_off * face.diameter);
     require_few_arcs(graph, options.max_lines);
     layout = graph::candidate_layout(std::move(graph), layout.num_built);
   } while (!graph::faces_without_four_corners(layout.subdivision).empty() &&
            lines.reject_worst(lines.chosen(), trace::same_line_angle));
-  return Partition{std::move(layout), lines.chosen().size(), lines.largest_deviation()};
+  layout.certificate.merged_lines = static_cast<int>(lines.chosen().size());
+  layout.certificate.largest_deviation_degrees = degrees(lines.largest_deviation());
+  return layout;
+}
+
+// Ends lines of the layout on the small fillets whose nodes critpoints moved inward (simplify/line_ends.hpp), where
+// that makes better blocks: a node of valence 3 that moved because of a feature was beside the middle of its fillet.
+void end_lines_on_fillets(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                          graph::CandidateLayout& layout, Report& report) {
+  if (std::none_of(points.changes.begin(), points.changes.end(), is_move_from_fillet)) return;
+  std::vector<simplify::FilletMiddle> fillets;
+  const curve::FaceBoundary boundary(layout.graph().face);
+  for (const NodeChange& change : points.changes) {
+    if (!is_move_from_fillet(change)) continue;
+    const curve::NearestPoint middle = boundary.nearest(change.before[0].position);
+    fillets.push_back({middle.curve, middle.t});
+  }
+  const simplify::FilletEnds ends = simplify::end_lines_on_fillets(evaluator, fillets, layout);
+  report.set("fillets.lines_moved", ends.num_moved);
+  double& deviation = layout.certificate.largest_deviation_degrees;
+  deviation = std::max(deviation, degrees(ends.deviation));
 }
 
 }  // namespace
@@ -76,10 +101,10 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
                                           const LayoutOptions& options, Report& report) {
   options.validate();
   const CadFace& face = evaluator.field().mesh.face;
-  const std::vector<graph::FixedNode> fixed = trace::fixed_nodes(face, points);
+  const std::vector<GraphNode> fixed = trace::fixed_nodes(face, points);
   const std::vector<Vec2> nodes = trace::positions(fixed);
   trace::LineTracer tracer(evaluator, points, nodes, options.trace);
-  std::optional<Partition> found;
+  std::optional<graph::CandidateLayout> found;
   const Progress::Part round(report.progress(), "round");
   for (const double reach : reaches) {
     round.advance();
@@ -90,18 +115,14 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
     found = partition(evaluator, fixed, nodes, tracer, options, report.progress());
     if (found) break;
   }
-  graph::CandidateLayout layout = std::move(found->layout);
+  graph::CandidateLayout layout = std::move(*found);
   report.set("trace.launched", tracer.lines().size());
-  report.set("trace.merged", found->num_merged);
-  report.set("trace.largest_merge_deviation_degrees", degrees(found->largest_deviation));
-  layout.certificate.merged_lines = static_cast<int>(found->num_merged);
-  layout.certificate.largest_deviation_degrees = degrees(found->largest_deviation);
-
+  report.set("trace.merged", layout.certificate.merged_lines);
+  report.set("trace.largest_merge_deviation_degrees", layout.certificate.largest_deviation_degrees);
   graph::require_four_corners(layout.subdivision);
   end_lines_on_fillets(evaluator, points, layout, report);
-  if (options.simplify != SimplifyLevel::none) {
+  if (options.simplify != SimplifyLevel::none)
     layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);
-  }
   report.set("trace.lines", layout.lines.size());
   report.set("trace.nodes", layout.graph().nodes.size());
   report.set("trace.arcs", layout.graph().arcs.size());

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "graph/crossings.hpp"
+#include "trace/merged_lines.hpp"
 
 namespace quadrille::quantize {
 
@@ -31,5 +31,15 @@ struct CoveredPart {
 /// process ends.
 std::vector<CoveredPart> trace_motorcycle_graph(const std::vector<MotorcycleTrail>& trails,
                                                 const std::vector<graph::Crossing>& crossings, double tie);
+
+/// The parts of lines that a motorcycle graph keeps, and the crossings between them.
+struct ClippedLines {
+  std::vector<graph::FinishedLine> pieces;
+  std::vector<int> piece2line;             ///< the line of each piece; a line stopped from both ends has two pieces
+  std::vector<graph::Crossing> crossings;  ///< Crossing::a and b number the pieces
+};
+
+/// The covered part of each line of the arrangement. A piece that was stopped ends on the line that stopped it.
+ClippedLines clip_lines(const trace::LineArrangement& arrangement, const std::vector<CoveredPart>& covered);
 
 }  // namespace quadrille::quantize

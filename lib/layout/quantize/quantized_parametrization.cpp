@@ -1,7 +1,8 @@
 #include "quantize/quantized_parametrization.hpp"
 
 #include <algorithm>
-#include <utility>
+
+#include "base/error.hpp"
 
 namespace quadrille::quantize {
 namespace {
@@ -28,6 +29,65 @@ void keep_apart(std::map<int, double>& fractions, int length) {
 }
 
 }  // namespace
+
+IntegerSides::IntegerSides(const std::vector<TFace>& faces, const std::vector<int>& lengths)
+    : faces_(faces), lengths_(lengths), positions_(2 * lengths.size()) {
+  for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+    totals_.push_back({});
+    for (int side = 0; side < 4; ++side)
+      for (const HalfEdge h : faces[f][side]) {
+        positions_[h.index()] = {f, side, totals_[f][side]};
+        totals_[f][side] += lengths[h.arc];
+      }
+  }
+}
+
+std::pair<HalfEdge, int> IntegerSides::half_edge_at(int face, int side, int position) const {
+  for (const HalfEdge h : faces_[face][side]) {
+    const int length = lengths_[h.arc];
+    if (position <= length) return {h, position};
+    position -= length;
+  }
+  throw Defect("IntegerSides: a position beyond the end of a side");
+}
+
+IsoLines iso_lines(const ArcGraph& t_mesh, const IntegerSides& sides) {
+  struct FaceLine {
+    int face = 0, direction = 0, offset = 0;
+  };
+  IsoLines result;
+  result.crossings.resize(t_mesh.arcs.size());
+  result.lines.resize(sides.faces().size());
+  std::vector<FaceLine> unfinished;
+  // The line of a face through a position of a side; not at the side's ends.
+  const auto start = [&](int face, int side, int position) {
+    const int direction = side % 2;
+    const int offset = side < 2 ? position : sides.total(face, direction) - position;
+    if (result.lines[face][direction].insert(offset).second) unfinished.push_back({face, direction, offset});
+  };
+  // A line reaches a side: at a node it is the line of a T-junction there, elsewhere it crosses the arc.
+  const auto continue_beyond = [&](int face, int side, int position) {
+    const auto [h, number] = sides.half_edge_at(face, side, position);
+    const int length = sides.arc(h.arc);
+    if (number == length) return;
+    const bool is_new = result.crossings[h.arc].insert(!h.is_backwards ? number : length - number).second;
+    const SidePosition& behind = sides.position_of(h.reversed());
+    if (is_new && behind.face >= 0) start(behind.face, behind.side, behind.offset + length - number);
+  };
+  for (int f = 0; f < static_cast<int>(sides.faces().size()); ++f)
+    for (int side = 0; side < 4; ++side) {
+      const std::vector<HalfEdge>& half_edges = sides.faces()[f][side];
+      for (size_t k = 1; k < half_edges.size(); ++k)  // T-junctions
+        start(f, side, sides.position_of(half_edges[k]).offset);
+    }
+  while (!unfinished.empty()) {
+    const FaceLine line = unfinished.back();
+    unfinished.pop_back();
+    continue_beyond(line.face, line.direction, line.offset);
+    continue_beyond(line.face, line.direction + 2, sides.total(line.face, line.direction) - line.offset);
+  }
+  return result;
+}
 
 std::vector<TFace> faces_across_periodic_sides(std::vector<TFace> faces, const std::vector<HalfEdge>& same) {
   if (same.empty()) return faces;

@@ -1,13 +1,60 @@
 #pragma once
-// A T-mesh parametrized by integers: its iso-lines (quantize/iso_lines.hpp) and their crossings with the arcs.
+// A T-mesh parametrized by integers: its iso-lines, which continue the lines that stop at its T-junctions, and their
+// crossings with the arcs.
+//
+// Positions on a side of a face are counted counter-clockwise, from 0 to the side's length; points inside an arc are
+// numbered in the arc's own direction.
 
+#include <array>
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
-#include "quantize/integer_sides.hpp"
-#include "quantize/iso_lines.hpp"
+#include "model/separatrix_graph.hpp"
+#include "quantize/quantize.hpp"
 
 namespace quadrille::quantize {
+
+/// Position of a half-edge: side of a face, and the position on the side at which it starts.
+struct SidePosition {
+  int face = -1, side = 0, offset = 0;
+};
+
+/// The sides of the faces of a T-mesh whose arcs have integer lengths, as number lines.
+class IntegerSides {
+ public:
+  /// `faces` and `lengths` (of the arcs, opposite sides of a face equal) must outlive it.
+  IntegerSides(const std::vector<TFace>& faces, const std::vector<int>& lengths);
+
+  const std::vector<TFace>& faces() const { return faces_; }
+  /// Face -1 if a boundary arc has no face on that side.
+  const SidePosition& position_of(HalfEdge h) const { return positions_[h.index()]; }
+  /// Length of a side.
+  int total(int face, int side) const { return totals_[face][side]; }
+  /// Length of an arc.
+  int arc(int a) const { return lengths_[a]; }
+  /// The half-edge of a side at a position, and the position along the half-edge: 0 < number <= its length.
+  std::pair<HalfEdge, int> half_edge_at(int face, int side, int position) const;
+
+ private:
+  const std::vector<TFace>& faces_;
+  const std::vector<int>& lengths_;
+  std::vector<SidePosition> positions_;
+  std::vector<std::array<int, 4>> totals_;
+};
+
+/// Lines through the integer grids of the faces.
+struct IsoLines {
+  /// Of each arc: the numbers of its points where lines cross it, 0 < number < length.
+  std::vector<std::set<int>> crossings;
+  /// Of each face: the lines from side 0 to side 2 and from side 1 to side 3, by the position where they start.
+  std::vector<std::array<std::set<int>, 2>> lines;
+};
+
+/// Each line continues through face after face until it meets the boundary, or a T-junction from the other side, whose
+/// line it joins.
+IsoLines iso_lines(const ArcGraph& t_mesh, const IntegerSides& sides);
 
 /// Of each arc: the fraction of its length at which an iso-line crosses it, by the number of the point.
 using CrossingFractions = std::vector<std::map<int, double>>;

@@ -7,36 +7,37 @@
 #include <map>
 
 #include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "graph/build_graph.hpp"
-#include "graph/face_corners.hpp"
-#include "trace/fixed_nodes.hpp"
-#include "trace/launch_all.hpp"
+#include "graph/candidate_layout.hpp"
+#include "trace/launch.hpp"
 
 namespace quadrille::quantize {
 namespace {
 
-constexpr double relative_arrival = 1e-6;    // relative to the diameter: arrivals nearer than this are equal
-constexpr double relative_first_length = 2;  // relative to the diameter: length to which lines are traced first
-// So many lines stop each other much earlier: traced first so many times as far as the side of a square of which each
-// line has one, relative to the diameter squared.
-constexpr int many_lines = 500;
-constexpr double first_squares = 6;
-constexpr int max_cuts = 100;
+// Lengths to which lines are traced first, relative to the diameter.
+struct FirstLengths {
+  double few = 2;
+  // So many lines stop each other much earlier: traced first so many times as far as the side of a square of which each
+  // line has one, relative to the diameter squared.
+  int many_lines = 500;
+  double squares = 6;
 
-double first_length(int num_lines) {
-  return num_lines <= many_lines ? relative_first_length : first_squares / std::sqrt(num_lines);
-}
+  double of(int num_lines) const { return num_lines <= many_lines ? few : squares / std::sqrt(num_lines); }
+};
+constexpr FirstLengths first_lengths{};
+
+constexpr int max_cuts = 100;
 
 // Traces all lines to the first length, always by the Runge-Kutta integrator.
 trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                               const std::vector<Vec2>& nodes, trace::TraceOptions options, Progress* progress) {
-  const double d = evaluator.field().mesh.face.diameter;
   options.integrator = trace::Integrator::runge_kutta;
-  if (!(options.step > 0)) options.step = d / 20;
   trace::LineTracer tracer(evaluator, points, nodes, options);
-  tracer.follow_all_to(first_length(trace::num_launches(points)) * d, progress);
+  tracer.follow_all_to(first_lengths.of(trace::num_launches(points)) * evaluator.field().mesh.face.diameter, progress);
   return tracer;
 }
 
@@ -64,6 +65,38 @@ std::ptrdiff_t num_stopped(const std::vector<CoveredPart>& covered) {
 
 }  // namespace
 
+CutStart cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
+                                const trace::Streamline& line) {
+  for (const double turn : {half_pi, -half_pi}) {
+    const trace::Streamline half = tracer.follow_from(line.end_position, line.end_angle + turn);
+    if (half.end == trace::Streamline::End::boundary) return {half.reached.curve, half.reached.t};
+  }
+  const Vec2 at = line.end_position + evaluator.field().mesh.face.origin;
+  throw ComputeError(fmt::format("no line leads from the limit cycle at {} to the boundary", position_text(at)));
+}
+
+std::vector<int> unconnected_loops(const SeparatrixGraph& graph) {
+  DisjointSets linked(graph.nodes.size());
+  for (const GraphArc& arc : graph.arcs) linked.unite(arc.from, arc.to);
+  std::vector<int> node_of_loop(graph.face.num_loops(), -1);
+  for (int n = 0; n < static_cast<int>(graph.nodes.size()); ++n)
+    if (graph.nodes[n].curve >= 0) node_of_loop[graph.face.loop_of(graph.nodes[n].curve)] = n;
+  std::vector<int> loops;
+  for (int loop = 1; loop < graph.face.num_loops(); ++loop)
+    if (linked.find(node_of_loop[loop]) != linked.find(node_of_loop[0])) loops.push_back(loop);
+  return loops;
+}
+
+CutStart cut_from_loop(const CadFace& face, int loop, int k) {
+  const int first = face.loop_offsets[loop], num = face.loop_offsets[loop + 1] - first;
+  double fraction = 0, digit = 0.5;
+  for (; k > 0; k /= 2, digit /= 2) fraction += k % 2 * digit;
+  const double along = fraction * num + 0.5, whole = std::floor(along);
+  const int curve = first + static_cast<int>(whole) % num;
+  const Nurbs& c = face.curves[curve];
+  return {curve, c.begin() + (along - whole) * (c.end() - c.begin())};
+}
+
 TMeshTracer::TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                          const trace::TraceOptions& options, Progress* progress)
     : evaluator_(evaluator),
@@ -84,11 +117,11 @@ graph::CandidateLayout TMeshTracer::trace(Report& report) {
     lines_.merge(report.progress());  // lines need no end here: merging can always be decided
     const trace::LineArrangement& arrangement = lines_.arrangement();
     const std::vector<CoveredPart> covered = trace_motorcycle_graph(
-        trails_of(arrangement, cuts_.head_starts), arrangement.inner_crossings, relative_arrival * face.diameter);
+        trails_of(arrangement, cuts_.head_starts), arrangement.inner_crossings, tolerance::tied * face.diameter);
     if (follow_unstopped_lines(covered)) continue;
     ClippedLines clipped = clip_lines(arrangement, covered);
     SeparatrixGraph graph = graph::build_graph(face, fixed_, std::move(clipped.pieces), clipped.crossings,
-                                               trace::relative_snap_tol * face.diameter);
+                                               tolerance::round_off * face.diameter);
     if (connect_loops(graph)) continue;
     piece2line_ = std::move(clipped.piece2line);
     graph.certificate.merged_lines = static_cast<int>(lines_.chosen().size());
@@ -157,7 +190,7 @@ void TMeshTracer::add_cut(const CutStart& start, double head_start) {
   if (++cuts_.num > max_cuts)
     throw ComputeError(fmt::format("holes and limit cycles need more than {} cuts", max_cuts));
   cuts_.head_starts.push_back(head_start);
-  tracer_.add_cut(start.curve, start.t, relative_first_length * evaluator_.field().mesh.face.diameter);
+  tracer_.add_cut(start.curve, start.t, first_lengths.few * evaluator_.field().mesh.face.diameter);
 }
 
 }  // namespace quadrille::quantize

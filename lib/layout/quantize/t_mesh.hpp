@@ -10,15 +10,34 @@
 #include "field/evaluate.hpp"
 #include "graph/candidate_layout.hpp"
 #include "model/critical_points.hpp"
-#include "quantize/clip_lines.hpp"
-#include "quantize/cuts.hpp"
+#include "model/separatrix_graph.hpp"
+#include "quantize/motorcycle_graph.hpp"
 #include "trace/line_tracer.hpp"
 #include "trace/merged_lines.hpp"
 
 namespace quadrille::quantize {
 
+/// Start of an auxiliary line (a cut), on the boundary.
+struct CutStart {
+  int curve = 0;  ///< CAD curve
+  double t = 0;   ///< its parameter
+};
+
+/// Start of a cut across the end of a limit cycle: the end of the first line that runs from there across the cycle, to
+/// its left or right, to the boundary. Throws ComputeError with the position if neither line reaches it.
+CutStart cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const trace::LineTracer& tracer,
+                                const trace::Streamline& line);
+
+/// The loops, ascending, that no path along arcs of the graph connects to the outer boundary (loop 0).
+std::vector<int> unconnected_loops(const SeparatrixGraph& graph);
+
+/// Start of the k-th cut (k = 0, 1, ...) of a loop. Holes may be connected to each other only, so each cut starts at
+/// another point, at the middle of the first curve, then at halves, quarters, eighths of the loop's curves in turn (van
+/// der Corput's sequence).
+CutStart cut_from_loop(const CadFace& face, int loop, int k);
+
 /// Head-on separatrices are merged as in layout/trace_separatrices, then all fronts start together. Cuts are added for
-/// holes and limit cycles that meet no line (quantize/cuts.hpp). Lines are traced no farther than needed: from two
+/// holes and limit cycles that meet no line. Lines are traced no farther than needed: from two
 /// diameters on, or a fraction of one where there are more than 500, the greatest length of lines that are not stopped
 /// is doubled.
 class TMeshTracer {
@@ -50,7 +69,7 @@ class TMeshTracer {
     int num = 0;
   };
   const field::FieldEvaluator& evaluator_;
-  std::vector<graph::FixedNode> fixed_;
+  std::vector<GraphNode> fixed_;
   std::vector<Vec2> nodes_;  // their positions
   trace::LineTracer tracer_;
   trace::MergedLines lines_;

@@ -6,7 +6,7 @@
 
 #include "base/angle.hpp"
 #include "curve/chain.hpp"
-#include "graph/node_rotation.hpp"
+#include "graph/subdivision.hpp"
 #include "mesh/transfinite.hpp"
 
 namespace quadrille::simplify {
@@ -86,10 +86,6 @@ BlockQuality BlockQualities::worst(const graph::Subdivision& subdivision, const 
     worst.add(known->second);
   }
   return worst;
-}
-
-BlockQuality BlockQualities::worst(const graph::Subdivision& subdivision) {
-  return worst(subdivision, all_faces(subdivision));
 }
 
 std::vector<int> all_faces(const graph::Subdivision& subdivision) {

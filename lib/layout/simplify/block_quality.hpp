@@ -30,8 +30,6 @@ bool are_valid(const BlockQuads& quads);
 class BlockQualities {
  public:
   BlockQuality worst(const graph::Subdivision& subdivision, const std::vector<int>& faces);
-  /// Of all faces.
-  BlockQuality worst(const graph::Subdivision& subdivision);
 
  private:
   std::map<std::vector<double>, BlockQuality> known_;  // by the pieces of the four sides

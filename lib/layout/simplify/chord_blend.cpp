@@ -5,6 +5,7 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
+#include "graph/crossings.hpp"
 
 namespace quadrille::simplify {
 namespace {
@@ -52,7 +53,7 @@ double deviation_of_blend(const field::FieldsOfRegions& fields, const curve::Cha
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].at.elem < 0) continue;
     const Vec2 field = unit(guided_angle(values[i].value, angle_of(points[i].guide))), along = points[i].derivative;
-    deviation = std::max(deviation, std::abs(std::atan2(cross(field, along), dot(field, along))));
+    deviation = std::max(deviation, graph::angle_between(field, along));
   }
   return deviation;
 }
@@ -93,6 +94,22 @@ bool cross_chain(const Nurbs& spline, const curve::Chain& chain, double& s, doub
   }
   const bool meets = distance(curve::point(spline, s), chain.at(fraction).position) <= 1e-12 * scale;
   return meets && s > spline.begin() && s < spline.end() && fraction > 0 && fraction < 1;
+}
+
+std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, const std::vector<HalfEdge>& rungs,
+                                                     const Nurbs& spline) {
+  const curve::CurveTable table(graph.face, graph.splines);
+  std::vector<RungCrossing> crossings;
+  double s = spline.begin();
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    const curve::Chain chain(table, graph::pieces_along(graph, rungs[i]));
+    const double along = static_cast<double>(i + 1) / static_cast<double>(rungs.size() + 1);
+    double at = spline.begin() + along * (spline.end() - spline.begin()), fraction = 0.5;
+    if (!cross_chain(spline, chain, at, fraction) || at <= s) return std::nullopt;
+    crossings.push_back({at, chain.at(fraction)});
+    s = at;
+  }
+  return crossings;
 }
 
 }  // namespace quadrille::simplify

@@ -3,8 +3,8 @@
 //
 //   M(f) = cos^2(pi f / 2) A(f) + sin^2(pi f / 2) B(f),   f the fraction of the length of either,
 //
-// as where separatrices are merged (trace/merged_curve.hpp): the weights are flat at both ends, so M starts along A and
-// ends along B.
+// as where separatrices are merged (trace/merge_candidates.hpp): the weights are flat at both ends, so M starts along A
+// and ends along B.
 
 #include <optional>
 
@@ -46,5 +46,16 @@ std::optional<Nurbs> find_blend(const std::vector<Blend>& blends, const graph::P
 /// Where a spline crosses a chain: Newton's method from (s, fraction). Returns false if there is no crossing inside the
 /// chain and the spline's domain.
 bool cross_chain(const Nurbs& spline, const curve::Chain& chain, double& s, double& fraction);
+
+/// A crossing of a blend with a rung.
+struct RungCrossing {
+  double s = 0;          ///< on the blend
+  curve::ChainPoint at;  ///< on the rung
+};
+
+/// Where a blend crosses these rungs, which divide it into about equal parts; std::nullopt if it does not cross them in
+/// order.
+std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, const std::vector<HalfEdge>& rungs,
+                                                     const Nurbs& spline);
 
 }  // namespace quadrille::simplify

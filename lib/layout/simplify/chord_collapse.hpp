@@ -1,9 +1,11 @@
 #pragma once
 // Collapses one chord of blocks of a layout: the two ends of each rung become one node, the two rails one line.
 //
-// Fixed nodes do not move; simplify/collapse_plan.hpp decides which rail is kept and which rails are blended. All lines
-// that cross the strip keep their curves: where the new line crosses a rung, the arcs on both sides of the rung are
-// lengthened by its parts. So only the blends deviate from the field, and every inner arc stays a part of one spline.
+// Fixed nodes do not move. Between fixed nodes of one side the rail of that side is kept; before the first and behind
+// the last as well, so that a line keeps its end on the boundary. Between fixed nodes of different sides a blend
+// replaces both rails (simplify/chord_blend.hpp): it starts at the one node and ends at the other. All lines that cross
+// the strip keep their curves: where the new line crosses a rung, the arcs on both sides of the rung are lengthened by
+// its parts. So only the blends deviate from the field, and every inner arc stays a part of one spline.
 
 #include <map>
 #include <optional>
@@ -15,11 +17,28 @@
 
 namespace quadrille::simplify {
 
-/// The blends that a strip needs. std::nullopt if one would deviate too far or replace a part of the boundary. `fixed`
-/// = graph::fixed_sides(subdivision, strip), not empty, here and below.
+/// Blocks from a fixed node to the next one, which is on the other side.
+struct BlendedStretch {
+  int first_rung = 0, num_blocks = 0;
+  bool from_left = true;  ///< the fixed node of the first rung
+};
+
+struct CollapsePlan {
+  std::vector<graph::FixedSide> merged_into;  ///< of each rung: the end that is kept; none if a blend crosses it
+  std::vector<graph::FixedSide> kept_rail;    ///< of each block; none: a blend replaces both
+  std::vector<BlendedStretch> stretches;
+};
+
+/// `fixed` = graph::fixed_sides of the strip, not empty.
+CollapsePlan plan_collapse(const graph::ChordStrip& strip, const std::vector<graph::FixedSide>& fixed);
+
+/// Whether a rail that is not kept lies on the boundary.
+bool removes_boundary(const ArcGraph& graph, const graph::ChordStrip& strip, const CollapsePlan& plan);
+
+/// The blends that a strip needs. std::nullopt if it cannot be collapsed (graph::fixed_sides), or if one would deviate
+/// too far or replace a part of the boundary.
 std::optional<std::vector<Blend>> blends_of(const field::FieldsOfRegions& fields, const graph::Subdivision& subdivision,
-                                            const graph::ChordStrip& strip, const std::vector<graph::FixedSide>& fixed,
-                                            const BlendOptions& options);
+                                            const graph::ChordStrip& strip, const BlendOptions& options);
 
 /// What collapses change. Arcs that are not removed keep their numbers.
 struct ArcChanges {
@@ -34,8 +53,8 @@ struct ArcChanges {
 
 /// Collapses a strip. `blends` must include those of the strip. They may have been computed before other strips that
 /// cross it were collapsed, so the result does not depend on the order of strips. std::nullopt, without any change, if
-/// one is missing or does not cross the rungs in order.
+/// the strip cannot be collapsed, or if a blend is missing or does not cross the rungs in order.
 std::optional<ArcChanges> collapse_strip(graph::Subdivision& subdivision, const graph::ChordStrip& strip,
-                                         const std::vector<graph::FixedSide>& fixed, const std::vector<Blend>& blends);
+                                         const std::vector<Blend>& blends);
 
 }  // namespace quadrille::simplify

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "graph/separatrix_lines.hpp"
+#include "base/tolerance.hpp"
+#include "graph/arc_pieces.hpp"
 #include "simplify/block_quality.hpp"
-#include "simplify/chord_group.hpp"
-#include "simplify/strip_queue.hpp"
+#include "simplify/chord_groups.hpp"
 
 namespace quadrille::simplify {
 namespace {
@@ -22,7 +22,7 @@ struct Precision {
   double slack;    // angles (radians) and scaled Jacobians that are worse by less are accepted
 };
 
-constexpr Precision fine{2e-9, 1e-6};    // splines as accurate as traced lines; equal quality in spite of rounding
+constexpr Precision fine{graph::relative_fit_tol, tolerance::tied};  // equal quality in spite of rounding
 constexpr Precision coarse{1e-6, 1e-2};  // shows at a fifth of the cost that most collapses are not acceptable
 
 // The key of a group of strips: the pieces of all its arcs.
@@ -40,19 +40,6 @@ std::vector<double> key_of(const ArcGraph& graph, const std::vector<ChordStrip>&
   std::vector<double> key;
   for (const std::vector<double>& k : keys) key.insert(key.end(), k.begin(), k.end());
   return key;
-}
-
-// Calls `take` for groups of equal aspect, the thinnest first, until it accepts one.
-template <typename Item, typename Aspect, typename Take>
-bool take_thinnest(std::vector<Item> items, const Aspect& aspect, const Take& take) {
-  std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return aspect(a) < aspect(b); });
-  for (auto first = items.begin(); first != items.end();) {
-    const double same = aspect(*first) * (1 + equal_aspect);
-    const auto last = std::find_if(first, items.end(), [&](const Item& item) { return aspect(item) > same; });
-    if (take(std::vector<Item>(first, last))) return true;
-    first = last;
-  }
-  return false;
 }
 
 // Apart from validity. The loss of block quality must be justified by the number of blocks saved.
@@ -97,19 +84,25 @@ class Simplifier {
   // Not with periodic sides, on which the ends of lines have images.
   bool shorten_spirals() {
     if (!subdivision_.graph().face.periodic_pairs.empty()) return false;
-    return take_thinnest(
-        find_shortcuts(subdivision_, graph::arc_lengths(subdivision_.graph())),
-        [](const SpiralShortcut& s) { return s.aspect; },
-        [&](const std::vector<SpiralShortcut>& group) { return try_shorten(group); });
+    std::vector<SpiralShortcut> all = find_shortcuts(subdivision_, graph::arc_lengths(subdivision_.graph()));
+    const auto aspect = [](const SpiralShortcut& s) { return s.aspect; };
+    std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return aspect(a) < aspect(b); });
+    for (auto first = all.begin(), last = first; first != all.end(); first = last) {
+      last = end_of_ties(first, all.end(), tolerance::tied * first->aspect, aspect);
+      if (try_shorten({first, last})) return true;
+    }
+    return false;
   }
 
   Subdivision& subdivision() { return subdivision_; }
-  double least_scaled_jacobian() { return qualities_.worst(subdivision_).least_scaled_jacobian; }
+  double least_scaled_jacobian() { return worst_of_all().least_scaled_jacobian; }
   int num_collapsed() const { return num_collapsed_; }
   int num_shortened() const { return num_shortened_; }
   double deviation() const { return deviation_; }
 
  private:
+  BlockQuality worst_of_all() { return qualities_.worst(subdivision_, all_faces(subdivision_)); }
+
   std::optional<ArcChanges> try_collapse(const std::vector<ChordStrip>& strips) {
     std::vector<double> key = key_of(subdivision_.graph(), strips);
     if (refused_.contains(key)) return std::nullopt;
@@ -140,8 +133,7 @@ class Simplifier {
     if (!trial) return false;
     BlockQuads quads;
     const BlockQuality after = worst_quality(trial->subdivision, all_faces(trial->subdivision), quads);
-    if (!is_acceptable(options_, qualities_.worst(subdivision_), after, fraction_left(subdivision_, trial->subdivision),
-                       fine.slack) ||
+    if (!is_acceptable(options_, worst_of_all(), after, fraction_left(subdivision_, trial->subdivision), fine.slack) ||
         !are_valid(quads))
       return false;
     num_shortened_ += static_cast<int>(shortcuts.size());

@@ -6,7 +6,6 @@
 
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
-#include "graph/divide_at_point.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::simplify {
@@ -49,29 +48,6 @@ std::optional<SpiralShortcut> shortcut_between(const ArcGraph& graph, const Chor
   for (const HalfEdge h : s.rungs) width += lengths[h.arc] / static_cast<double>(s.rungs.size());
   s.aspect = width / length;
   return s;
-}
-
-// A crossing of a blend with an inner rung.
-struct RungCrossing {
-  double s = 0;          // on the blend
-  curve::ChainPoint at;  // on the rung
-};
-
-// One crossing for each rung but the first and the last; std::nullopt if they are not in order.
-std::optional<std::vector<RungCrossing>> cross_rungs(const ArcGraph& graph, const SpiralShortcut& shortcut,
-                                                     const Nurbs& spline) {
-  const curve::CurveTable table(graph.face, graph.splines);
-  const int last = static_cast<int>(shortcut.rungs.size()) - 1;
-  std::vector<RungCrossing> crossings;
-  double s = spline.begin();
-  for (int i = 1; i < last; ++i) {
-    const curve::Chain chain(table, graph::pieces_along(graph, shortcut.rungs[i]));
-    double at = spline.begin() + (spline.end() - spline.begin()) * i / last, fraction = 0.5;
-    if (!cross_chain(spline, chain, at, fraction) || at <= s) return std::nullopt;
-    crossings.push_back({at, chain.at(fraction)});
-    s = at;
-  }
-  return crossings;
 }
 
 // From the fixed end of the first rung to the fixed end of the last, block by block; the rungs between are divided.
@@ -154,7 +130,8 @@ std::optional<Subdivision> with_shortcut(Subdivision subdivision, const SpiralSh
   }
   for (const HalfEdge h : shortcut.rungs)
     if (removed.contains(h.arc)) return std::nullopt;  // the line crosses itself
-  const auto crossings = cross_rungs(subdivision.graph(), shortcut, spline);
+  const std::vector<HalfEdge> inner(shortcut.rungs.begin() + 1, shortcut.rungs.end() - 1);
+  const auto crossings = cross_rungs(subdivision.graph(), inner, spline);
   if (!crossings) return std::nullopt;
   insert_blend(subdivision, shortcut, *crossings, std::move(spline));
   for (const int a : removed)

@@ -36,13 +36,6 @@ ExitPoint boundary_foot_near(const field::FieldEvaluator& evaluator, int elem, V
   return nearest;
 }
 
-[[noreturn]] void fail_at(Vec2 x) {
-  throw ComputeError(
-      fmt::format("a separatrix cannot be followed beyond {}: the field has no direction there, or a "
-                  "step jumps over the boundary",
-                  position_text(x)));
-}
-
 class FixedStepIntegrator {
  public:
   FixedStepIntegrator(const field::FieldEvaluator& evaluator, const PointGrid& nodes, const AdvanceOptions& options,
@@ -77,13 +70,11 @@ class FixedStepIntegrator {
 
  private:
   bool locate(Vec2 x) {
-    mesh::Location at = locate_from_last(x);
+    mesh::Location at = mesh::walk(evaluator_.topology(), evaluator_.maps(), x, at_);
     if (at.elem < 0) at = evaluator_.locator().find(x);
     if (at.elem >= 0) at_ = at;
     return at.elem >= 0;
   }
-
-  mesh::Location locate_from_last(Vec2 x) const { return mesh::walk(evaluator_.topology(), evaluator_.maps(), x, at_); }
 
   // False outside the mesh. Updates angle_.
   bool direction(Vec2 x, Vec2& f) {
@@ -122,10 +113,6 @@ class FixedStepIntegrator {
         at_ = here, angle_ = angle_here, h *= fraction;
       }
     }
-    finish_on_boundary();
-  }
-
-  void finish_on_boundary() {
     const ExitPoint foot = boundary_foot_near(evaluator_, at_.elem, x_);
     if (foot.curve < 0) fail();
     line_.reached = {-1, foot.curve, foot.t};
@@ -148,7 +135,12 @@ class FixedStepIntegrator {
     line_.front.state = {at_.elem, at_.xi, angle_, {}};
   }
 
-  [[noreturn]] void fail() const { fail_at(x_ + evaluator_.field().mesh.face.origin); }
+  [[noreturn]] void fail() const {
+    throw ComputeError(fmt::format(
+        "a separatrix cannot be followed beyond {}: the field has no direction there, or a step jumps over the "
+        "boundary",
+        position_text(x_ + evaluator_.field().mesh.face.origin)));
+  }
 
   const field::FieldEvaluator& evaluator_;
   const PointGrid& nodes_;

@@ -1,11 +1,22 @@
 #pragma once
-// The first point of a separatrix: a small distance along its launch direction, on the curve that the field prescribes.
+// The start of separatrices: the nodes that do not depend on them, and the first point of each line, a small distance
+// along its launch direction, on the curve that the field prescribes.
+
+#include <vector>
 
 #include "base/vec2.hpp"
 #include "field/evaluate.hpp"
 #include "graph/build_graph.hpp"
+#include "model/critical_points.hpp"
 
 namespace quadrille::trace {
+
+/// Irregular nodes in the order of `points`, then its corners, then its boundary nodes. Throws ComputeError with the
+/// position for nodes that no layout can have: degenerate corners (V = 0), nodes with V <= 2, boundary nodes with V <
+/// 3.
+std::vector<GraphNode> fixed_nodes(const CadFace& face, const CriticalPoints& points);
+
+std::vector<Vec2> positions(const std::vector<GraphNode>& nodes);
 
 /// The part of a line from its start to the point at which integration begins.
 struct Launch {
@@ -15,9 +26,10 @@ struct Launch {
   double radius = 0;
   int elem = 0;  ///< element and reference coordinates of the first point
   Vec2 xi;
-  Vec2 x;                    ///< its position
-  double angle_there = 0;    ///< direction there
-  bool is_straight = false;  ///< the line keeps this direction: it is a mirror axis of the field (trace/mirror_axes)
+  Vec2 x;                  ///< its position
+  double angle_there = 0;  ///< direction there
+  bool is_straight =
+      false;  ///< the line keeps this direction: it is a mirror axis of the field (trace/line_tracer.hpp)
 };
 
 /// Moves by `radius` (a length) along the direction `angle`, or by less if the point is outside the domain, on the
@@ -28,5 +40,17 @@ Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin
 
 /// A line from a point of the boundary straight into the domain (cuts).
 Launch launch_from_boundary(const field::FieldEvaluator& evaluator, int curve, double t);
+
+/// V lines from each irregular node, V - 1 from each corner and boundary node; Launch::node is a position in
+/// fixed_nodes. For a field of kind "phase" the nodes of `points` must be those of the field, in its order
+/// (field/check_nodes_match_field). Throws ComputeError as fixed_nodes and launch_line.
+std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const CriticalPoints& points);
+
+/// Number of lines that launch_all launches.
+int num_launches(const CriticalPoints& points);
+
+/// Four lines from the inner loop of a domain between two loops, at equal fractions of its length from the start of its
+/// first curve.
+std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator);
 
 }  // namespace quadrille::trace

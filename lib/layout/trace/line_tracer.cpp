@@ -3,42 +3,114 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
+#include "curve/orbits.hpp"
 #include "trace/adams_bashforth.hpp"
-#include "trace/launch_all.hpp"
+#include "trace/launch.hpp"
 
 namespace quadrille::trace {
 namespace {
 
+constexpr double most_deviation = 0.01;  // radians: of the field from a straight line
+
 // Relative to the diameter.
-constexpr double relative_hit_distance = 1e-7;  // a line this near to a node ends in it
-constexpr double relative_max_step = 0.05;      // unless the options prescribe another
-constexpr double relative_fixed_step = 0.002;
-constexpr double relative_launch_radius = 1e-6;  // of a line from a point that is no node
+struct TraceLengths {
+  double hit_distance = 1e-7;  // a line this near to a node ends in it
+  double max_step = 0.05;      // unless the options prescribe another
+  double fixed_step = 0.002;
+  double launch_radius = 1e-6;  // of a line from a point that is no node
+};
+constexpr TraceLengths relative{};
 
 // Fewer lines are counted as so many in their mean number of steps: each of a few may be a long spiral.
 constexpr std::size_t least_lines_of_mean = 100;
 
+bool maps_nodes(const curve::Isometry& mirror, const std::vector<GraphNode>& nodes, double near) {
+  const auto is_same = [](const GraphNode& a, const GraphNode& b) { return a.valence == b.valence; };
+  return curve::images(nodes, mirror, near, is_same).size() == nodes.size();
+}
+
+// The first point of a straight launch: the foot on the axis of the one that the field prescribes.
+void move_to_axis(const field::FieldEvaluator& evaluator, const MirrorAxis& axis, Launch& launch) {
+  const Vec2 foot = axis.point + dot(launch.x - axis.point, axis.direction) * axis.direction;
+  for (int i = 0; i < 2; ++i) {
+    Vec2 x;
+    Mat2 dx_dxi;
+    evaluator.maps()[launch.elem].evaluate(launch.xi, x, dx_dxi);
+    launch.xi += inverse(dx_dxi) * (foot - x);
+  }
+  launch.x = foot;
+}
+
+std::optional<Launch> straight_launch(const field::FieldEvaluator& evaluator, const std::vector<MirrorAxis>& axes,
+                                      Launch launch) {
+  const double near = tolerance::same_point * evaluator.field().mesh.face.diameter;
+  const Vec2 start = unit(launch.angle);
+  for (const MirrorAxis& axis : axes) {
+    if (std::abs(cross(axis.direction, launch.origin - axis.point)) > near) continue;
+    if (std::abs(cross(axis.direction, start)) > same_direction) continue;
+    const Vec2 along = dot(axis.direction, start) > 0 ? axis.direction : -axis.direction;
+    move_to_axis(evaluator, axis, launch);
+    launch.angle += wrap_pi(angle_of(along) - launch.angle);
+    launch.angle_there = launch.angle;
+    launch.is_straight = true;
+    return launch;
+  }
+  return std::nullopt;
+}
+
+// Whether the field has the line's direction at the ends of all of its steps: it need not be symmetric although face
+// and nodes are.
+bool follows_field(const field::FieldEvaluator& evaluator, const Streamline& line) {
+  return std::all_of(line.steps.begin(), line.steps.end(), [&](const StreamStep& step) {
+    const Vec2 xi = step.xi(step.length / step.h);
+    const double angle = line.launch.angle_there;
+    return std::abs(stream_state(evaluator, step.elem, xi, angle).angle - angle) <= most_deviation;
+  });
+}
+
 }  // namespace
+
+void TraceOptions::validate() const {
+  if (!(tolerance > 0)) throw UsageError("the tolerance of the integrator must be positive");
+  if (step < 0 || merge_distance < 0 || merge_angle < 0)
+    throw UsageError("step, merge distance and merge angle must not be negative");
+  if (!(max_total_length > 0)) throw UsageError("the greatest total length of the lines must be positive");
+  if (max_steps < 1) throw UsageError("the greatest number of steps of a line must be positive");
+  if (!(max_length > 0)) throw UsageError("the greatest length of a line must be positive");
+}
+
+std::vector<MirrorAxis> mirror_axes(const CadFace& face, const CriticalPoints& points) {
+  std::vector<MirrorAxis> axes;
+  if (!points.hole_winding_offsets.empty()) return axes;
+  const std::vector<GraphNode> nodes = fixed_nodes(face, points);
+  for (const curve::Isometry& isometry : curve::symmetries(face))
+    if (isometry.is_mirrored && maps_nodes(isometry, nodes, tolerance::same_point * face.diameter))
+      axes.push_back({isometry.centre, unit(isometry.angle / 2)});
+  return axes;
+}
 
 LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
                        const std::vector<Vec2>& nodes, const TraceOptions& options)
-    : evaluator_(evaluator), nodes_(nodes), options_(options) {
+    : evaluator_(evaluator), nodes_(nodes), options_(options), axes_(mirror_axes(evaluator.field().mesh.face, points)) {
   const CadFace& face = evaluator.field().mesh.face;
   max_length_ = options.max_length * face.diameter;
-  std::vector<Launch> launches = launch_all(evaluator, points);
-  if (launches.empty() && face.num_loops() == 2) launches = launch_cuts(evaluator);
-  launches_ = plan_launches(evaluator, mirror_axes(face, points), launches);
+  launches_ = launch_all(evaluator, points);
+  if (launches_.empty() && face.num_loops() == 2) launches_ = launch_cuts(evaluator);
   max_num_steps_ = options.max_steps * std::max(launches_.size(), least_lines_of_mean);
 }
 
 AdvanceOptions LineTracer::bounds(double length) const {
   const double d = evaluator_.field().mesh.face.diameter;
   const bool is_fixed = options_.integrator == Integrator::adams_bashforth;
-  const double step = options_.step > 0 ? options_.step : (is_fixed ? relative_fixed_step : relative_max_step) * d;
-  return {options_.tolerance * d, step, std::min(length, max_length_), relative_hit_distance * d};
+  const double step = options_.step > 0 ? options_.step : (is_fixed ? relative.fixed_step : relative.max_step) * d;
+  return {options_.tolerance * d, step, std::min(length, max_length_), relative.hit_distance * d};
 }
 
 void LineTracer::follow_all_to(double length, Progress* progress) {
@@ -51,9 +123,8 @@ void LineTracer::follow_all_to(double length, Progress* progress) {
       follow_line(line, options);
       part.advance();
     }
-  for (const PlannedLaunch& planned : launches_) {
-    add_line(is_fixed ? advance_adams_bashforth(evaluator_, planned.launch, nodes_, options)
-                      : traced(planned, options));
+  for (const Launch& launch : launches_) {
+    add_line(is_fixed ? advance_adams_bashforth(evaluator_, launch, nodes_, options) : traced(launch, options));
     part.advance();
   }
   launches_.clear();
@@ -72,12 +143,12 @@ void LineTracer::follow_line(Streamline& line, const AdvanceOptions& options) {
   require_few_steps();
 }
 
-Streamline LineTracer::traced(const PlannedLaunch& planned, const AdvanceOptions& options) const {
-  if (planned.straight) {
-    Streamline line = advance(evaluator_, *planned.straight, nodes_, options);
+Streamline LineTracer::traced(const Launch& launch, const AdvanceOptions& options) const {
+  if (const std::optional<Launch> straight = straight_launch(evaluator_, axes_, launch)) {
+    Streamline line = advance(evaluator_, *straight, nodes_, options);
     if (follows_field(evaluator_, line)) return line;
   }
-  return advance(evaluator_, planned.launch, nodes_, options);
+  return advance(evaluator_, launch, nodes_, options);
 }
 
 void LineTracer::follow_to(int line, double length) { follow_line(lines_[line], bounds(length)); }
@@ -87,7 +158,7 @@ void LineTracer::add_cut(int curve, double t, double length) {
 }
 
 Streamline LineTracer::follow_from(Vec2 x, double angle) const {
-  const double radius = relative_launch_radius * evaluator_.field().mesh.face.diameter;
+  const double radius = relative.launch_radius * evaluator_.field().mesh.face.diameter;
   return advance(evaluator_, launch_line(evaluator_, -1, x, angle, radius, 1), nodes_, bounds(max_length_));
 }
 

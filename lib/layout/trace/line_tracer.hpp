@@ -1,15 +1,57 @@
 #pragma once
 // All separatrices of a field, each traced to the length that a layout needs.
+//
+// A separatrix that starts on a mirror axis of the field, along it, is that axis. Where the field turns away from the
+// axis on both sides, lines beside it leave it exponentially, and an integrated line would leave it to the side to
+// which round-off pushes it: images of one line would end at different places. Such lines are launched as straight
+// ones.
 
+#include <array>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "base/progress.hpp"
 #include "model/critical_points.hpp"
 #include "trace/advance.hpp"
-#include "trace/mirror_axes.hpp"
-#include "trace/trace_options.hpp"
 
 namespace quadrille::trace {
+
+enum class Integrator {
+  runge_kutta,     ///< in reference space with error control (trace/advance.hpp)
+  adams_bashforth  ///< the paper's integrator with a fixed step, for comparison (trace/adams_bashforth.hpp)
+};
+
+constexpr auto enum_names(Integrator) {
+  return std::to_array({"rk", "ab4"});
+}
+
+struct TraceOptions {
+  Integrator integrator = Integrator::runge_kutta;
+  double tolerance = 1e-10;  ///< bound of a step's estimated error, in diameters
+  /// File units: the greatest step of the Runge-Kutta integrator (0: diameter / 20), every step of the fixed-step one
+  /// (0: diameter / 500).
+  double step = 0;
+  /// Degrees: head-on separatrices are merged if neither changes its direction by more. On all benchmark shapes 15
+  /// removes most thin chords and does not reduce the least scaled Jacobian of the mesh.
+  double merge_angle = 15;
+  double merge_distance = 0;  ///< file units: also separatrices that pass within this distance are merged
+  double max_length = 20;     ///< of one line, in diameters
+  /// Of all lines that are traced to their ends, in diameters. Few lines of plates with many holes are longer than one
+  /// diameter; spirals have many.
+  double max_total_length = 500;
+  /// Of one line, in the mean over all lines, at least 100. Plates with many holes need 150, racks of teeth 400; a line
+  /// in a damaged field takes max_stream_steps and gets nowhere.
+  int max_steps = 1000;
+  void validate() const;  ///< throws UsageError
+};
+
+struct MirrorAxis {
+  Vec2 point, direction;  ///< of unit length
+};
+
+/// The axes of reflections that map the face and its nodes, with their valences, onto themselves (curve/symmetry). None
+/// if windings of holes are prescribed, which need not be symmetric.
+std::vector<MirrorAxis> mirror_axes(const CadFace& face, const CriticalPoints& points);
 
 /// Lines that are merged behind each other's nodes, or that stop at others, need not be traced to their ends: they are
 /// traced in rounds of increasing length. A line that is continued keeps its earlier steps. Every function that follows
@@ -48,14 +90,15 @@ class LineTracer {
   void add_line(Streamline line);
   void follow_line(Streamline& line, const AdvanceOptions& options);
   void require_few_steps() const;
-  Streamline traced(const PlannedLaunch& planned, const AdvanceOptions& options) const;
+  Streamline traced(const Launch& launch, const AdvanceOptions& options) const;
 
   const field::FieldEvaluator& evaluator_;
   PointGrid nodes_;
   TraceOptions options_;
   double max_length_ = 0, reach_ = 0;
   std::size_t num_steps_ = 0, max_num_steps_ = 0;
-  std::vector<PlannedLaunch> launches_;  // of lines that have not been followed yet
+  std::vector<MirrorAxis> axes_;
+  std::vector<Launch> launches_;  // of lines that have not been followed yet
   std::vector<Streamline> lines_;
 };
 

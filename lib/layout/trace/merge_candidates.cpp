@@ -6,23 +6,74 @@
 #include <span>
 #include <utility>
 
-#include "base/angle.hpp"
-#include "trace/line_passes.hpp"
+#include "graph/crossings.hpp"
 
 namespace quadrille::trace {
 namespace {
 
-// Largest angle between a line that passes a node and the line that starts there towards it. Lines turn by about 45
-// degrees as they pass a node: the deviation of the merged line decides.
-constexpr double head_on_angle = radians(75);
-constexpr double max_inequality = 0.3;  // of the two lengths, relative to their mean: fronts of such a pair never meet
+constexpr int num_samples = 48;
 
-bool are_unequal(double a, double b) { return std::abs(a - b) > max_inequality * (a + b) / 2; }
+// Both lines and their blend at one fraction of the lengths.
+struct Blend {
+  Vec2 position, derivative;  // of M, with respect to f
+  Vec2 along_a, along_b;      // unit directions of both lines, each its own
+};
+
+Blend blend(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+            const MergeCandidate& candidate, double f) {
+  const double c = std::cos(half_pi * f), w = c * c, slope = -half_pi * std::sin(pi * f);
+  const double length_a = candidate.length_a, length_b = candidate.length_b;
+  Blend m;
+  const Vec2 xa = a.at(evaluator, f * length_a, m.along_a), xb = b.at(evaluator, (1 - f) * length_b, m.along_b);
+  m.position = w * xa + (1 - w) * xb;
+  m.derivative = w * length_a * m.along_a - (1 - w) * length_b * m.along_b + slope * (xa - xb);
+  return m;
+}
+
+// The joined line at fraction f of its length: position, and derivative with respect to f.
+Vec2 joined(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b, double length, double f,
+            Vec2& derivative) {
+  Vec2 along, along_end;
+  const Vec2 x = a.at(evaluator, f * length, along), end = a.at(evaluator, length, along_end);
+  const Vec2 shift = b.launch.origin - end, bend = -length * (unit(b.launch.angle) + along_end);
+  derivative = length * along + 6 * f * (1 - f) * shift + f * (3 * f - 2) * bend;
+  return x + f * f * ((3 - 2 * f) * shift - (1 - f) * bend);
+}
+
+// Consecutive samples lie far from each other: the first one that deviates too far ends the loop.
+bool blend_deviates_at_most(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                            double max_deviation, MergeCandidate& candidate) {
+  constexpr int stride = 19;  // no divisor in common with num_samples
+  for (int i = stride; i != 0; i = (i + stride) % num_samples) {
+    const double f = static_cast<double>(i) / num_samples, w = std::pow(std::cos(half_pi * f), 2);
+    const Blend m = blend(evaluator, a, b, candidate, f);
+    const double angle = graph::angle_between(m.derivative, w * m.along_a - (1 - w) * m.along_b);
+    candidate.deviation = std::max(candidate.deviation, angle);
+    if (candidate.deviation > max_deviation) return false;
+  }
+  return true;
+}
+
+bool join_deviates_at_most(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                           double max_deviation, MergeCandidate& candidate) {
+  double guide = a.launch.angle;
+  for (int i = 1; i < num_samples; ++i) {
+    Vec2 derivative, value;
+    const double f = static_cast<double>(i) / num_samples;
+    if (!evaluator.value_at(joined(evaluator, a, b, candidate.length_a, f, derivative), value)) return false;
+    guide = guided_angle(value, guide);
+    candidate.deviation = std::max(candidate.deviation, graph::angle_between(derivative, unit(guide)));
+    if (candidate.deviation > max_deviation) return false;
+  }
+  return true;
+}
+
+bool are_unequal(double a, double b) { return std::abs(a - b) > merge_limits.inequality * (a + b) / 2; }
 
 // Whether are_unequal holds for all lengths within two passes.
 bool are_unequal(const LinePass& a, const LinePass& b) {
   const double gap = std::max(a.low - b.high, b.low - a.high);
-  return gap > max_inequality * (a.high + b.high) / 2;
+  return gap > merge_limits.inequality * (a.high + b.high) / 2;
 }
 
 /// The passes of one line near one node.
@@ -99,8 +150,8 @@ class CandidateSearch {
         if (are_unequal(pass_i, pass_j)) continue;
         MergeCandidate pair{i, j, along_[i].foot(nodes_[from_j], pass_i), along_[j].foot(nodes_[from_i], pass_j)};
         if (are_unequal(pair.length_a, pair.length_b)) continue;
-        if (meeting_angle(i, pair.length_a, j) > head_on_angle) continue;
-        if (meeting_angle(j, pair.length_b, i) > head_on_angle) continue;
+        if (meeting_angle(i, pair.length_a, j) > merge_limits.head_on_angle) continue;
+        if (meeting_angle(j, pair.length_b, i) > merge_limits.head_on_angle) continue;
         if (is_allowed(pair)) candidates_.push_back(pair);
       }
   }
@@ -114,7 +165,8 @@ class CandidateSearch {
     pair.gap = std::min(at_nodes, distance(a.at(evaluator_, la / 2), b.at(evaluator_, lb / 2)));
     if (pair.gap > std::max(options_.distance, std::tan(options_.max_angle) * pair.length())) return false;
     const bool is_aggressive = pair.gap <= options_.distance;
-    const double most = is_aggressive ? std::max(options_.max_angle, max_aggressive_angle) : options_.max_angle;
+    const double most =
+        is_aggressive ? std::max(options_.max_angle, merge_limits.aggressive_angle) : options_.max_angle;
     return deviates_at_most(evaluator_, a, b, most, pair);
   }
 
@@ -129,7 +181,7 @@ class CandidateSearch {
       const int other = gap <= options_.distance ? line_against(line, length, node) : -1;
       if (other < 0 || is_pair(line, other)) continue;
       MergeCandidate join{line, other, length, length, 0, gap, true};
-      if (deviates_at_most(evaluator_, lines_[line], lines_[other], max_aggressive_angle, join))
+      if (deviates_at_most(evaluator_, lines_[line], lines_[other], merge_limits.aggressive_angle, join))
         candidates_.push_back(join);
     }
   }
@@ -140,7 +192,7 @@ class CandidateSearch {
   // The line of a node whose direction is most nearly opposite to a line that passes there; -1: there is none.
   int line_against(int passing, double length, int node) const {
     int best = -1;
-    double least = head_on_angle;
+    double least = merge_limits.head_on_angle;
     for (const int j : lines_of_[node]) {
       const double angle = meeting_angle(passing, length, j);
       if (angle < least) least = angle, best = j;
@@ -152,7 +204,7 @@ class CandidateSearch {
   double meeting_angle(int a, double length, int b) const {
     Vec2 direction;
     lines_[a].at(evaluator_, length, direction);
-    return angle_between(direction, -unit(lines_[b].launch.angle));
+    return graph::angle_between(direction, -unit(lines_[b].launch.angle));
   }
 
   const field::FieldEvaluator& evaluator_;
@@ -167,6 +219,29 @@ class CandidateSearch {
 };
 
 }  // namespace
+
+curve::CurveFunction merged_curve(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                                  const MergeCandidate& candidate) {
+  return [&evaluator, &a, &b, candidate, length = candidate.length()](double s, Vec2& derivative) {
+    const double f = std::clamp(s / length, 0.0, 1.0);
+    Vec2 x;
+    if (candidate.is_join) {
+      x = joined(evaluator, a, b, length, f, derivative);
+    } else {
+      const Blend m = blend(evaluator, a, b, candidate, f);
+      x = m.position, derivative = m.derivative;
+    }
+    derivative = derivative / length;
+    return f == 0 ? a.launch.origin : f == 1 ? b.launch.origin : x;
+  };
+}
+
+bool deviates_at_most(const field::FieldEvaluator& evaluator, const Streamline& a, const Streamline& b,
+                      double max_deviation, MergeCandidate& candidate) {
+  candidate.deviation = 0;
+  return candidate.is_join ? join_deviates_at_most(evaluator, a, b, max_deviation, candidate)
+                           : blend_deviates_at_most(evaluator, a, b, max_deviation, candidate);
+}
 
 std::vector<MergeCandidate> merge_candidates(const field::FieldEvaluator& evaluator,
                                              const std::vector<Streamline>& lines, const std::vector<Vec2>& nodes,

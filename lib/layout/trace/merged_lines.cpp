@@ -3,16 +3,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 #include "base/angle.hpp"
-#include "base/error.hpp"
 #include "base/position_text.hpp"
-#include "graph/family_order.hpp"
+#include "base/tolerance.hpp"
+#include "graph/arc_pieces.hpp"
 
 namespace quadrille::trace {
 namespace {
+
+// Picks among the candidates first ... last - 1, whose fronts meet at equal lengths.
+// `num_competing`: 0 for every line, before and afterwards.
+void choose_tied(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& allowed, size_t first,
+                 size_t last, std::vector<bool>& is_taken, std::vector<int>& num_competing, std::vector<int>& chosen) {
+  std::vector<int> free;
+  for (size_t i = first; i < last; ++i) {
+    const MergeCandidate& c = candidates[i];
+    if (!allowed[i] || is_taken[c.a] || is_taken[c.b]) continue;
+    free.push_back(static_cast<int>(i));
+    ++num_competing[c.a], ++num_competing[c.b];
+  }
+  for (const int i : free) {
+    const MergeCandidate& c = candidates[i];
+    if (num_competing[c.a] > 1 || num_competing[c.b] > 1) continue;
+    is_taken[c.a] = is_taken[c.b] = true;
+    chosen.push_back(i);
+  }
+  for (const int i : free) num_competing[candidates[i].a] = num_competing[candidates[i].b] = 0;
+}
+
+// A pair that is not known yet has a line longer than the reach. Lengths of a pair are so nearly equal that their mean
+// is then above this fraction of the reach: pairs below are chosen before it in any case.
+constexpr double settled_fraction = 1 - merge_limits.inequality / 2;
+
+// The length is part of the key since a line may be continued later; its sign distinguishes a join from a merged pair.
+graph::CurveKey key_of(int line, double length) { return {static_cast<double>(line), -1.0, length}; }
+graph::CurveKey key_of(const MergeCandidate& c) {
+  return {static_cast<double>(c.a), static_cast<double>(c.b), c.is_join ? -c.length() : c.length()};
+}
 
 constexpr std::size_t many_lines = 500;
 
@@ -27,6 +56,179 @@ constexpr std::size_t many_lines = 500;
 }
 
 }  // namespace
+
+std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, const std::vector<bool>& allowed,
+                               std::vector<bool>& is_taken) {
+  std::vector<int> chosen, num_competing(is_taken.size(), 0);
+  for (size_t first = 0, last = 0; first < candidates.size(); first = last) {
+    const double same = candidates[first].delayed_meeting() * (1 + tolerance::tied);
+    while (last < candidates.size() && candidates[last].delayed_meeting() <= same) ++last;
+    choose_tied(candidates, allowed, first, last, is_taken, num_competing, chosen);
+  }
+  return chosen;
+}
+
+MergePlan::MergePlan(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
+                     const std::vector<Vec2>& nodes, const MergeOptions& options, double reach)
+    : evaluator_(evaluator), lines_(lines), nodes_(nodes), options_(options), reach_(reach) {
+  renew();
+}
+
+void MergePlan::add_candidates(const MergeOptions& options) {
+  for (const MergeCandidate& c : merge_candidates(evaluator_, lines_, nodes_, options)) candidates_.push_back(c);
+  is_rejected_.resize(candidates_.size(), false);
+}
+
+// Ascending.
+std::vector<int> MergePlan::endless_without_partner(const std::vector<int>& chosen) const {
+  const std::vector<int> merge_of = merge_of_lines(chosen);
+  std::vector<int> endless;
+  for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+    if (lines_[i].is_endless() && merge_of[i] < 0) endless.push_back(i);
+  return endless;
+}
+
+bool MergePlan::needs_longer_lines(const std::vector<int>& chosen) const {
+  if (reach_ == 0) return false;
+  const auto may_be_late = [this](int c) {
+    const MergeCandidate& pair = candidates_[c];
+    return pair.delayed_meeting() > settled_fraction * reach_ &&
+           (lines_[pair.a].is_endless() || lines_[pair.b].is_endless());
+  };
+  return !endless_without_partner(chosen).empty() || std::any_of(chosen.begin(), chosen.end(), may_be_late);
+}
+
+std::vector<int> MergePlan::choose_by_rules() const {
+  std::vector<bool> is_taken(lines_.size(), false), allowed(candidates_.size(), false);
+  for (size_t i = 0; i < num_regular_; ++i) allowed[i] = !is_rejected_[i];
+  return choose_merges(candidates_, allowed, is_taken);
+}
+
+std::optional<std::vector<int>> MergePlan::choose_once() {
+  std::vector<int> chosen = choose_by_rules();
+  if (needs_longer_lines(chosen)) return std::nullopt;
+  const std::vector<int> endless = endless_without_partner(chosen);
+  if (!endless.empty()) add_last_resorts(endless, chosen);
+  return chosen;
+}
+
+void MergePlan::add_last_resorts(const std::vector<int>& endless, std::vector<int>& chosen) {
+  if (candidates_.size() == num_regular_) add_candidates({merge_limits.endless_angle, 0, true});
+  const auto needs_partner = [&](int line) { return std::binary_search(endless.begin(), endless.end(), line); };
+  std::vector<bool> allowed(candidates_.size(), false), is_taken(lines_.size(), false);
+  for (const int c : chosen) is_taken[candidates_[c].a] = is_taken[candidates_[c].b] = true;
+  for (size_t i = num_regular_; i < candidates_.size(); ++i)
+    allowed[i] = !is_rejected_[i] && (needs_partner(candidates_[i].a) || needs_partner(candidates_[i].b));
+  for (const int c : choose_merges(candidates_, allowed, is_taken)) chosen.push_back(c);
+}
+
+// Rejects the merge that occupies the first partner of an endless line, if both merged lines end. True if it was not
+// rejected before.
+bool MergePlan::reject_for(int endless, const std::vector<int>& merge_of) {
+  for (size_t i = 0; i < candidates_.size(); ++i) {
+    const MergeCandidate& pair = candidates_[i];
+    if (is_rejected_[i] || (pair.a != endless && pair.b != endless)) continue;
+    const int other = merge_of[pair.a == endless ? pair.b : pair.a];
+    if (other < 0 || lines_[candidates_[other].a].is_endless() || lines_[candidates_[other].b].is_endless()) continue;
+    const bool is_new = !is_rejected_[other];
+    is_rejected_[other] = true;
+    return is_new;
+  }
+  return false;
+}
+
+std::optional<std::vector<int>> MergePlan::choose() {
+  std::optional<std::vector<int>> chosen = choose_once();
+  // Every round rejects a candidate permanently, so the loop ends.
+  while (chosen) {
+    const std::vector<int> merge_of = merge_of_lines(*chosen);
+    bool any = false;
+    for (const int line : endless_without_partner(*chosen)) any = reject_for(line, merge_of) || any;
+    if (!any) break;
+    chosen = choose_once();
+  }
+  return chosen;
+}
+
+// The two lengths of a pair differ so little that all pairs of such a line are known.
+std::optional<int> MergePlan::stuck_without_partner() const {
+  for (const int line : endless_without_partner(choose_by_rules()))
+    if (lines_[line].is_stuck() && 2 * lines_[line].length() < reach_) return line;
+  return std::nullopt;
+}
+
+bool MergePlan::reject_worst(const std::vector<int>& candidates, double least_deviation) {
+  double worst = -1;
+  for (const int c : candidates) worst = std::max(worst, candidates_[c].deviation);
+  if (worst < least_deviation) return false;
+  for (const int c : candidates)
+    if (candidates_[c].deviation > worst - tolerance::same_angle) is_rejected_[c] = true;
+  return true;
+}
+
+void MergePlan::reject_whole_pairs() { reject(rejected_pairs()); }
+
+void MergePlan::renew() {
+  const LinePairs pairs = rejected_pairs();
+  candidates_.clear();
+  is_rejected_.clear();
+  add_candidates(options_);
+  num_regular_ = candidates_.size();
+  reject(pairs);
+}
+
+void MergePlan::reject(const LinePairs& pairs) {
+  for (size_t i = 0; i < candidates_.size(); ++i)
+    if (pairs.count({candidates_[i].a, candidates_[i].b}) > 0) is_rejected_[i] = true;
+}
+
+MergePlan::LinePairs MergePlan::rejected_pairs() const {
+  LinePairs pairs;
+  for (size_t i = 0; i < candidates_.size(); ++i)
+    if (is_rejected_[i]) pairs.insert({candidates_[i].a, candidates_[i].b});
+  return pairs;
+}
+
+std::vector<int> MergePlan::merge_of_lines(const std::vector<int>& chosen) const {
+  std::vector<int> merge_of(lines_.size(), -1);
+  for (const int c : chosen) merge_of[candidates_[c].a] = merge_of[candidates_[c].b] = c;
+  return merge_of;
+}
+
+bool is_of_one_family(const graph::Crossing& crossing) { return crossing.angle < pi / 4; }
+
+void require_family_order(const std::vector<graph::Crossing>& crossings, const std::vector<bool>& is_exempt,
+                          Vec2 origin) {
+  for (const graph::Crossing& c : crossings) {
+    if (!is_of_one_family(c) || c.angle < same_direction || is_exempt[c.a] || is_exempt[c.b]) continue;
+    throw FamilyOrderError(
+        fmt::format("two separatrices of one family cross at {}, at {:.3g} degrees: --tolerance is too "
+                    "coarse for the field there",
+                    position_text(c.position + origin), degrees(c.angle)));
+  }
+}
+
+MergedLine LineFitter::single(int line) {
+  const Streamline& l = lines_[line];
+  const auto along = [&](double s, Vec2& direction) { return l.at(evaluator_, s, direction); };
+  const graph::CurveKey key = key_of(line, l.length());
+  const bool is_cut = l.launch.start.node < 0;
+  const Nurbs& spline = fitted(key, along, l.length());
+  return {{l.launch.start, l.reached, spline, is_cut ? LineKind::cut : LineKind::traced}, l.length(), -1, line, key};
+}
+
+MergedLine LineFitter::pair(const MergeCandidate& candidate, int merge) {
+  const Streamline &a = lines_[candidate.a], &b = lines_[candidate.b];
+  const graph::CurveKey key = key_of(candidate);
+  const Nurbs& spline = fitted(key, merged_curve(evaluator_, a, b, candidate), candidate.length());
+  return {{a.launch.start, b.launch.start, spline, LineKind::merged}, candidate.length(), merge, candidate.a, key};
+}
+
+const Nurbs& LineFitter::fitted(const graph::CurveKey& key, const curve::CurveFunction& curve, double length) {
+  const auto known = fitted_.find(key);
+  if (known != fitted_.end()) return known->second;
+  return fitted_[key] = curve::fit_line(curve, length, graph::relative_fit_tol * evaluator_.field().mesh.face.diameter);
+}
 
 MergedLines::MergedLines(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
                          const std::vector<Vec2>& nodes, double merge_angle, double merge_distance, LineEnds ends,
@@ -68,7 +270,7 @@ bool MergedLines::reject_crossing_merges() {
   std::vector<int> all;
   bool any = false;
   for (const graph::Crossing& c : arrangement_.inner_crossings) {
-    if (!graph::is_of_one_family(c)) continue;
+    if (!is_of_one_family(c)) continue;
     std::vector<int> merges;
     for (const int i : {c.a, c.b})
       if (arrangement_.lines[i].merge >= 0) merges.push_back(arrangement_.lines[i].merge);
@@ -96,7 +298,7 @@ void MergedLines::arrange(Progress* progress) {
     keys.push_back(m.key);
     splines.push_back(m.line.spline);
   }
-  arrangement_.crossings = cache_.find(keys, splines, relative_snap_tol * face().diameter,
+  arrangement_.crossings = cache_.find(keys, splines, tolerance::round_off * face().diameter,
                                        {.max_crossings = max_crossings_, .origin = face().origin, .sought = {}});
   arrangement_.inner_crossings.clear();
   for (const graph::Crossing& c : arrangement_.crossings)
@@ -104,7 +306,7 @@ void MergedLines::arrange(Progress* progress) {
 }
 
 bool MergedLines::is_common_end(const graph::Crossing& crossing) const {
-  const double near = 2 * (relative_snap_tol * face().diameter);
+  const double near = 2 * (tolerance::round_off * face().diameter);
   const auto ends_there = [&](int i) {
     const Nurbs& spline = arrangement_.lines[i].line.spline;
     return distance(spline.poles.front(), crossing.position) <= near ||
@@ -117,7 +319,7 @@ void MergedLines::require_family_order() const {
   std::vector<bool> is_exempt;  // cuts that stop at each other may start on two sides and be one line
   for (const MergedLine& m : arrangement_.lines)
     is_exempt.push_back(m.merge >= 0 || (ends_ == LineEnds::optional && m.line.kind == LineKind::cut));
-  graph::require_family_order(arrangement_.inner_crossings, is_exempt, face().origin);
+  trace::require_family_order(arrangement_.inner_crossings, is_exempt, face().origin);
 }
 
 double MergedLines::largest_deviation() const {

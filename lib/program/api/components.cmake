@@ -24,7 +24,7 @@ quadrille_component(files FOLDERS base spectral check io) # model has headers on
 quadrille_component(fields STAGES fieldsolve padapt
                     FOLDERS curve heal outline regions mesh field stiffness galerkin adapt)
 quadrille_component(layouts STAGES critpoints separatrix blocksplit quadrefine
-                    FOLDERS zeros placement guide ties features topology choice graph trace simplify quantize midpoint
+                    FOLDERS zeros placement guide ties features topology choice graph trace simplify quantize
                     layout couple block sizing prescribe layers growth refine)
 quadrille_component(triangles STAGES triangulate_face FOLDERS triangulate)
 add_custom_target(components DEPENDS component_files component_fields component_layouts component_triangles)

@@ -1,8 +1,8 @@
 #include "stage/blocksplit.hpp"
 
 #include "base/options.hpp"
+#include "block/extract_blocks.hpp"
 #include "block/make_blocks.hpp"
-#include "block/name_blocks.hpp"
 #include "block/report_layout.hpp"
 #include "check/check.hpp"
 

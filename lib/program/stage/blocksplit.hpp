@@ -19,7 +19,7 @@ struct BlocksplitOptions {
 };
 void declare(Options& options, BlocksplitOptions& blocksplit);
 
-/// Blocks with the names of their regions or of the face, then those of `names` (block/name_blocks.hpp). Throws
+/// Blocks with the names of their regions or of the face, then those of `names` (block/extract_blocks.hpp). Throws
 /// FormatError if the graph breaks a rule or a name has no block, ComputeError if a face of the graph has not four
 /// sides.
 BlockLayout blocksplit(const Input<SeparatrixGraph>& graph, const std::optional<Input<std::vector<NameRule>>>& names,

@@ -11,8 +11,6 @@
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
 #include "couple/couple_layouts.hpp"
-#include "couple/midpoint_regions.hpp"
-#include "couple/open_curves.hpp"
 #include "field/check_nodes_match_field.hpp"
 #include "graph/open_interfaces.hpp"
 #include "layout/compute_layout.hpp"
@@ -31,8 +29,8 @@ class OpenCurves {
   OpenCurves(const CadFace& face, const SeparatrixOptions& options)
       : face_(face),
         with_open_interfaces_(
-            couple::with_open_curves(face, couple::nonconforming_interfaces(options.interfaces), "--interface")) {
-    const CadFace with_cracks = couple::with_open_curves(face, options.open, "--open");
+            graph::with_open_curves(face, graph::nonconforming_interfaces(options.interfaces), "--interface")) {
+    const CadFace with_cracks = graph::with_open_curves(face, options.open, "--open");
     for (int c = 0; c < face.num_curves(); ++c)
       is_crack_.push_back(face.is_interface(c) && with_cracks.partners[c] < 0);
   }

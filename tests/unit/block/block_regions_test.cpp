@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "../support/region_graphs.hpp"
+#include "block/extract_blocks.hpp"
 #include "block/make_blocks.hpp"
-#include "block/name_blocks.hpp"
-#include "block/split_chord.hpp"
 #include "block_samples.hpp"
 #include "model/interfaces.hpp"
 

@@ -5,14 +5,65 @@
 #include <string>
 #include <variant>
 
+#include "../triangulate/faces.hpp"
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "couple/join_layouts.hpp"
-#include "graph/face_corners.hpp"
+#include "graph/candidate_layout.hpp"
 #include "model/periodic.hpp"
 #include "rectangles.hpp"
 
 namespace quadrille::couple {
 namespace {
+
+using namespace testing_faces;
+
+/// A square with a slit from the middle of its right side to the left and then up, or on to the left.
+CadFace bent_slit(Vec2 end) {
+  CadFace face = make_face({polygon({{0, 0}, {4, 0}, {4, 2}, {2, 2}, end, {2, 2}, {4, 2}, {4, 4}, {0, 4}})});
+  pair_sides(face, 2, 5);
+  pair_sides(face, 3, 4);
+  return face;
+}
+
+TEST(InterfaceCorner, IsWhereASlitTurns) {
+  const auto found = sharpest_interface_corner(bent_slit({2, 3}));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->joint, 3);
+  EXPECT_NEAR(degrees(found->turn), 90, 1e-9);
+}
+
+TEST(InterfaceCorner, IsNoneAtEndsAndInSmoothCurves) {
+  EXPECT_FALSE(sharpest_interface_corner(bent_slit({1, 2})));
+  EXPECT_FALSE(sharpest_interface_corner(bent_slit({1, 2.5})));
+  EXPECT_FALSE(sharpest_interface_corner(slit_square()));
+  EXPECT_FALSE(sharpest_interface_corner(square())) << "its corners belong to no embedded curve";
+}
+
+TEST(SnapPeriodicNodes, MovesNodesOntoNearImages) {
+  PeriodicSquare square({{0.3, 0.3 + 5e-9}});
+  SeparatrixGraph graph = graph::separatrix_graph(std::move(square.layouts.layouts.front()));
+  snap_periodic_nodes(graph);
+  EXPECT_NEAR(graph.nodes[5].t, 0.3, 1e-15) << "the end on the second side";
+  EXPECT_EQ(graph.splines[0].poles.back(), graph.nodes[5].position);
+  EXPECT_EQ(periodic_arcs(graph).size(), 2U);
+}
+
+TEST(SnapPeriodicNodes, LeavesOthersAlone) {
+  PeriodicSquare square({{0.3, 0.3001}});
+  SeparatrixGraph graph = graph::separatrix_graph(std::move(square.layouts.layouts.front()));
+  snap_periodic_nodes(graph);
+  EXPECT_EQ(graph.nodes[5].t, 0.3001);
+}
+
+TEST(DividePeriodicSides, EachSideHasANodeWhereTheOtherOneHas) {
+  PeriodicSquare square({{0.3, 0.5}});
+  EXPECT_EQ(divide_periodic_sides(square.layouts.layouts.front()), 2);
+  EXPECT_TRUE(square.has_node(0, {0, 0.5}));
+  EXPECT_TRUE(square.has_node(0, {1, 0.3}));
+  EXPECT_EQ(periodic_arcs(square.graph(0)).size(), 3U);
+  EXPECT_EQ(divide_periodic_sides(square.layouts.layouts.front()), 0) << "now they are images of each other";
+}
 
 graph::CandidateLayout conforming(const Rectangles& squares, Report& report) {
   return conforming_layout(squares.layouts, graph::candidate_layout(join_layouts(squares.layouts)), report);

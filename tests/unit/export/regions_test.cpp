@@ -9,7 +9,7 @@
 
 #include "../support/refined.hpp"
 #include "../support/region_graphs.hpp"
-#include "block/name_blocks.hpp"
+#include "block/extract_blocks.hpp"
 #include "export/format_table.hpp"
 #include "export/groups.hpp"
 #include "export/skeleton.hpp"

@@ -4,7 +4,7 @@
 
 #include "../hand_made.hpp"
 #include "base/error.hpp"
-#include "graph/face_corners.hpp"
+#include "graph/candidate_layout.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -17,9 +17,9 @@ CadFace square() {
               std::sqrt(2.0));
 }
 
-std::vector<FixedNode> four_corners(const CadFace& f) {
-  std::vector<FixedNode> nodes;
-  for (int j = 0; j < 4; ++j) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+std::vector<GraphNode> four_corners(const CadFace& f) {
+  std::vector<GraphNode> nodes;
+  for (int j = 0; j < 4; ++j) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j, f.curves[j].begin()});
   return nodes;
 }
 
@@ -33,7 +33,7 @@ FinishedLine line(const CadFace& f, int curve0, double t0, int curve1, double t1
           LineKind::traced};
 }
 
-SeparatrixGraph built(const CadFace& f, const std::vector<FixedNode>& fixed, const std::vector<FinishedLine>& lines) {
+SeparatrixGraph built(const CadFace& f, const std::vector<GraphNode>& fixed, const std::vector<FinishedLine>& lines) {
   std::vector<Nurbs> splines;
   for (const FinishedLine& l : lines) splines.push_back(l.spline);
   return build_graph(f, fixed, lines, find_crossings(splines, 1e-9), 1e-9);
@@ -69,9 +69,9 @@ TEST(BuildGraph, ArcsEndInTheirNodes) {
 
 TEST(BuildGraph, JointsWithoutNodeLieInsideAnArc) {
   const CadFace f = hand_made::s_bend().face;
-  std::vector<FixedNode> fixed;
+  std::vector<GraphNode> fixed;
   for (int j = 0; j < f.num_curves(); ++j)
-    if (f.joints[j].is_corner) fixed.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+    if (f.joints[j].is_corner) fixed.push_back({f.joints[j].position, NodeKind::corner, 1, j, f.curves[j].begin()});
   const SeparatrixGraph graph = built(f, fixed, {});
   ASSERT_EQ(graph.arcs.size(), 4u);
   EXPECT_EQ(graph.arcs[0].pieces.size(), 5u);
@@ -85,8 +85,8 @@ TEST(BuildGraph, EndsNearEachOtherAndNearJointsAreOneNode) {
       face({{curve::segment({0, 0}, {0.5, 0}), curve::segment({0.5, 0}, {1, 0}), curve::segment({1, 0}, {1, 1}),
              curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})}},
            std::sqrt(2.0));
-  std::vector<FixedNode> fixed;
-  for (const int j : {0, 2, 3, 4}) fixed.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+  std::vector<GraphNode> fixed;
+  for (const int j : {0, 2, 3, 4}) fixed.push_back({f.joints[j].position, NodeKind::corner, 1, j, f.curves[j].begin()});
   const SeparatrixGraph graph = built(f, fixed, {line(f, 0, 0.5 - 2e-10, 3, 0.5)});
   ASSERT_EQ(graph.nodes.size(), 6u);
   EXPECT_EQ(graph.nodes[4].position, (Vec2{0.5, 0}));
@@ -108,7 +108,7 @@ TEST(BuildGraph, ALineThroughTheEndOfAnotherIsRefused) {
   FinishedLine half = line(f, 1, 0.5, 3, 0.5);
   // Ends at (0.5, 0.5) in a node of its own, on the way of the other line.
   half.spline = curve::cubic_spline({0, 0.25, 0.5}, {{1, 0.5}, {0.75, 0.5}, {0.5, 0.5}}, {-1, 0}, {-1, 0});
-  std::vector<FixedNode> fixed = four_corners(f);
+  std::vector<GraphNode> fixed = four_corners(f);
   fixed.push_back({{0.5, 0.5}, NodeKind::irregular, 3, -1});
   half.end = {4, -1, 0};
   EXPECT_THROW(built(f, fixed, {half, line(f, 0, 0.5, 2, 0.5)}), ComputeError);
@@ -119,11 +119,11 @@ struct House : testing::Test {
   CadFace f = face({{curve::segment({0, 0}, {2, 0}), curve::segment({2, 0}, {2, 1}), curve::segment({2, 1}, {1, 2}),
                      curve::segment({1, 2}, {0, 1}), curve::segment({0, 1}, {0, 0})}},
                    2 * std::sqrt(2.0));
-  FixedNode floor{{1, 0}, NodeKind::boundary, 3, -1, 0, 1};
+  GraphNode floor{{1, 0}, NodeKind::boundary, 3, 0, 1};
 
-  std::vector<FixedNode> fixed() const {
-    std::vector<FixedNode> nodes;
-    for (int j = 0; j < 5; ++j) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+  std::vector<GraphNode> fixed() const {
+    std::vector<GraphNode> nodes;
+    for (int j = 0; j < 5; ++j) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j, f.curves[j].begin()});
     nodes.push_back(floor);
     return nodes;
   }
@@ -150,8 +150,9 @@ TEST_F(House, ANodeAtASmoothJointIsTheSame) {
   f = face({{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {2, 0}), curve::segment({2, 0}, {2, 1}),
              curve::segment({2, 1}, {1, 2}), curve::segment({1, 2}, {0, 1}), curve::segment({0, 1}, {0, 0})}},
            2 * std::sqrt(2.0));
-  std::vector<FixedNode> nodes;
-  for (const int j : {0, 2, 3, 4, 5}) nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j});
+  std::vector<GraphNode> nodes;
+  for (const int j : {0, 2, 3, 4, 5})
+    nodes.push_back({f.joints[j].position, NodeKind::corner, 1, j, f.curves[j].begin()});
   nodes.push_back({{1, 0}, NodeKind::boundary, 3, 1});
   FinishedLine right = line(f, 1, 0, 3, 0.7);
   right.start = {5, -1, 0};

@@ -4,13 +4,42 @@
 
 #include <algorithm>
 
+#include "../regions/faces_of_regions.hpp"
 #include "../support/region_graphs.hpp"
+#include "base/error.hpp"
 #include "check/check.hpp"
 #include "graph/subdivision.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::graph {
 namespace {
+
+using namespace testing_faces;
+
+CadFace walled_squares() {
+  CadFace face = face_of_regions({rectangle({0, 0}, {1, 1}), rectangle({1, 0}, {2, 1})});
+  face.curve_names[1] = face.curve_names[7] = "wall";
+  face.unnamed_curves = {0, 2, 3, 4, 5, 6};
+  return face;
+}
+
+TEST(OpenCurves, BothSidesLoseTheirPartners) {
+  const CadFace face = with_open_curves(walled_squares(), {"wall"}, "--open");
+  for (int c = 0; c < face.num_curves(); ++c) EXPECT_FALSE(face.is_interface(c));
+  EXPECT_TRUE(with_open_curves(walled_squares(), {}, "--open").is_interface(1));
+}
+
+TEST(OpenCurves, ABoundaryCannotBeOpened) {
+  EXPECT_THROW(with_open_curves(walled_squares(), {"curve_0"}, "--open"), UsageError);
+  EXPECT_THROW(with_open_curves(walled_squares(), {"nowhere"}, "--open"), UsageError);
+}
+
+TEST(OpenCurves, NonconformingInterfacesAreNamed) {
+  EXPECT_EQ(nonconforming_interfaces({"wall=nonconforming", "a=b=nonconforming"}),
+            (std::vector<std::string>{"wall", "a=b"}));
+  for (const char* option : {"wall", "=nonconforming", "wall=conforming"})
+    EXPECT_THROW(nonconforming_interfaces({option}), UsageError) << option;
+}
 
 using region_graphs::disc_in_square, region_graphs::slit_plate, region_graphs::two_squares;
 

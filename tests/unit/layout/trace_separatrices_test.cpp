@@ -4,9 +4,8 @@
 
 #include "../support/square_field.hpp"
 #include "base/error.hpp"
-#include "graph/face_corners.hpp"
-#include "trace/fixed_nodes.hpp"
-#include "trace/launch_all.hpp"
+#include "graph/candidate_layout.hpp"
+#include "trace/launch.hpp"
 #include "trace/launch_directions.hpp"
 
 namespace quadrille::layout {

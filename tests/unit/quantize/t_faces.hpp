@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/arc_graph.hpp"
-#include "quantize/t_mesh_faces.hpp"
+#include "quantize/quantize.hpp"
 
 namespace quadrille::quantize {
 

@@ -8,7 +8,7 @@
 #include "../support/grid_layout.hpp"
 #include "../support/refined.hpp"
 #include "base/error.hpp"
-#include "block/split_chord.hpp"
+#include "block/make_blocks.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::refine {

@@ -44,7 +44,7 @@ TEST(BlockQuality, IsTheWorstOfAllBlocksWhetherMeasuredBeforeOrNot) {
       EXPECT_EQ(found.least_scaled_jacobian, expected.least_scaled_jacobian);
       worst.add(expected);
     }
-    EXPECT_EQ(qualities.worst(subdivision).least_scaled_jacobian, worst.least_scaled_jacobian);
+    EXPECT_EQ(qualities.worst(subdivision, all_faces(subdivision)).least_scaled_jacobian, worst.least_scaled_jacobian);
   }
 }
 
@@ -57,9 +57,9 @@ TEST(BlockQuality, IsMeasuredAgainIfASideHasOtherPieces) {
                              {{0}, {1}, {2}, {3}}));
   };
   BlockQualities qualities;
-  const double square = qualities.worst(block({1, 1})).least_scaled_jacobian;
+  const double square = qualities.worst(block({1, 1}), {0}).least_scaled_jacobian;
   EXPECT_NEAR(square, 1, 1e-12);
-  EXPECT_LT(qualities.worst(block({2, 3})).least_scaled_jacobian, 0.9);
+  EXPECT_LT(qualities.worst(block({2, 3}), {0}).least_scaled_jacobian, 0.9);
 }
 
 TEST(BlockQuality, AFoldedBlockIsNotValid) {

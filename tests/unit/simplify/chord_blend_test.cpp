@@ -16,7 +16,7 @@ TEST(ChordBlend, BlendsAreFoundFromBothEnds) {
   const graph::CandidateLayout layout = hall(step);
   const graph::Subdivision& subdivision = layout.subdivision;
   const graph::ChordStrip strip = thin_strip_of_hall(subdivision, step);
-  const auto blends = blends_of(evaluator, subdivision, strip, graph::fixed_sides(subdivision, strip), {1, 1e-9});
+  const auto blends = blends_of(evaluator, subdivision, strip, {1, 1e-9});
   ASSERT_TRUE(blends);
   ASSERT_EQ(blends->size(), 1u);
   const Blend& blend = blends->front();

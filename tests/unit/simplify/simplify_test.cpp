@@ -7,7 +7,7 @@
 #include "../support/hall.hpp"
 #include "../support/square_field.hpp"
 #include "base/angle.hpp"
-#include "graph/face_corners.hpp"
+#include "graph/candidate_layout.hpp"
 
 namespace quadrille::simplify {
 namespace {

@@ -7,7 +7,7 @@
 #include "../support/snail.hpp"
 #include "../support/square_field.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/face_corners.hpp"
+#include "graph/candidate_layout.hpp"
 
 namespace quadrille::simplify {
 namespace {

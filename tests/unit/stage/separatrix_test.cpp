@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "graph/face_corners.hpp"
+#include "graph/candidate_layout.hpp"
 #include "graph/subdivision.hpp"
 #include "stage/fieldsolve.hpp"
 #include "triangulate/coarse_triangles.hpp"

@@ -24,8 +24,9 @@ inline graph::CandidateLayout hall(double step) {
   std::vector<Nurbs> loop;
   for (std::size_t i = 0; i < corners.size(); ++i) loop.push_back(curve::segment(corners[i], corners[(i + 1) % 8]));
   const CadFace f = hand_made::face({loop}, std::sqrt(20.0));
-  std::vector<graph::FixedNode> fixed;
-  for (int j = 0; j < 8; ++j) fixed.push_back({corners[j], NodeKind::corner, j == 2 || j == 7 ? 3 : 1, j});
+  std::vector<GraphNode> fixed;
+  for (int j = 0; j < 8; ++j)
+    fixed.push_back({corners[j], NodeKind::corner, j == 2 || j == 7 ? 3 : 1, j, f.curves[j].begin()});
   const auto line = [&](int from, int curve, double t) {
     const Vec2 a = corners[from], b = curve::point(f.curves[curve], t), along = normalized(b - a);
     const double length = distance(a, b);

@@ -52,8 +52,9 @@ inline graph::FinishedLine straight(graph::LineEnd start, graph::LineEnd end, Ve
 /// Five blocks; `with_cut`: eight, divided by a line from wall to wall at 30 degrees, across the strip.
 inline graph::CandidateLayout layout(bool with_cut = false) {
   const CadFace f = face();
-  std::vector<graph::FixedNode> fixed;
-  for (int j = 0; j < 4; ++j) fixed.push_back({f.joints[j].position, NodeKind::corner, j % 2 == 0 ? 3 : 1, j});
+  std::vector<GraphNode> fixed;
+  for (int j = 0; j < 4; ++j)
+    fixed.push_back({f.joints[j].position, NodeKind::corner, j % 2 == 0 ? 3 : 1, j, f.curves[j].begin()});
   const int q = 0, p = 2;
   std::vector<graph::FinishedLine> lines{
       {{p, -1, 0}, {q, -1, 0}, spiral(p_laps, q_laps), LineKind::traced},

@@ -7,7 +7,7 @@
 #include "../hand_made.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/build_graph.hpp"
-#include "quantize/t_mesh_faces.hpp"
+#include "quantize/quantize.hpp"
 
 namespace quadrille::square_t_mesh {
 
@@ -25,7 +25,7 @@ struct Line {
 
 inline SeparatrixGraph make(const std::vector<Line>& lines) {
   const CadFace f = square();
-  std::vector<graph::FixedNode> corners;
+  std::vector<GraphNode> corners;
   for (int j = 0; j < 4; ++j) corners.push_back({f.joints[j].position, NodeKind::corner, 1, j});
   const auto parameter = [&](int curve, Vec2 x) { return distance(x, f.joints[curve].position); };
   std::vector<graph::FinishedLine> finished;
