@@ -5,7 +5,7 @@
 #include "cli/tool_main.hpp"
 #include "io/output_file.hpp"
 #include "io/stage_files.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 using namespace quadrille;
 

@@ -7,9 +7,12 @@
 namespace quadrille::adapt {
 namespace {
 
-constexpr int measured_degrees = 3;
-constexpr double least_change = 0.7, greatest_change = 1.4;  // of the rate, expected from its change so far
-constexpr double slowest = 0.2, fastest = 8;                 // decay of the squared sensor by degree, natural logarithm
+struct DecayConstants {
+  int measured_degrees = 3;
+  double least_change = 0.7, greatest_change = 1.4;  // of the rate, expected from its change so far
+  double slowest = 0.2, fastest = 8;                 // decay of the squared sensor by degree, natural logarithm
+};
+constexpr DecayConstants decay_constants;
 
 // Minus the slope of the line of least squares through the values.
 double decay(const double* values, int count) {
@@ -56,10 +59,12 @@ double predicted_order(const std::vector<double>& sensors, double target, double
     while (d > 0 && logs[d - 1] <= 0) --d;
     return d == 0 ? 0 : d - 1 + logs[d - 1] / (logs[d - 1] - logs[d]);
   }
-  const int middle = std::max(last - measured_degrees + 1, 0), first = std::max(middle - measured_degrees + 1, 0);
+  const int before_last = decay_constants.measured_degrees - 1;
+  const int middle = std::max(last - before_last, 0), first = std::max(middle - before_last, 0);
   const double now = decay(&logs[middle], last - middle + 1), before = decay(&logs[first], middle - first + 1);
-  const double change = before > 0 ? std::clamp(now / before, least_change, greatest_change) : 1;
-  const double rate = std::clamp(trusted_rate * change * now, slowest, fastest);
+  const double change =
+      before > 0 ? std::clamp(now / before, decay_constants.least_change, decay_constants.greatest_change) : 1;
+  const double rate = std::clamp(trusted_rate * change * now, decay_constants.slowest, decay_constants.fastest);
   const double predicted = last + logs[last] / rate;
   return logs[order] > 0 ? std::max({predicted, order + logs[order] / rate, order + 0.01}) : predicted;
 }

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "field/lifting.hpp"
+#include "field/explicit_value.hpp"
 
 namespace quadrille::field {
 
@@ -103,7 +104,6 @@ Vec2 BoundaryValues::operator()(int curve, double t) const {
 }
 
 bool is_line_field(const CadFace& face) {
-  constexpr double tol = 1e-9;
   constexpr int samples = 9;
   const Vec2 first = boundary_value(face, 0, face.curves[0].begin());
   bool opposite = false;
@@ -113,7 +113,7 @@ bool is_line_field(const CadFace& face) {
       const double golden = 0.6180339887498949 * i;  // data at equal fractions of a circle would all lie on one line
       const double f = golden - std::floor(golden);
       const Vec2 value = boundary_value(face, curve, nurbs.begin() + f * (nurbs.end() - nurbs.begin()));
-      if (std::abs(cross(first, value)) > tol) return false;
+      if (std::abs(cross(first, value)) > tolerance::round_off) return false;
       opposite = opposite || dot(first, value) < 0;
     }
   }

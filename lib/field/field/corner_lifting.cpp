@@ -13,10 +13,6 @@ namespace quadrille::field {
 
 namespace {
 
-// Smaller jumps of the data are rounding of the decimals in the CAD file (a tangent jump of 2.5e-11 radians). By the
-// maximum principle the error of the field is no larger, and every lifting costs time at each evaluation of the field.
-constexpr double jump_tol = 1e-10;
-
 struct Ray {
   Vec2 start, direction;
   double shortest = 0;  // nearer hits are the start of the ray itself

@@ -12,6 +12,11 @@
 
 namespace quadrille::field {
 
+/// Smaller jumps of the data, of v or of the phase, are rounding of the decimals in the CAD file (a tangent jump of
+/// 2.5e-11 radians). By the maximum principle the error of the field is no larger, and every lifting costs time at each
+/// evaluation of the field.
+inline constexpr double jump_tol = 1e-10;
+
 /// The midpoint between `start`, a boundary point, and the first intersection of the boundary with the ray along the
 /// unit vector `direction` out of the domain. The distance from `start` is at most the diameter.
 Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction);

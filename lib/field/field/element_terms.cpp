@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/lifting.hpp"
-#include "field/phase_value.hpp"
+#include "field/explicit_value.hpp"
 
 namespace quadrille::field {
 namespace {
 
-constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 constexpr double margin = 1.1;  // for the bulge of curved edges, and stages of steps that leave the element
 
 // With fewer terms, groups of elements save nothing.

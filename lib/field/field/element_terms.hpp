@@ -15,6 +15,9 @@
 
 namespace quadrille::field {
 
+/// Of the reference triangle.
+inline constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
+
 /// The terms as seen from a disc.
 class DiscTerms {
  public:

@@ -2,17 +2,12 @@
 
 #include <cmath>
 
-#include "field/lifting.hpp"
-#include "field/phase_value.hpp"
+#include "base/error.hpp"
+#include "field/explicit_value.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille::field {
-namespace {
-
-constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
-
-}  // namespace
 
 FieldEvaluator::FieldEvaluator(const Field& field, FarTerms far_terms)
     : field_(&field),
@@ -64,6 +59,12 @@ Vec2 FieldEvaluator::value(int elem, Vec2 xi, Vec2& x, Mat2& dx_dxi) const {
          liftings(elem, x);
 }
 
+Vec2 FieldEvaluator::value(mesh::Location at) const {
+  Vec2 x;
+  Mat2 dx_dxi;
+  return value(at.elem, at.xi, x, dx_dxi);
+}
+
 // d e^(i phi) = i e^(i phi) d phi.
 FieldSample FieldEvaluator::phase_sample(int elem, Vec2 xi) const {
   FieldSample sample;
@@ -100,12 +101,8 @@ FieldSample FieldEvaluator::sample(int elem, Vec2 xi) const {
 }
 
 bool FieldEvaluator::value_at(Vec2 x, Vec2& value_there) const {
-  const mesh::Location at = locator_.find(x);
-  if (at.elem < 0) return false;
-  Vec2 position;
-  Mat2 jacobian;
-  value_there = value(at.elem, at.xi, position, jacobian);
-  return true;
+  mesh::Location at;
+  return value_near(x, at, value_there);
 }
 
 bool FieldEvaluator::value_near(Vec2 x, mesh::Location& at, Vec2& value_there) const {
@@ -114,9 +111,7 @@ bool FieldEvaluator::value_near(Vec2 x, mesh::Location& at, Vec2& value_there) c
     found = locator_.find(x);
   if (found.elem < 0) return false;
   at = found;
-  Vec2 position;
-  Mat2 jacobian;
-  value_there = value(at.elem, at.xi, position, jacobian);
+  value_there = value(at);
   return true;
 }
 
@@ -130,9 +125,7 @@ std::vector<PointSample> FieldEvaluator::values_at(const std::vector<Vec2>& poin
     PointSample& here = result.emplace_back();
     here.at = at;
     if (at.elem < 0) continue;
-    Vec2 position;
-    Mat2 jacobian;
-    here.value = value(at.elem, at.xi, position, jacobian);
+    here.value = value(at);
     last = at;
   }
   return result;
@@ -160,6 +153,17 @@ std::vector<PointSample> FieldsOfRegions::values_at(const std::vector<Vec2>& poi
     for (std::size_t k = 0; k < rest.size(); ++k) samples[numbers[k]] = found[k];
   }
   return samples;
+}
+
+double node_phase(const FieldEvaluator& evaluator, int node) {
+  const Field& field = evaluator.field();
+  PhaseTerms others = field.phase.terms;
+  const Vec2 x = others.nodes.at(node).position;
+  others.nodes[node].turns = 0;
+  const mesh::Location at = evaluator.locator().find(x);
+  if (at.elem < 0) throw FormatError("an irregular node lies outside the field's mesh");
+  const double* s = &field.phase.s[field.coef_offsets[at.elem]];
+  return spectral::orthogonal_sum(field.elem_order[at.elem], s, s, at.xi).x + explicit_phase(others, x);
 }
 
 }  // namespace quadrille::field

@@ -66,6 +66,7 @@ class FieldEvaluator {
   Vec2 liftings(int elem, Vec2 x) const;
   Vec2 sum_of(const std::vector<Lifting>& liftings, int elem, Vec2 x) const;
   Vec2 inward(int elem, Vec2 x) const;  ///< from x towards the element's centroid
+  Vec2 value(mesh::Location at) const;
   Vec2 phase_value(double remainder, int elem, Vec2 x) const;
   FieldSample phase_sample(int elem, Vec2 xi) const;
 
@@ -98,5 +99,12 @@ class FieldsOfRegions {
   std::vector<const FieldEvaluator*> regions_;
   std::vector<curve::Rotation> rotations_;
 };
+
+/// phi_0 of node `node` of a field of kind "phase" (field.phase.prescribed.nodes; lib/method.md §8.7), radians, modulo
+/// 2 pi:
+///   phi(z) = phi_0 + d arg(z - a) + O(|z - a|)   near a node a of index d = 4 - V,
+/// where the cross has the direction alpha if 4 alpha = phi_0 + d alpha (mod 2 pi). Throws FormatError if the node lies
+/// outside the mesh. Linear in the number of terms.
+double node_phase(const FieldEvaluator& evaluator, int node);
 
 }  // namespace quadrille::field

@@ -1,12 +1,90 @@
 #include "field/explicit_terms.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
+#include "base/position_text.hpp"
+#include "curve/nurbs.hpp"
+#include "field/corner_lifting.hpp"
+#include "field/explicit_value.hpp"
 
 namespace quadrille::field {
 namespace {
+
+bool is_bridged(const CadFace& face, const BoundaryApex& apex) {
+  return apex.t == face.curves[apex.curve].begin() && face.is_slit_joint(apex.curve);
+}
+
+// The pole p_c. For a hole with bends, the focus nearest to the exterior pole among those visible from the apex c, if
+// any: the terms centred at c and at p_c then belong to the turns around the same hole.
+Vec2 pole_of(const CadFace& face, const std::vector<HoleFocus>& foci, int loop, Vec2 apex, Vec2 tangent_out,
+             double interior_angle) {
+  const Vec2 usual = exterior_pole(face, apex, tangent_out, interior_angle);
+  Vec2 pole = usual;
+  double nearest = INFINITY;
+  for (const HoleFocus& focus : foci) {
+    const double away = distance(focus.position, apex), from_usual = distance(focus.position, usual);
+    if (focus.loop != loop || !(from_usual < nearest)) continue;
+    const Vec2 direction = (focus.position - apex) / away;
+    const bool points_outside = wrap_two_pi(angle_of(direction) - angle_of(tangent_out)) > interior_angle;
+    if (!points_outside || away >= 1.9999 * distance(half_way(face, apex, direction), apex)) continue;
+    pole = focus.position;
+    nearest = from_usual;
+  }
+  return pole;
+}
+
+void add_corner_angles(const CadFace& face, CornerTerms& result) {
+  for (const BoundaryApex& apex : result.apexes.apexes) {
+    result.apex2corner_angle.push_back(-1);
+    const double angle = apex.interior_angle, jump = 4 * angle - 2 * pi * apex.valence;
+    if (std::abs(jump) <= jump_tol || is_bridged(face, apex)) continue;
+    const Vec2 x = curve::point(face.curves[apex.curve], apex.t);
+    const Vec2 pole = pole_of(face, result.foci, face.loop_of(apex.curve), x, tangents_at(face, apex).out, angle);
+    result.apex2corner_angle.back() = static_cast<int>(result.corner_angles.size());
+    result.corner_angles.push_back({x, pole, jump / angle});
+  }
+}
+
+// Around a curve that encloses nothing there is no place for the centre of turns.
+void require_no_turns(const CadFace& face, int loop, const PhaseTurn& hole) {
+  if (hole.turns == 0) return;
+  throw ComputeError(fmt::format(
+      "the corners of the embedded curve at {} have valences whose sum of 2 - V is {}, but a field with prescribed "
+      "nodes "
+      "needs -4 there: prescribe other valences with critpoints --corner-valence, or draw the curve to the boundary",
+      position_text(face.joints[face.loop_offsets[loop]].position + face.origin), hole.turns - 4));
+}
+
+// Adds D_j, the turns that make the data of hole j single-valued, initially centred at one point of the hole.
+void add_holes(const CadFace& face, CornerTerms& result) {
+  for (const Vec2 x : hole_points(face)) result.holes.push_back({x, 4});
+  for (const BoundaryApex& apex : result.apexes.apexes) {
+    const int loop = face.loop_of(apex.curve);
+    if (loop > 0) result.holes[loop - 1].turns += 2 - apex.valence;
+  }
+  for (int loop = 1; loop < face.num_loops(); ++loop)
+    if (face.is_slit_loop(loop)) require_no_turns(face, loop, result.holes[loop - 1]);
+}
+
+BoundarySamples samples_at(const CadFace& face, const CornerTerms& corners, int curve, std::span<const double> t) {
+  const Nurbs& nurbs = face.curves[curve];
+  BoundarySamples samples;
+  samples.t.assign(t.begin(), t.end());
+  for (const double at : t) {
+    const int apex = find_apex(face, corners.apexes, curve, at);
+    const Vec2 x = curve::point(nurbs, at);
+    samples.apexes.push_back(apex);
+    samples.x.push_back(x);
+    samples.tangent_angles.push_back(angle_of(curve::tangent(nurbs, at)));
+    samples.corner_angles.push_back(apex < 0 ? sum_of_corner_angles(corners.corner_angles, x, -1, {}) : 0);
+  }
+  return samples;
+}
 
 // The term (point or focus of a hole) that is nearest to the position of an image: the turns of the image are taken
 // from it.
@@ -61,6 +139,49 @@ AngleExpansion expansion_around(const CadFace& face, int loop) {
 }
 
 }  // namespace
+
+CornerTerms corner_terms(const CadFace& face, const PhaseNodes& prescribed) {
+  CornerTerms result;
+  result.apexes = boundary_apexes(face, prescribed);
+  result.foci = hole_foci(face);
+  add_corner_angles(face, result);
+  add_holes(face, result);
+  return result;
+}
+
+double sum_of_corner_angles(const std::vector<CornerAngle>& corner_angles, Vec2 x, int at_apex, Vec2 inward) {
+  double sum = 0;
+  for (std::size_t c = 0; c < corner_angles.size(); ++c) {
+    const CornerAngle& corner = corner_angles[c];
+    sum += corner.beta * corner_angle(corner, static_cast<int>(c) == at_apex ? corner.apex : x, inward);
+  }
+  return sum;
+}
+
+SharedCorners::SharedCorners(const CadFace& face, const PhaseNodes& prescribed)
+    : corners_(prescribed.corners),
+      boundary_nodes_(prescribed.boundary_nodes),
+      face_(&face),
+      mirror_images_(face),
+      terms_(corner_terms(face, prescribed)),
+      samples_(face.num_curves()) {}
+
+bool SharedCorners::fit(const PhaseNodes& prescribed) const {
+  return prescribed.corners == corners_ && prescribed.boundary_nodes == boundary_nodes_;
+}
+
+const BoundarySamples& SharedCorners::samples(int curve, std::span<const double> t) {
+  BoundarySamples& samples = samples_[curve][t.front()];
+  if (!std::equal(t.begin(), t.end(), samples.t.begin(), samples.t.end()))
+    samples = samples_at(*face_, terms_, curve, t);
+  return samples;
+}
+
+const std::vector<MirrorImage>& SharedCorners::images(Vec2 x) {
+  const auto [entry, is_new] = images_.try_emplace({x.x, x.y});
+  if (is_new) entry->second = mirror_images_.of(x);
+  return entry->second;
+}
 
 LoopCentres::LoopCentres(const CadFace& face, int loop, const std::vector<TurnCentre>& centres)
     : far_(expansion_around(face, loop)) {

@@ -10,9 +10,8 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "galerkin/make_sparse_solver.hpp"
+#include "galerkin/sparse_solver.hpp"
 #include "stiffness/condensed_element.hpp"
-#include "stiffness/element_shapes.hpp"
 
 namespace quadrille::galerkin {
 

@@ -8,17 +8,10 @@
 
 #include "base/report.hpp"
 #include "field/corner_tilt.hpp"
-#include "field/harmonic_part.hpp"
 #include "field/phase_boundary.hpp"
 #include "model/field.hpp"
 
 namespace quadrille::galerkin {
-
-struct PhaseOptions {
-  /// Offsets from the hole winding of least energy, one integer for each hole (loops 1, 2, ...); empty: all 0. With a
-  /// non-zero offset, streamlines spiral around the hole.
-  std::vector<int> hole_winding_offsets;
-};
 
 /// W and dW / da_k for each node k (galerkin/phase_energy.hpp).
 struct PhaseEnergy {
@@ -28,7 +21,8 @@ struct PhaseEnergy {
 
 /// Solves for many sets of nodes on one mesh and for successive order maps: one factorisation for each order map, which
 /// serves the harmonic measures of all holes and other harmonic functions too. Each set of nodes costs new boundary
-/// data and one back substitution.
+/// data and one back substitution. `winding_offsets`: from the hole winding of least energy, one integer for each hole
+/// (loops 1, 2, ...); empty: all 0. With a non-zero offset, streamlines spiral around the hole.
 class PhaseSolver {
  public:
   /// Order elem_order[e] on element e. `mesh` must outlive the solver. The system is factored at first use.
@@ -46,11 +40,11 @@ class PhaseSolver {
 
   /// The field of kind "phase". Throws ComputeError for infeasible nodes (PhaseBoundary) and if the factorisation
   /// breaks down, UsageError unless the winding offsets are empty or one per hole.
-  Field solve(const PhaseNodes& asked, const PhaseOptions& options, Report& report);
+  Field solve(const PhaseNodes& asked, const std::vector<int>& winding_offsets, Report& report);
   /// The energy W of the field and its gradient. Throws as solve(), and ComputeError if a node lies outside the mesh
   /// (between a curve and its elements).
-  PhaseEnergy energy(const PhaseNodes& asked, const PhaseOptions& options = {});
-  /// Harmonic functions with these boundary data (galerkin/solve_parts.hpp), to be added to a field on this mesh with
+  PhaseEnergy energy(const PhaseNodes& asked, const std::vector<int>& winding_offsets = {});
+  /// Harmonic functions with these boundary data, to be added to a field on this mesh with
   /// this order map. Throws ComputeError if the factorisation breaks down.
   std::vector<field::HarmonicPart> harmonic_parts(const std::vector<field::LiftedData>& data);
   /// Size of the condensed system for this order map.
@@ -64,7 +58,7 @@ class PhaseSolver {
   void factor();
   void require_measures();
   void measure_holes();
-  State state(const PhaseNodes& asked, const PhaseOptions& options);
+  State state(const PhaseNodes& asked, const std::vector<int>& winding_offsets);
   void solve_for_winding(const Eigen::MatrixXd& data, State& state);
   Eigen::VectorXd nearest_winding(const State& state) const;
   std::unique_ptr<Parts> parts_;
@@ -72,7 +66,7 @@ class PhaseSolver {
 
 /// Solves for one set of nodes; throws as PhaseSolver::solve().
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked,
-                  const PhaseOptions& options, Report& report);
+                  const std::vector<int>& winding_offsets, Report& report);
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked, Report& report);
 
 }  // namespace quadrille::galerkin

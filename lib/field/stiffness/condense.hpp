@@ -1,5 +1,6 @@
 #pragma once
-// Static condensation: eliminates the interior modes of an element (Karniadakis and Sherwin, sec. 4.1.6).
+// A symmetric matrix, and static condensation, which eliminates the interior modes of an element (Karniadakis and
+// Sherwin, sec. 4.1.6).
 
 #include <Eigen/Dense>
 #include <memory>
@@ -7,9 +8,24 @@
 #include <vector>
 
 #include "spectral/modified_basis.hpp"
-#include "stiffness/symmetric_matrix.hpp"
 
 namespace quadrille::stiffness {
+
+/// The lower triangle, column by column.
+class SymmetricMatrix {
+ public:
+  SymmetricMatrix() = default;
+  /// From the lower triangle of a square matrix; its upper triangle is not read.
+  explicit SymmetricMatrix(const Eigen::MatrixXd& lower);
+
+  Eigen::Index rows() const { return rows_; }
+  /// All entries.
+  Eigen::MatrixXd dense() const;
+
+ private:
+  Eigen::Index rows_ = 0;
+  Eigen::VectorXd columns_;
+};
 
 /// An element matrix over its boundary modes b alone, and what determines the solution inside: one of two, or neither
 /// if it is not kept.
@@ -26,7 +42,7 @@ struct CondensedElement {
 CondensedElement eliminate_interior(const Eigen::MatrixXd& k_ii, const Eigen::MatrixXd& k_ib,
                                     const Eigen::MatrixXd& k_bb, const char* failure);
 
-/// The matrices of all elements; those of the same shape and order share one object (stiffness/element_shapes.hpp).
+/// The matrices of all elements; those of the same shape and order share one object (first_of_shape).
 using CondensedElements = std::vector<std::shared_ptr<const CondensedElement>>;
 
 /// `stiffness` is ordered as the modified basis: boundary modes first. Throws ComputeError if K_ii is not positive

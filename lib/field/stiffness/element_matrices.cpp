@@ -1,9 +1,5 @@
 #include "stiffness/element_matrices.hpp"
 
-#include <map>
-#include <memory>
-#include <mutex>
-#include <utility>
 #include <vector>
 
 #include "spectral/factored_modes.hpp"
@@ -39,12 +35,8 @@ FactorTable make_factor_table(int order, int num_points) {
 }
 
 const FactorTable& factor_table(int order, int num_points) {
-  static std::mutex mutex;
-  static std::map<std::pair<int, int>, std::unique_ptr<FactorTable>> tables;
-  const std::lock_guard lock(mutex);
-  auto& entry = tables[{order, num_points}];
-  if (!entry) entry = std::make_unique<FactorTable>(make_factor_table(order, num_points));
-  return *entry;
+  static spectral::PerOrder<FactorTable> tables([](int key) { return make_factor_table(key / 1000, key % 1000); });
+  return tables[1000 * order + num_points];
 }
 
 // A symmetric metric: the stiffness matrix is the integral of g11 d1 d1 + g12 (d1 d2 + d2 d1) + g22 d2 d2 over the

@@ -1,5 +1,3 @@
-#include "stiffness/harmonic_coefs.hpp"
-
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -10,7 +8,7 @@
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
-#include "stiffness/equilateral.hpp"
+#include "stiffness/harmonic_element.hpp"
 #include "stiffness/harmonic_frame.hpp"
 
 namespace quadrille::stiffness {
@@ -78,7 +76,7 @@ const ProjectionTable& projection_table(int order) {
 }
 
 // The modes of maps of one order at the points.
-const Eigen::MatrixXd& map_table(int order, int map_order) {
+const Eigen::MatrixXd& map_modes(int order, int map_order) {
   static spectral::PerOrder<Eigen::MatrixXd> tables(
       [](int key) { return spectral::orthogonal_vandermonde(key % 100, projection_table(key / 100).points); });
   return tables[100 * order + map_order];
@@ -94,7 +92,7 @@ struct Points {
 };
 
 Points points_of(const spectral::TriMap& map, const HarmonicFrame& frame, int order) {
-  const Eigen::MatrixXd& table = map_table(order, map.order());
+  const Eigen::MatrixXd& table = map_modes(order, map.order());
   const Eigen::Map<const Eigen::VectorXd> x(map.coefs_x().data(), table.cols()), y(map.coefs_y().data(), table.cols());
   const Eigen::Index n = table.rows(), padded = (n + group - 1) / group * group;
   const Eigen::ArrayXd dx = (table * x).array() - frame.centre.x, dy = (table * y).array() - frame.centre.y;
@@ -106,19 +104,18 @@ Points points_of(const spectral::TriMap& map, const HarmonicFrame& frame, int or
 
 // Re of the sum of (a_k - i b_k) p_k at the points, for coefficients a_1, b_1, a_2, ...: Clenshaw's algorithm.
 Eigen::ArrayXd values_at(const Points& z, std::complex<double> b, const Eigen::VectorXd& coefs) {
-  constexpr double third = 1.0 / 3;
   Eigen::ArrayXd values(z.x.size());
   for (Eigen::Index first = 0; first < values.size(); first += group) {
     const Group x = z.x.segment<group>(first), y = z.y.segment<group>(first);
     Group re = Group::Zero(), im = re, re1 = re, im1 = re, re2 = re, im2 = re;
     for (Eigen::Index k = coefs.size() - 2; k >= 0; k -= 2) {
-      const Group re0 = x * re - y * im - b.real() * re1 + b.imag() * im1 - third * re2 + coefs[k];
-      const Group im0 = x * im + y * re - b.real() * im1 - b.imag() * re1 - third * im2 - coefs[k + 1];
+      const Group re0 = x * re - y * im - b.real() * re1 + b.imag() * im1 - (1.0 / 3) * re2 + coefs[k];
+      const Group im0 = x * im + y * re - b.real() * im1 - b.imag() * re1 - (1.0 / 3) * im2 - coefs[k + 1];
       re2 = re1, im2 = im1;
       re1 = re, im1 = im;
       re = re0, im = im0;
     }
-    values.segment<group>(first) = x * re - y * im - b.real() * re1 + b.imag() * im1 - third * re2;
+    values.segment<group>(first) = x * re - y * im - b.real() * re1 + b.imag() * im1 - (1.0 / 3) * re2;
   }
   return values;
 }

@@ -1,21 +1,125 @@
 #include "stiffness/harmonic_element.hpp"
 
+#include <array>
+#include <cmath>
 #include <complex>
-#include <utility>
+#include <vector>
 
+#include "spectral/jacobi.hpp"
 #include "spectral/modified_basis.hpp"
-#include "stiffness/edge_rules.hpp"
-#include "stiffness/equilateral.hpp"
+#include "spectral/orthogonal_basis.hpp"
+#include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
 #include "stiffness/harmonic_frame.hpp"
 
 namespace quadrille::stiffness {
 namespace {
 
-constexpr double most_slender = 3;      // beyond that the substitute D is too far off
-constexpr double least_pivot = 1e-8;    // part of a polynomial's energy that those of lower degree do not represent
-constexpr double largest_radius = 2.5;  // |z| in a curved element; at the vertices of an equilateral one it is 1.37
+constexpr int extra_points = 6;  // on curved edges
 
-// Re p_1, Im p_1, Re p_2, ... at the points of the edges, and their normal derivatives times the weights.
+/// Gauss points along the edges of elements of order P, for the integrals of harmonic polynomials by boundary modes.
+struct EdgeRule {
+  spectral::Quadrature rule;
+  /// Points x 2 P: the traces of the mode of the first vertex, of that of the last, and of the edge modes of degree
+  /// 2 .. P; then the slopes of these edge modes, which are orthonormal.
+  Eigen::MatrixXd modes;
+};
+
+EdgeRule make_edge_rule(int order, int num_points) {
+  EdgeRule edge{spectral::gauss_legendre(num_points), Eigen::MatrixXd(num_points, 2 * order)};
+  std::vector<double> values(order);
+  for (int i = 0; i < num_points; ++i) {
+    const double s = edge.rule.points[i];
+    spectral::edge_mode_values(order, s, values.data());
+    edge.modes(i, 0) = (1 - s) / 2;
+    edge.modes(i, 1) = (1 + s) / 2;
+    for (int d = 2; d <= order; ++d) {
+      edge.modes(i, d) = values[d - 2];
+      edge.modes(i, order + d - 1) = -std::sqrt((2 * d - 1) / 2.0) * spectral::jacobi(d - 1, 0, 0, s);
+    }
+  }
+  return edge;
+}
+
+// Exact for straight edges; with more points for curved ones.
+const EdgeRule& edge_rule(int order, bool is_curved) {
+  static spectral::PerOrder<EdgeRule> straight([](int n) { return make_edge_rule(n, harmonic_degree(n)); });
+  static spectral::PerOrder<EdgeRule> curved(
+      [](int n) { return make_edge_rule(n, harmonic_degree(n) + extra_points); });
+  return is_curved ? curved[order] : straight[order];
+}
+
+// The modes of maps of one order along the edges.
+struct MapTable {
+  Eigen::MatrixXd values, slopes;  ///< points of edges 0, 1, 2 x modes
+};
+
+MapTable make_map_table(int order, int map_order) {
+  const std::vector<double>& points = edge_rule(order, true).rule.points;
+  const int n = static_cast<int>(points.size()), num_modes = spectral::num_tri_modes(map_order);
+  MapTable table{Eigen::MatrixXd(3 * n, num_modes), Eigen::MatrixXd(3 * n, num_modes)};
+  Eigen::VectorXd f(num_modes), f1(num_modes), f2(num_modes);
+  for (int edge = 0; edge < 3; ++edge) {
+    const Vec2 along = (spectral::tri_edge_point(edge, 1) - spectral::tri_edge_point(edge, 0)) / 2;
+    for (int i = 0; i < n; ++i) {
+      const Vec2 xi = spectral::tri_edge_point(edge, (1 + points[i]) / 2);
+      spectral::orthogonal_gradients(map_order, xi, f.data(), f1.data(), f2.data());
+      table.values.row(edge * n + i) = f;
+      table.slopes.row(edge * n + i) = along.x * f1 + along.y * f2;
+    }
+  }
+  return table;
+}
+
+const MapTable& map_table(int order, int map_order) {
+  static spectral::PerOrder<MapTable> tables([](int key) { return make_map_table(key / 100, key % 100); });
+  return tables[100 * order + map_order];
+}
+
+using Vector = Eigen::Map<const Eigen::VectorXd>;
+Vector as_vector(const std::vector<double>& values) { return {values.data(), std::ssize(values)}; }
+
+struct HarmonicLimits {
+  double most_slender = 3;      // beyond that the substitute D is too far off
+  double least_pivot = 1e-8;    // part of a polynomial's energy that those of lower degree do not represent
+  double largest_radius = 2.5;  // |z| in a curved element; at the vertices of an equilateral one it is 1.37
+};
+constexpr HarmonicLimits harmonic_limits;
+
+// The points of edges 0, 1 and 2, counter-clockwise, then the vertices; and the weights times the derivative of z, 0 at
+// the vertices.
+struct EdgePoints {
+  Eigen::ArrayXcd z, dz;
+};
+
+EdgePoints edge_points(const spectral::TriMap& map, const HarmonicFrame& frame, int order) {
+  const spectral::Quadrature& rule = edge_rule(order, !map.is_affine()).rule;
+  const Eigen::ArrayXd s = as_vector(rule.points), weights = as_vector(rule.weights);
+  const Eigen::Index n = s.size();
+  EdgePoints points{Eigen::ArrayXcd(3 * n + 3), Eigen::ArrayXcd::Zero(3 * n + 3)};
+  auto vertices = points.z.tail<3>();
+  for (int k = 0; k < 3; ++k) vertices[k] = frame(map.position(spectral::tri_edge_point(k, 0)));
+  if (map.is_affine()) {
+    for (int edge = 0; edge < 3; ++edge) {
+      const std::complex<double> begin = vertices[edge], end = vertices[(edge + 1) % 3];
+      points.z.segment(edge * n, n) = (begin + end) / 2.0 + (end - begin) / 2.0 * s;
+      points.dz.segment(edge * n, n) = (end - begin) / 2.0 * weights;
+    }
+    return points;
+  }
+  const MapTable& table = map_table(order, map.order());
+  const Vector x = as_vector(map.coefs_x()), y = as_vector(map.coefs_y());
+  Eigen::ArrayXcd z(3 * n), dz(3 * n);
+  z.real() = (table.values * x).array() - frame.centre.x;
+  z.imag() = (table.values * y).array() - frame.centre.y;
+  dz.real() = (table.slopes * x).array() * weights.replicate(3, 1);
+  dz.imag() = (table.slopes * y).array() * weights.replicate(3, 1);
+  points.z.head(3 * n) = z * frame.scale;
+  points.dz.head(3 * n) = dz * frame.scale;
+  return points;
+}
+
+// Re p_1, Im p_1, Re p_2, ... at the points, and their normal derivatives times the weights.
 struct EdgeValues {
   Eigen::MatrixXd values, fluxes;  ///< points x 2 degree
 };
@@ -61,40 +165,28 @@ Products products_with_modes(const EdgeValues& at, const EdgeRule& edge, int ord
       products.trace.col(re + 1).segment(first, num_edge) = of_edge.row(re).tail(num_edge);
     }
   }
+  products.trace.topRows<3>() = at.values.bottomRows<3>();
   return products;
-}
-
-void set_vertex_traces(const spectral::TriMap& map, const HarmonicFrame& frame, Eigen::MatrixXd& trace) {
-  for (int k = 0; k < 3; ++k) {
-    const std::complex<double> z = frame(map.position(spectral::tri_edge_point(k, 0)));
-    std::complex<double> p = 1, p1 = 0, p2 = 0;
-    for (Eigen::Index re = 0; re < trace.cols(); re += 2) {
-      p2 = std::exchange(p1, std::exchange(p, next_polynomial(z, frame.b, p, p1, p2)));
-      trace(k, re) = p.real();
-      trace(k, re + 1) = p.imag();
-    }
-  }
 }
 
 }  // namespace
 
-std::optional<HarmonicElement> harmonic_element(const spectral::TriMap& map, int order) {
+std::optional<CondensedElement> harmonic_element(const spectral::TriMap& map, int order) {
   const HarmonicFrame frame(map);
-  if (order < 3 || !(frame.slenderness() <= most_slender) || std::abs(frame.b) >= 1) return {};
+  if (order < 3 || !(frame.slenderness() <= harmonic_limits.most_slender) || std::abs(frame.b) >= 1) return {};
   const EdgePoints points = edge_points(map, frame, order);
-  if (!(points.z.abs().maxCoeff() <= largest_radius)) return {};
+  if (!(points.z.abs().maxCoeff() <= harmonic_limits.largest_radius)) return {};
   const EdgeValues at = edge_values(points, frame.b, harmonic_degree(order));
-  Products products = products_with_modes(at, edge_rule(order, !map.is_affine()), order);
-  set_vertex_traces(map, frame, products.trace);
+  const Products products = products_with_modes(at, edge_rule(order, !map.is_affine()), order);
 
   const Eigen::Index num = at.values.cols(), nb = products.flux.cols();
   Eigen::MatrixXd gram(num, num);
   gram.triangularView<Eigen::Lower>() = at.values.transpose() * at.fluxes;
   const Eigen::ArrayXd energies = gram.diagonal();
   if (Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(gram).info() != Eigen::Success) return {};
-  if (!((gram.diagonal().array().square() / energies).minCoeff() > least_pivot)) return {};
+  if (!((gram.diagonal().array().square() / energies).minCoeff() > harmonic_limits.least_pivot)) return {};
 
-  HarmonicElement element;
+  CondensedElement element;
   Eigen::MatrixXd half(num + nb, nb);  // S = half^T half
   half.topRows(num) = gram.triangularView<Eigen::Lower>().solve(products.flux);
   element.projection = gram.transpose().triangularView<Eigen::Upper>().solve(half.topRows(num));

@@ -9,24 +9,28 @@
 #include <tuple>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "triangulate/junction_clearance.hpp"
+#include "triangulate/outline.hpp"
 #include "triangulate/singularity.hpp"
 
 namespace quadrille::triangulate {
 namespace {
 
-constexpr double acute_angle = radians(75.0);
-constexpr double sector_angle = radians(60.0);
-constexpr double slack = 1 + 1e-9;
-/// Least radius of a ring, in diameters. Coordinates have 16 digits: the curved elements of smaller rings are not valid
-/// for certain.
-constexpr double least_radius = 1e-11;
+struct FanConstants {
+  double acute_angle = radians(75.0), sector_angle = radians(60.0);
+  double slack = 1 + tolerance::round_off;
+  /// Least radius of a ring, in diameters. Coordinates have 16 digits: the curved elements of smaller rings are not
+  /// valid for certain.
+  double least_radius = 1e-11;
+};
+constexpr FanConstants fan_constants;
 
 /// Whether the curves at a corner are so close to each other, inside or outside the face, that segments along them
 /// would be bisected without end.
 bool is_sharp(const Junction& junction) {
-  return junction.interior_angle < acute_angle || junction.interior_angle > 2 * pi - acute_angle;
+  return junction.interior_angle < fan_constants.acute_angle ||
+         junction.interior_angle > 2 * pi - fan_constants.acute_angle;
 }
 
 /// The same for the curves of a body that slits meet at one place, as wakes do: the junctions between body and slits
@@ -38,7 +42,7 @@ bool is_sharp_outside(const Outline& outline, std::span<const Fan> fans) {
     inside += outline.junctions()[fan.junction].interior_angle;
     has_body = has_body || !outline.face().is_interface(outline.pieces()[fan.junction].curve);
   }
-  return has_body && inside > 2 * pi - acute_angle;
+  return has_body && inside > 2 * pi - fan_constants.acute_angle;
 }
 
 /// The parameter at which the piece, followed from its start (`from_start`) or its end, leaves the circle of this
@@ -98,10 +102,10 @@ bool keeps_limits(const EdgeFit& fit, const Fan& fan, const EdgeLimits& limits) 
     if (piece.is_straight) return true;
     const double turn = fit.turn(piece.curve, t0, t1);
     turns += turn;
-    return turn <= limits.turn * slack && fit.error(piece.curve, t0, t1) <= limits.curve_tol;
+    return turn <= limits.turn * fan_constants.slack && fit.error(piece.curve, t0, t1) <= limits.curve_tol;
   };
   return keeps(out, out0, fan.t_out[last]) && keeps(in, fan.t_in[last], in1) &&
-         turns <= fit.outline().junctions()[fan.junction].interior_angle * slack;
+         turns <= fit.outline().junctions()[fan.junction].interior_angle * fan_constants.slack;
 }
 
 /// The greatest radius of a fan, before its curves are looked at.
@@ -117,7 +121,7 @@ bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const Edg
   const Outline& outline = fit.outline();
   double radius = limits.size;
   for (const Fan& fan : fans) radius = std::min(radius, fan.radius);
-  const double smallest = least_radius * outline.face().diameter;
+  const double smallest = fan_constants.least_radius * outline.face().diameter;
   constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
     int layers = 0;
@@ -222,7 +226,8 @@ std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options
     Fan fan;
     fan.junction = j;
     fan.radius = greatest_radius(outline, j, limits.size, clearance.at_junction(j));
-    fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junctions[j].interior_angle / (sector_angle * slack))));
+    fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junctions[j].interior_angle /
+                                                             (fan_constants.sector_angle * fan_constants.slack))));
     fans_by_place[junctions[j].place].push_back(std::move(fan));
   }
   std::vector<Fan> fans;

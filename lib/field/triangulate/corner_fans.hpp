@@ -13,7 +13,7 @@
 
 #include "triangulate/draft.hpp"
 #include "triangulate/edge_fit.hpp"
-#include "triangulate/triangulate_options.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::triangulate {
 

@@ -1,5 +1,6 @@
 #pragma once
-// A triangle mesh under construction: straight elements, and boundary edges as directed pairs of vertices.
+// A triangle mesh under construction: straight elements, and boundary edges as directed pairs of vertices. Its last
+// steps: smoothing, and cutting along slits.
 
 #include <array>
 #include <vector>
@@ -30,5 +31,18 @@ struct Draft {
     layers.push_back(layer);
   }
 };
+
+/// Doubles the vertices on slits, so that the elements on both sides of a slit are not neighbours: gives each vertex
+/// where boundary edges meet one copy for each sector between them. A sector without a copy keeps the vertex itself; at
+/// the tip of a slit there is one sector. Copies are added at the end of draft.vertices, in the order of their
+/// vertices. Returns the vertex from which each vertex was copied, itself for the others.
+std::vector<int> cut_slits(Draft& draft);
+
+/// Shape of a triangle: 4 sqrt(3) area / (sum of squared edges); 1 equilateral, 0 degenerate, negative inverted.
+double triangle_shape(Vec2 a, Vec2 b, Vec2 c);
+
+/// Moves the vertices with `is_free` towards the mean of their neighbours, each only if this improves the least shape
+/// around it; the connectivity does not change. `is_free` has one entry per vertex.
+void smooth(Draft& draft, const std::vector<char>& is_free);
 
 }  // namespace quadrille::triangulate

@@ -1,6 +1,9 @@
 #include "triangulate/triangle_sizes.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "base/segments.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -9,6 +12,14 @@ constexpr int most_in_leaf = 8;
 constexpr double rounding = 1e-14;  // relative, of a sum of a size and a distance
 
 }  // namespace
+
+double segment_distance(const Segment& a, const Segment& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      least = std::min(least, distance_of_segments(a.samples[i], a.samples[i + 1], b.samples[j], b.samples[j + 1]));
+  return least;
+}
 
 TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth)
     : size_(size), growth_(growth) {

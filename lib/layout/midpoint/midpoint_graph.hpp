@@ -10,7 +10,7 @@
 
 namespace quadrille::midpoint {
 
-/// Makes coarse triangles of a face (triangulate/coarse_triangles.hpp), and refines those that the second function
+/// Makes coarse triangles of a face (triangulate/triangulate.hpp), and refines those that the second function
 /// names; in a face of several regions they have the same edges on both sides of interfaces. Throws ComputeError if
 /// there are none. A function is handed on, so that who does not divide triangles need not be linked with CGAL.
 using CoarseMesher =

@@ -9,7 +9,7 @@
 #include "base/point_grid.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
-#include "field/node_phase.hpp"
+#include "field/evaluate.hpp"
 #include "trace/fixed_nodes.hpp"
 #include "trace/launch_directions.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "field/corner_tilt.hpp"
 #include "field/evaluate.hpp"
-#include "field/harmonic_part.hpp"
 #include "ties/tie_orbits.hpp"
 
 namespace quadrille::ties {

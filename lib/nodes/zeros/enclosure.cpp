@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/angle.hpp"
-#include "field/lifting.hpp"
+#include "field/explicit_value.hpp"
 #include "spectral/tri_bernstein.hpp"
 
 namespace quadrille::zeros {

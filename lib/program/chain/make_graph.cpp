@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "chain/chain_nodes.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::chain {
 

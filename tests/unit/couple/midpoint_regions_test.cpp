@@ -6,7 +6,7 @@
 #include "graph/face_corners.hpp"
 #include "graph/subdivision.hpp"
 #include "model/interfaces.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::couple {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 #include "field/boundary_values.hpp"
-#include "field/lifting.hpp"
+#include "field/explicit_value.hpp"
 
 namespace quadrille::field {
 namespace {

@@ -7,7 +7,7 @@
 #include "../support/square_field.hpp"
 #include "../support/texts.hpp"
 #include "base/error.hpp"
-#include "field/lifting.hpp"
+#include "field/explicit_value.hpp"
 #include "guide/index_sum.hpp"
 
 namespace quadrille::guide {

@@ -7,7 +7,7 @@
 #include "../support/hall_field.hpp"
 #include "base/error.hpp"
 #include "graph/face_corners.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::layout {
 namespace {

@@ -5,7 +5,6 @@
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 #include "graph/face_corners.hpp"
-#include "triangulate/coarse_triangles.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::layout {

@@ -5,7 +5,6 @@
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
 #include "check/check.hpp"
-#include "triangulate/coarse_triangles.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::midpoint {

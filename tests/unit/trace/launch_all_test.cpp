@@ -7,8 +7,8 @@
 
 #include "../support/phase_field.hpp"
 #include "base/error.hpp"
-#include "field/node_phase.hpp"
-#include "field/phase_value.hpp"
+#include "field/evaluate.hpp"
+#include "field/explicit_value.hpp"
 #include "trace/fixed_nodes.hpp"
 #include "trace/launch_directions.hpp"
 

@@ -1,14 +1,12 @@
-#include "field/phase_value.hpp"
+#include "field/explicit_value.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 
 #include "base/angle_sum.hpp"
-#include "field/lifting.hpp"
 
 namespace quadrille::field {
-
 namespace {
 
 // A point nearer to an apex than this, relative to |c - p_c|, is treated as the apex: the direction to it is noise.
@@ -96,6 +94,21 @@ Vec2 gradient_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
 }
 
 }  // namespace
+
+double lifting_angle(const Lifting& lifting, Vec2 x) {
+  const Vec2 a = x - lifting.apex, b = x - lifting.pole;
+  return std::atan2(cross(b, a), dot(b, a));
+}
+
+Vec2 lifting_gradient(const Lifting& lifting, Vec2 x) {
+  const Vec2 a = x - lifting.apex, b = x - lifting.pole;
+  return left_of(a) / norm2(a) - left_of(b) / norm2(b);
+}
+
+double lifting_angle_at_apex(const Lifting& lifting, Vec2 d) {
+  const Vec2 b = lifting.apex - lifting.pole;
+  return std::atan2(cross(b, d), dot(b, d));
+}
 
 double corner_angle(const CornerAngle& corner, Vec2 x, Vec2 inward) {
   return is_apex(corner, x) ? lifting_angle_at_apex(lifting(corner), inward) : lifting_angle(lifting(corner), x);

@@ -1,4 +1,4 @@
-#include "stiffness/element_shapes.hpp"
+#include "stiffness/condensed_element.hpp"
 
 #include <gtest/gtest.h>
 

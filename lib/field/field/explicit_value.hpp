@@ -1,10 +1,19 @@
 #pragma once
-// Value and gradient of the explicit part of a phase (model/phase_terms.hpp; lib/method.md §8.3 and §8.4).
+// Values and gradients of the explicit terms: the liftings of a harmonic field (field/corner_lifting.hpp makes them),
+// and the terms of a phase (model/phase_terms.hpp; lib/method.md §8.3 and §8.4).
 
 #include "base/vec2.hpp"
+#include "model/field.hpp"
 #include "model/phase_terms.hpp"
 
 namespace quadrille::field {
+
+/// theta_c at x; x must not be c.
+double lifting_angle(const Lifting& lifting, Vec2 x);
+/// Its gradient.
+Vec2 lifting_gradient(const Lifting& lifting, Vec2 x);
+/// The limit of theta_c as x -> c along the unit vector d, which points from c into the closed domain.
+double lifting_angle_at_apex(const Lifting& lifting, Vec2 d);
 
 /// theta_c at x, radians; at the apex, or within round-off of it, its limit along `inward`, a unit vector into the
 /// closed domain.

@@ -1,20 +1,89 @@
-#include "field/hole_foci.hpp"
+#include "field/hole_centres.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/segments.hpp"
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 
 namespace quadrille::field {
-
 namespace {
 
-// A bend is a part of the boundary whose curvature exceeds this multiple of the mean curvature around the hole.
-constexpr double sharp = 1.5;
-// A joint with a greater turn (radians) is a corner.
-constexpr double corner_turn = 1e-3;
+// Sufficient fraction of the greatest clearance: the farther h_j is from the boundary, the smoother the data.
+constexpr double good_clearance = 0.8;
+
+using Polygon = std::vector<Vec2>;
+
+Polygon sampled_loop(const CadFace& face, int loop) {
+  constexpr int samples = 32;
+  Polygon polygon;
+  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+    const Nurbs& curve = face.curves[c];
+    for (int i = 0; i < samples; ++i)
+      polygon.push_back(curve::point(curve, curve.begin() + (curve.end() - curve.begin()) * i / samples));
+  }
+  return polygon;
+}
+
+// Area and first moments from triangles about the first point.
+Vec2 centroid_of(const Polygon& polygon) {
+  const Vec2 base = polygon.front();
+  double area = 0;
+  Vec2 moment;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec2 a = polygon[i] - base, b = polygon[i + 1] - base;
+    area += cross(a, b);
+    moment += cross(a, b) * (a + b) / 3.0;
+  }
+  return base + moment / area;
+}
+
+// Distance to the polygon, negative outside.
+double signed_clearance(const Polygon& polygon, Vec2 x) {
+  double nearest = INFINITY;
+  bool is_inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    nearest = std::min(nearest, distance_to_segment(x, a, b));
+    if ((a.y > x.y) != (b.y > x.y) && x.x < a.x + (b.x - a.x) * (x.y - a.y) / (b.y - a.y)) is_inside = !is_inside;
+  }
+  return is_inside ? nearest : -nearest;
+}
+
+Vec2 hole_point(const CadFace& face, int loop) {
+  const Polygon polygon = sampled_loop(face, loop);
+  const Vec2 centre = centroid_of(polygon);
+  Vec2 best;
+  double most = -INFINITY;
+  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+    if (face.is_interface(c)) continue;  // behind a slit is the face
+    const Nurbs& curve = face.curves[c];
+    for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
+      const double t = curve.begin() + f * (curve.end() - curve.begin());
+      const Vec2 x = half_way(face, curve::point(curve, t), -left_of(curve::tangent(curve, t)));
+      const double clearance = signed_clearance(polygon, x);
+      if (clearance > most * (1 + 1e-6)) most = clearance, best = x;
+    }
+  }
+  return signed_clearance(polygon, centre) >= good_clearance * most ? centre : best;
+}
+
+// Outside of the outline: the term there has no turns (explicit_terms.cpp), but its position has to be finite.
+Vec2 point_beyond(const CadFace& face, int loop) {
+  const Joint& joint = face.joints[face.loop_offsets[loop]];
+  return joint.position + 3 * face.diameter * unit(joint.tangent_out);
+}
+
+struct BendConstants {
+  double sharp = 1.5;         // a bend: curvature above this multiple of the mean curvature around the hole
+  double corner_turn = 1e-3;  // a joint with a greater turn (radians) is a corner
+  double part_turn = 0.05;    // greatest turn of a part, radians
+  int deepest = 20;           // bisection into parts
+  int parts_of_curve = 32;
+};
+constexpr BendConstants bend_constants;
 
 /// A short part of the boundary: clockwise around the hole, so that the tangent turns to the right where the hole is
 /// convex.
@@ -29,13 +98,11 @@ double turn_between(Vec2 before, Vec2 after) { return -std::atan2(cross(before, 
 
 // Bisects [t0, t1] until each part turns by a small angle.
 void add_parts(const Nurbs& curve, double t0, double t1, int depth, std::vector<Part>& parts) {
-  constexpr double most_turn = 0.05;
-  constexpr int deepest = 20;
   const double middle = (t0 + t1) / 2;
   const Vec2 along = curve::tangent(curve, middle);
   const double turn =
       turn_between(curve::tangent(curve, t0), along) + turn_between(along, curve::tangent(curve, t1, true));
-  if (std::abs(turn) > most_turn && depth < deepest) {
+  if (std::abs(turn) > bend_constants.part_turn && depth < bend_constants.deepest) {
     add_parts(curve, t0, middle, depth + 1, parts);
     add_parts(curve, middle, t1, depth + 1, parts);
     return;
@@ -45,15 +112,16 @@ void add_parts(const Nurbs& curve, double t0, double t1, int depth, std::vector<
 }
 
 std::vector<Part> parts_of(const CadFace& face, int loop) {
-  constexpr int parts_of_curve = 32;
   std::vector<Part> parts;
   for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
     const Nurbs& curve = face.curves[c];
-    const double begin = curve.begin(), step = (curve.end() - begin) / parts_of_curve;
+    const double begin = curve.begin(), step = (curve.end() - begin) / bend_constants.parts_of_curve;
     const Joint& joint = face.joints[c];
     const std::size_t first = parts.size();
-    for (int i = 0; i < parts_of_curve; ++i) add_parts(curve, begin + i * step, begin + (i + 1) * step, 0, parts);
-    parts[first].begins_at_corner = std::abs(wrap_pi(joint.tangent_out - joint.tangent_in)) > corner_turn;
+    for (int i = 0; i < bend_constants.parts_of_curve; ++i)
+      add_parts(curve, begin + i * step, begin + (i + 1) * step, 0, parts);
+    parts[first].begins_at_corner =
+        std::abs(wrap_pi(joint.tangent_out - joint.tangent_in)) > bend_constants.corner_turn;
   }
   return parts;
 }
@@ -74,7 +142,7 @@ struct Run {
 std::vector<Run> sharp_runs(const std::vector<Part>& parts) {
   double length = 0;
   for (const Part& part : parts) length += part.length;
-  const double least = sharp * 2 * pi / length;
+  const double least = bend_constants.sharp * 2 * pi / length;
   std::vector<Run> runs;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!(parts[i].turn > least * parts[i].length)) continue;
@@ -116,6 +184,13 @@ Vec2 focus_of(const CadFace& face, const std::vector<Part>& parts, Run run) {
 }
 
 }  // namespace
+
+std::vector<Vec2> hole_points(const CadFace& face) {
+  std::vector<Vec2> points;
+  for (int loop = 1; loop < face.num_loops(); ++loop)
+    points.push_back(face.is_slit_loop(loop) ? point_beyond(face, loop) : hole_point(face, loop));
+  return points;
+}
 
 std::vector<HoleFocus> hole_foci(const CadFace& face) {
   std::vector<HoleFocus> foci;

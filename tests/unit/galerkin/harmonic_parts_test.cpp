@@ -1,11 +1,10 @@
-#include "galerkin/solve_parts.hpp"
-
 #include <gtest/gtest.h>
 
 #include "../support/polygon_field.hpp"
 #include "field/boundary_values.hpp"
 #include "field/evaluate.hpp"
-#include "field/lifting.hpp"
+#include "field/explicit_value.hpp"
+#include "galerkin/solve_phase.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -22,11 +21,7 @@ Field solved_field(const CadFace& face) {
 }
 
 std::vector<field::HarmonicPart> parts_of(const Field& field, const std::vector<field::LiftedData>& data) {
-  const MeshContext context(field.mesh);
-  ContinuousSystem system(context);
-  Stopwatch watch;
-  system.set_orders(field.elem_order, watch);
-  return solve_parts(context, system, std::make_shared<BoundaryPoints>(field.mesh), data);
+  return PhaseSolver(field.mesh, field.elem_order).harmonic_parts(data);
 }
 
 Vec2 value_at(const Field& field, Vec2 x) {
@@ -35,7 +30,7 @@ Vec2 value_at(const Field& field, Vec2 x) {
   return value;
 }
 
-TEST(SolveParts, adds_harmonic_functions_to_a_field) {
+TEST(HarmonicParts, adds_harmonic_functions_to_a_field) {
   const Field field = solved_field(plate());
   const CadFace& face = field.mesh.face;
   const auto square = [&](int curve, double t) {
@@ -55,7 +50,7 @@ TEST(SolveParts, adds_harmonic_functions_to_a_field) {
   }
 }
 
-TEST(SolveParts, liftings_are_added_to_those_at_the_same_joint) {
+TEST(HarmonicParts, liftings_are_added_to_those_at_the_same_joint) {
   const Field field = solved_field(plate());
   const CadFace& face = field.mesh.face;
   const Lifting at_a_tie = field.liftings.front();
@@ -69,7 +64,7 @@ TEST(SolveParts, liftings_are_added_to_those_at_the_same_joint) {
   EXPECT_NEAR(norm(value_at(sum, {2.5, 1.5}) - value_at(field, {2.5, 1.5})), 0, 1e-6);
 }
 
-TEST(SolveParts, elements_where_a_function_vanishes_are_left_out) {
+TEST(HarmonicParts, elements_where_a_function_vanishes_are_left_out) {
   const Field field = solved_field(plate());
   const auto parts = parts_of(field, {{[](int, double) { return Vec2{}; }, {}}});
   EXPECT_TRUE(parts[0].elems.empty());

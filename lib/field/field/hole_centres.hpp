@@ -1,5 +1,6 @@
 #pragma once
-// Centres of the turns D_j of a hole that is not round (lib/method.md §8.3).
+// The centres of the turns D_j inside each hole (lib/method.md §8.3): a point h_j, and if the hole is not round the
+// foci of its bends.
 //
 // On an ellipse with foci f and f', 4 theta_t = 2 arg (z - f) + 2 arg (z - f') + const; on a parabola, 4 theta_t = 2
 // arg (z - f) + const. Where the boundary of a hole turns by T in a sharp bend, 2 T / pi turns are therefore centred at
@@ -12,6 +13,12 @@
 #include "model/cad_face.hpp"
 
 namespace quadrille::field {
+
+/// The points h_j. For each hole (loops 1, 2, ...) its centroid. If the centroid lies outside the hole or much nearer
+/// to the boundary than other points, the midpoint of the chord across the hole that has the greatest clearance. The
+/// points move with the face and, if the centroid is used, do not depend on where the curves begin. For a loop of
+/// slits, which encloses nothing, a point beyond the outline.
+std::vector<Vec2> hole_points(const CadFace& face);
 
 /// The focus of one bend of a hole.
 struct HoleFocus {
