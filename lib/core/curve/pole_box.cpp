@@ -3,16 +3,11 @@
 #include <algorithm>
 
 namespace quadrille::curve {
-namespace {
 
-void extend(PoleBox& box, const std::vector<Vec2>& points) {
-  for (const Vec2 p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
+void PoleBox::extend(const PoleBox& other) {
+  low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+  high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
 }
-
-}  // namespace
 
 double PoleBox::distance_from(Vec2 x) const {
   return norm({std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0})});
@@ -20,13 +15,13 @@ double PoleBox::distance_from(Vec2 x) const {
 
 PoleBox pole_box(const Nurbs& curve) {
   PoleBox box{curve.poles.front(), curve.poles.front()};
-  extend(box, curve.poles);
+  for (const Vec2 p : curve.poles) box.extend({p, p});
   return box;
 }
 
 PoleBox pole_box(const std::vector<Nurbs>& curves) {
   PoleBox box = pole_box(curves.front());
-  for (const Nurbs& curve : curves) extend(box, curve.poles);
+  for (const Nurbs& curve : curves) box.extend(pole_box(curve));
   return box;
 }
 

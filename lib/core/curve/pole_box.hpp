@@ -14,6 +14,9 @@ struct PoleBox {
   Vec2 centre() const { return 0.5 * (low + high); }
   double diagonal() const { return distance(low, high); }
 
+  /// Widens the box so that it contains the other one.
+  void extend(const PoleBox& other);
+
   /// Whether x lies in the box or at most `margin` (a length) outside each of its sides.
   bool contains(Vec2 x, double margin = 0) const {
     return low.x - margin <= x.x && x.x <= high.x + margin && low.y - margin <= x.y && x.y <= high.y + margin;

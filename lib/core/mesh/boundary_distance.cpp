@@ -111,8 +111,8 @@ BoundaryDistance boundary_distance(const QuadMesh& mesh) {
   const MeshBoundary boundary = mesh_boundary(mesh);
   std::vector<Vec2> cad_samples;
   for (const Nurbs& curve : mesh.face.curves) append_samples(curve, boundary.spacing, cad_samples);
-  BoundaryDistance result{curve::CurveSet(mesh.face.curves).farthest(boundary.samples),
-                          curve::CurveSet(boundary.curves).farthest(cad_samples)};
+  BoundaryDistance result{curve::CurveTree(mesh.face.curves).farthest(boundary.samples),
+                          curve::CurveTree(boundary.curves).farthest(cad_samples)};
   result.mesh_to_cad.distance += mesh.face.fit_distance;
   result.cad_to_mesh.distance += mesh.face.fit_distance;
   return result;

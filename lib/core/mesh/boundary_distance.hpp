@@ -4,7 +4,7 @@
 // from the curves in the CAD file: the greatest distance of the replacement is added.
 
 #include "base/report.hpp"
-#include "curve/curve_set.hpp"
+#include "curve/face_boundary.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::mesh {
