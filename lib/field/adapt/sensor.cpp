@@ -6,18 +6,11 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "spectral/orthogonal_basis.hpp"
+#include "field/error_estimate.hpp"
 
 namespace quadrille::adapt {
 
 namespace {
-
-// Adds the squared norm of the modes of each degree to `norms`.
-void add_squared_norms(const double* coefs, std::vector<double>& norms) {
-  for (int degree = 0; degree < static_cast<int>(norms.size()); ++degree)
-    for (int i = spectral::num_tri_modes(degree - 1); i < spectral::num_tri_modes(degree); ++i)
-      norms[degree] += coefs[i] * coefs[i];
-}
 
 double area(const TriMesh& mesh, int elem) {
   const auto& [a, b, c] = mesh.elem2vertices[elem];
@@ -50,7 +43,7 @@ std::vector<std::vector<double>> degree_sensors(const Field& field, SensorKind k
       if (component->empty()) continue;
       if (kind == SensorKind::u && component == &field.v) continue;
       if (kind == SensorKind::v && component == &field.u) continue;
-      add_squared_norms(&(*component)[field.coef_offsets[e]], norms);
+      field::add_squared_norms(&(*component)[field.coef_offsets[e]], norms);
     }
     // The norm of s is no reference scale: hole winding makes it large, and adding 2 pi to s does not change the field.
     const double all = std::accumulate(norms.begin(), norms.end(), 0.0);

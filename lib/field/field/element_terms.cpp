@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve/pole_box.hpp"
 #include "field/explicit_value.hpp"
 
 namespace quadrille::field {
@@ -112,11 +113,9 @@ ElementTerms::ElementTerms(const Field& field, const std::vector<spectral::TriMa
 
 // The cells are those of a grid over the centroids, the groups squares of cells.
 void ElementTerms::group_elements() {
-  Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  for (const Disc& disc : discs_) {
-    low = {std::min(low.x, disc.centre.x), std::min(low.y, disc.centre.y)};
-    high = {std::max(high.x, disc.centre.x), std::max(high.y, disc.centre.y)};
-  }
+  curve::PoleBox box{discs_.front().centre, discs_.front().centre};
+  for (const Disc& disc : discs_) box.extend({disc.centre, disc.centre});
+  const auto& [low, high] = box;
   const int num_groups = 1 + static_cast<int>(std::sqrt(static_cast<double>(discs_.size()) / elements_per_group));
   const int n = cells_across_group * num_groups;
   const double side = std::max(high.x - low.x, high.y - low.y) / n;

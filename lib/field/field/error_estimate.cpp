@@ -42,38 +42,34 @@ std::array<EdgePoint, fractions.size()> edge_points(const BoundaryEdge& edge, co
   return points;
 }
 
-double misfit_at(const Field& field, const BoundaryValues& values, const spectral::TriMap& map,
-                 const BoundaryEdge& edge, const EdgePoint& at) {
-  const CadFace& face = field.mesh.face;
+/// How far a field differs from its boundary data, and its slope across the boundary.
+struct Misfit {
+  double difference, slope;
+  Vec2 x;  ///< the point of the element
+};
+
+Misfit misfit_at(const Field& field, const BoundaryValues& values, const spectral::TriMap& map,
+                 const BoundaryEdge& edge, const EdgePoint& at, Vec2 across) {
   const int offset = field.coef_offsets[edge.elem];
   Vec2 x_h;
   Mat2 dx_dxi, dv_dxi;
   map.evaluate(at.xi, x_h, dx_dxi);
   const Vec2 value =
       spectral::orthogonal_sum(field.elem_order[edge.elem], &field.u[offset], &field.v[offset], at.xi, dv_dxi);
-  const Vec2 data = values(edge.curve, at.t);
-  const Nurbs& curve = face.curves[edge.curve];
-  const Vec2 across = left_of(curve::tangent(curve, at.t));
   Vec2 slope = (dv_dxi * inverse(dx_dxi)) * across;
   for (const Lifting& lifting : field.liftings) slope += lifting.jump * dot(lifting_gradient(lifting, x_h), across);
-  return distance(value, data) + norm(slope) * std::abs(dot(x_h - curve::point(curve, at.t), across));
+  return {distance(value, values(edge.curve, at.t)), norm(slope), x_h};
 }
 
 // |phi_h - Phi| of a phase, radians; equal to |v - v_h| to first order, because v is a unit vector.
-double phase_misfit_at(const Field& field, const spectral::TriMap& map, const BoundaryEdge& edge, const EdgePoint& at) {
-  const CadFace& face = field.mesh.face;
-  const double* s = &field.phase.s[field.coef_offsets[edge.elem]];
-  Vec2 x_h;
-  Mat2 dx_dxi, ds_dxi;
-  map.evaluate(at.xi, x_h, dx_dxi);
-  const double value = spectral::orthogonal_sum(field.elem_order[edge.elem], s, s, at.xi, ds_dxi).x;
-  const int loop = face.loop_of(edge.curve);
+Misfit phase_misfit_at(const Field& field, const spectral::TriMap& map, const BoundaryEdge& edge, const EdgePoint& at,
+                       Vec2 across) {
+  const RemainderSample s =
+      remainder_sample(map, field.elem_order[edge.elem], &field.phase.s[field.coef_offsets[edge.elem]], at.xi);
+  const int loop = field.mesh.face.loop_of(edge.curve);
   const double data = at.phase_data + (loop > 0 ? 2 * pi * field.phase.hole_winding[loop - 1] : 0);
-  const Mat2 ds_dx = ds_dxi * inverse(dx_dxi);
-  const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field.phase.terms, x_h);
-  const Nurbs& curve = face.curves[edge.curve];
-  const Vec2 across = left_of(curve::tangent(curve, at.t));
-  return std::abs(value - data) + std::abs(dot(slope, across) * dot(x_h - curve::point(curve, at.t), across));
+  const Vec2 slope = s.slope + explicit_phase_gradient(field.phase.terms, s.x);
+  return {std::abs(s.value - data), dot(slope, across), s.x};
 }
 
 struct EstimateConstants {
@@ -98,14 +94,9 @@ struct Source {
 
 // Norms of the modes by degree: of both components of v, or of s for a phase.
 std::vector<double> norms_by_degree(const Field& field, int elem) {
-  const int order = field.elem_order[elem], offset = field.coef_offsets[elem];
-  std::vector<double> norms(order + 1, 0.0);
-  for (const auto* component : {&field.u, &field.v, &field.phase.s}) {
-    if (component->empty()) continue;
-    for (int d = 0, i = 0; d <= order; ++d) {
-      for (; i < spectral::num_tri_modes(d); ++i) norms[d] += (*component)[offset + i] * (*component)[offset + i];
-    }
-  }
+  std::vector<double> norms(field.elem_order[elem] + 1, 0.0);
+  for (const auto* component : {&field.u, &field.v, &field.phase.s})
+    if (!component->empty()) add_squared_norms(&(*component)[field.coef_offsets[elem]], norms);
   for (double& norm : norms) norm = std::sqrt(norm);
   return norms;
 }
@@ -222,12 +213,21 @@ std::vector<double> boundary_misfit(const Field& field, const PhaseBoundary* pha
   std::vector<double> misfits(mesh.num_elems(), 0.0);
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const spectral::TriMap& map = maps[edge.elem];
+    const Nurbs& curve = mesh.face.curves[edge.curve];
     for (const EdgePoint& at : edge_points(edge, lengths[edge.curve], phase)) {
-      const double misfit = phase ? phase_misfit_at(field, map, edge, at) : misfit_at(field, values, map, edge, at);
+      const Vec2 across = left_of(curve::tangent(curve, at.t));
+      const auto [difference, slope, x] =
+          phase ? phase_misfit_at(field, map, edge, at, across) : misfit_at(field, values, map, edge, at, across);
+      const double misfit = difference + std::abs(slope * dot(x - curve::point(curve, at.t), across));
       misfits[edge.elem] = std::max(misfits[edge.elem], misfit);
     }
   }
   return misfits;
+}
+
+void add_squared_norms(const double* coefs, std::vector<double>& norms) {
+  for (int degree = 0, i = 0; degree < static_cast<int>(norms.size()); ++degree)
+    for (; i < spectral::num_tri_modes(degree); ++i) norms[degree] += coefs[i] * coefs[i];
 }
 
 std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary, Progress* progress) {

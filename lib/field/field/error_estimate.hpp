@@ -40,6 +40,9 @@ std::vector<double> boundary_misfit(const Field& field, const PhaseBoundary* pha
 std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary = nullptr,
                                    Progress* progress = nullptr);
 
+/// Adds the squared norm of the modes of each degree to `norms`; `coefs`: in the orthogonal basis.
+void add_squared_norms(const double* coefs, std::vector<double>& norms);
+
 /// First-order bound of the displacement (a length) of a zero by a field error |e|: |J^-1 e| <= |e| / (least singular
 /// value of J = dv/dx).
 double position_error(const Mat2& jacobian, double field_error);

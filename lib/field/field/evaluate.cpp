@@ -67,17 +67,11 @@ Vec2 FieldEvaluator::value(mesh::Location at) const {
 
 // d e^(i phi) = i e^(i phi) d phi.
 FieldSample FieldEvaluator::phase_sample(int elem, Vec2 xi) const {
-  FieldSample sample;
-  maps_[elem].evaluate(xi, sample.x, sample.dx_dxi);
-  const double* s = &field_->phase.s[field_->coef_offsets[elem]];
-  Mat2 ds_dxi;
-  const double remainder = spectral::orthogonal_sum(field_->elem_order[elem], s, s, xi, ds_dxi).x;
-  sample.value = phase_value(remainder, elem, sample.x);
-  const Mat2 ds_dx = ds_dxi * inverse(sample.dx_dxi);
-  const Vec2 slope = Vec2{ds_dx.xx, ds_dx.xy} + explicit_phase_gradient(field_->phase.terms, sample.x);
-  const Vec2 across = left_of(sample.value);
-  sample.dv_dx = {across.x * slope.x, across.x * slope.y, across.y * slope.x, across.y * slope.y};
-  return sample;
+  const RemainderSample s =
+      remainder_sample(maps_[elem], field_->elem_order[elem], &field_->phase.s[field_->coef_offsets[elem]], xi);
+  const Vec2 value = phase_value(s.value, elem, s.x), across = left_of(value);
+  const Vec2 slope = s.slope + explicit_phase_gradient(field_->phase.terms, s.x);
+  return {s.x, s.dx_dxi, value, {across.x * slope.x, across.x * slope.y, across.y * slope.x, across.y * slope.y}};
 }
 
 FieldSample FieldEvaluator::sample(int elem, Vec2 xi) const {

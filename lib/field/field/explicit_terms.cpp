@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/pole_box.hpp"
 #include "field/corner_lifting.hpp"
 #include "field/explicit_value.hpp"
 
@@ -123,18 +124,13 @@ std::vector<int> add_nodes_and_images(SharedCorners& corners, const std::vector<
 
 // An empty expansion in a disc that contains the loop.
 AngleExpansion expansion_around(const CadFace& face, int loop) {
-  Vec2 low{INFINITY, INFINITY}, high = -low;
-  const auto for_each_pole = [&](const auto& use) {
-    for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c)
-      for (const Vec2 pole : face.curves[c].poles) use(pole);
-  };
-  for_each_pole([&](Vec2 pole) {
-    low = {std::min(low.x, pole.x), std::min(low.y, pole.y)};
-    high = {std::max(high.x, pole.x), std::max(high.y, pole.y)};
-  });
-  const Vec2 middle = (low + high) / 2;
+  const int first = face.loop_offsets[loop], last = face.loop_offsets[loop + 1];
+  curve::PoleBox box = curve::pole_box(face.curves[first]);
+  for (int c = first + 1; c < last; ++c) box.extend(curve::pole_box(face.curves[c]));
+  const Vec2 middle = box.centre();
   double radius = 0;
-  for_each_pole([&](Vec2 pole) { radius = std::max(radius, distance(pole, middle)); });
+  for (int c = first; c < last; ++c)
+    for (const Vec2 pole : face.curves[c].poles) radius = std::max(radius, distance(pole, middle));
   return {middle, radius};
 }
 

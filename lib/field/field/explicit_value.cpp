@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/angle_sum.hpp"
+#include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -135,6 +136,16 @@ Vec2 explicit_phase_gradient(const PhaseTerms& terms, Vec2 x) {
       gradient_of_turns(terms.nodes, x) + gradient_of_turns(terms.holes, x) + gradient_of_turns(terms.images, x);
   for (const CornerAngle& corner : terms.corner_angles) gradient += corner.beta * lifting_gradient(lifting(corner), x);
   return gradient;
+}
+
+RemainderSample remainder_sample(const spectral::TriMap& map, int order, const double* coefs, Vec2 xi) {
+  RemainderSample sample;
+  map.evaluate(xi, sample.x, sample.dx_dxi);
+  Mat2 ds_dxi;
+  sample.value = spectral::orthogonal_sum(order, coefs, coefs, xi, ds_dxi).x;
+  const Mat2 ds_dx = ds_dxi * inverse(sample.dx_dxi);
+  sample.slope = {ds_dx.xx, ds_dx.xy};
+  return sample;
 }
 
 }  // namespace quadrille::field

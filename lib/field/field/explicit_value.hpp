@@ -1,10 +1,11 @@
 #pragma once
-// Values and gradients of the explicit terms: the liftings of a harmonic field (field/corner_lifting.hpp makes them),
-// and the terms of a phase (model/phase_terms.hpp; lib/method.md §8.3 and §8.4).
+// Values and gradients of the parts of a field: the liftings of a harmonic field (field/corner_lifting.hpp makes them),
+// and the explicit terms and the remainder s of a phase (model/phase_terms.hpp; lib/method.md §8.3 and §8.4).
 
 #include "base/vec2.hpp"
 #include "model/field.hpp"
 #include "model/phase_terms.hpp"
+#include "spectral/tri_map.hpp"
 
 namespace quadrille::field {
 
@@ -34,5 +35,16 @@ Vec2 explicit_direction(const PhaseTerms& terms, Vec2 x, Vec2 towards, double re
 /// Gradient of the explicit part: sum of d left_of(z - a) / |z - a|^2 and the corner terms. Undefined at nodes and
 /// apexes.
 Vec2 explicit_phase_gradient(const PhaseTerms& terms, Vec2 x);
+
+/// s and its gradient at a point of an element, and the map of the element there.
+struct RemainderSample {
+  Vec2 x;
+  Mat2 dx_dxi;
+  double value = 0;
+  Vec2 slope;
+};
+
+/// `coefs`: of s, in the orthogonal basis.
+RemainderSample remainder_sample(const spectral::TriMap& map, int order, const double* coefs, Vec2 xi);
 
 }  // namespace quadrille::field

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "base/angle.hpp"
-#include "base/segments.hpp"
+#include "base/tolerance.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "field/corner_lifting.hpp"
 
@@ -40,21 +41,9 @@ Vec2 centroid_of(const Polygon& polygon) {
   return base + moment / area;
 }
 
-// Distance to the polygon, negative outside.
-double signed_clearance(const Polygon& polygon, Vec2 x) {
-  double nearest = INFINITY;
-  bool is_inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-    nearest = std::min(nearest, distance_to_segment(x, a, b));
-    if ((a.y > x.y) != (b.y > x.y) && x.x < a.x + (b.x - a.x) * (x.y - a.y) / (b.y - a.y)) is_inside = !is_inside;
-  }
-  return is_inside ? nearest : -nearest;
-}
-
-Vec2 hole_point(const CadFace& face, int loop) {
-  const Polygon polygon = sampled_loop(face, loop);
-  const Vec2 centre = centroid_of(polygon);
+Vec2 hole_point(const curve::FaceBoundary& boundary, int loop) {
+  const CadFace& face = boundary.face();
+  const Vec2 centre = centroid_of(sampled_loop(face, loop));
   Vec2 best;
   double most = -INFINITY;
   for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
@@ -63,11 +52,11 @@ Vec2 hole_point(const CadFace& face, int loop) {
     for (const double f : {0.5, 0.25, 0.75, 0.1, 0.9}) {
       const double t = curve.begin() + f * (curve.end() - curve.begin());
       const Vec2 x = half_way(face, curve::point(curve, t), -left_of(curve::tangent(curve, t)));
-      const double clearance = signed_clearance(polygon, x);
-      if (clearance > most * (1 + 1e-6)) most = clearance, best = x;
+      const double clearance = -boundary.signed_distance(x);
+      if (clearance > most * (1 + tolerance::tied)) most = clearance, best = x;
     }
   }
-  return signed_clearance(polygon, centre) >= good_clearance * most ? centre : best;
+  return -boundary.signed_distance(centre) >= good_clearance * most ? centre : best;
 }
 
 // Outside of the outline: the term there has no turns (explicit_terms.cpp), but its position has to be finite.
@@ -186,9 +175,10 @@ Vec2 focus_of(const CadFace& face, const std::vector<Part>& parts, Run run) {
 }  // namespace
 
 std::vector<Vec2> hole_points(const CadFace& face) {
+  const curve::FaceBoundary boundary(face);
   std::vector<Vec2> points;
   for (int loop = 1; loop < face.num_loops(); ++loop)
-    points.push_back(face.is_slit_loop(loop) ? point_beyond(face, loop) : hole_point(face, loop));
+    points.push_back(face.is_slit_loop(loop) ? point_beyond(face, loop) : hole_point(boundary, loop));
   return points;
 }
 

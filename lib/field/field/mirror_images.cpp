@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <utility>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/project.hpp"
 #include "field/corner_lifting.hpp"
 
 namespace quadrille::field {
@@ -50,12 +48,11 @@ struct MirrorImages::Candidate {
   int curve;
 };
 
-std::optional<MirrorImages::Candidate> MirrorImages::candidate(int c, Vec2 x) const {
-  const CadFace& face = *face_;
-  const Nurbs& curve = face.curves[c];
-  const curve::Projection foot = curve::project(curve, x);
+std::optional<MirrorImages::Candidate> MirrorImages::candidate(const curve::NearestPoint& foot, Vec2 x) const {
+  const CadFace& face = boundary_.face();
+  const Nurbs& curve = face.curves[foot.curve];
   const double depth = foot.distance;
-  if (!(depth > 0 && depth <= image_limits.farthest_foot * face.diameter) || is_at_corner(face, c, foot.t)) return {};
+  if (!(depth > 0) || is_at_corner(face, foot.curve, foot.t)) return {};
   const Vec2 along = curve::tangent(curve, foot.t, foot.t >= curve.end()), from_foot = x - foot.position;
   if (std::abs(dot(along, from_foot)) > 1e-6 * depth || cross(along, from_foot) <= 0) return {};
   const double shrink = 1 - curve::curvature(curve, foot.t, foot.t >= curve.end()) * depth;
@@ -64,43 +61,29 @@ std::optional<MirrorImages::Candidate> MirrorImages::candidate(int c, Vec2 x) co
   const double beyond = depth / shrink;
   const Vec2 image = foot.position + beyond * outward;
   const double clearance = image_limits.least_clearance * std::min(depth, beyond);
-  for (int other = 0; other < face.num_curves(); ++other) {
-    if (other != c && boxes_[other].contains(image, clearance) && boxes_[other].distance_from(image) < clearance &&
-        curve::project(face.curves[other], image).distance < clearance)
-      return {};
-  }
+  const auto is_other = [&](int other) { return other != foot.curve; };
+  if (boundary_.nearest(image, is_other).distance < clearance) return {};
   const double to_boundary = 2 * distance(half_way(face, foot.position, outward), foot.position);
   if (beyond > 0.9 * to_boundary) return {};
-  return Candidate{{image, face.loop_of(c)}, depth, c};
+  return Candidate{{image, face.loop_of(foot.curve)}, depth, foot.curve};
 }
 
-// Curves that may be near come first: a near candidate excludes the curves beyond it.
 std::vector<MirrorImages::Candidate> MirrorImages::candidates(Vec2 x) const {
-  std::vector<std::pair<double, int>> order;
-  for (int c = 0; c < face_->num_curves(); ++c) {
-    if (face_->is_interface(c)) continue;  // behind a slit is the face
-    const double bound = boxes_[c].distance_from(x);
-    if (bound <= image_limits.farthest_foot * face_->diameter) order.emplace_back(bound, c);
-  }
-  std::make_heap(order.begin(), order.end(), std::greater<>());  // few of many curves are taken from it
+  const CadFace& face = boundary_.face();
   std::vector<Candidate> candidates;
-  double reach = INFINITY;
-  for (; !order.empty(); order.pop_back()) {
-    std::pop_heap(order.begin(), order.end(), std::greater<>());
-    const auto [bound, c] = order.back();
-    if (bound > reach) break;
-    const std::optional<Candidate> found = candidate(c, x);
-    if (!found) continue;
-    reach = std::min(reach, image_limits.farthest_ratio * found->depth * (1 + 1e-6));
+  double farthest = image_limits.farthest_foot * face.diameter;
+  const auto add = [&](const curve::NearestPoint& foot, double& reach) {
+    const std::optional<Candidate> found = candidate(foot, x);
+    if (!found) return;
     candidates.push_back(*found);
-  }
-  std::erase_if(candidates, [&](const Candidate& found) { return found.depth > reach; });
+    reach = farthest = std::min(farthest, image_limits.farthest_ratio * found->depth * (1 + tolerance::tied));
+  };
+  boundary_.visit_feet(x, farthest, add, [&](int c) { return !face.is_interface(c); });  // behind a slit is the face
+  std::erase_if(candidates, [&](const Candidate& found) { return found.depth > farthest; });
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return a.curve < b.curve; });
   return candidates;
 }
-
-MirrorImages::MirrorImages(const CadFace& face) : face_(&face), boxes_(curve::pole_boxes(face.curves)) {}
 
 std::vector<MirrorImage> MirrorImages::of(Vec2 x) const {
   std::vector<MirrorImage> images;

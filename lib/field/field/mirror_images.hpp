@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "curve/pole_box.hpp"
+#include "curve/face_boundary.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::field {
@@ -23,7 +23,7 @@ struct MirrorImage {
 class MirrorImages {
  public:
   /// `face` must outlive the object.
-  explicit MirrorImages(const CadFace& face);
+  explicit MirrorImages(const CadFace& face) : boundary_(face) {}
   /// Images of x, a point inside the domain, by inversion in the circles of curvature at its feet on the curves: at
   /// most one for each curve. A foot counts if its distance is at most a quarter of the diameter and at most three
   /// times the distance of the nearest foot, if x is not far from a bend of small radius, and if the image has
@@ -32,11 +32,10 @@ class MirrorImages {
 
  private:
   struct Candidate;
-  std::optional<Candidate> candidate(int curve, Vec2 x) const;
+  std::optional<Candidate> candidate(const curve::NearestPoint& foot, Vec2 x) const;
   std::vector<Candidate> candidates(Vec2 x) const;
 
-  const CadFace* face_;
-  std::vector<curve::PoleBox> boxes_;
+  curve::FaceBoundary boundary_;
 };
 
 }  // namespace quadrille::field

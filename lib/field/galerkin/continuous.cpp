@@ -26,36 +26,31 @@ ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, 
 // The matrices of a shape and an order are those of the first element of that shape, whatever its own order is, so that
 // they do not depend on the orders solved for before.
 void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
-  struct Made {
-    int elem, order;
-    std::shared_ptr<const CondensedElement> element;
-  };
   std::map<std::pair<int, int>, std::shared_ptr<const CondensedElement>> known;  // by shape and order
   const int num_elems = static_cast<int>(elem_order.size());
   std::atomic<std::size_t> kept = 0;
   for (int e = 0; e < num_elems; ++e) {
-    if (!elements_[e] || !known.try_emplace({elem2shape_[e], elem_order_[e]}, elements_[e]).second) continue;
-    kept += stiffness::size_of_interior(*elements_[e]);
+    if (elements_[e] && known.try_emplace({elem2shape_[e], elem_order_[e]}, elements_[e]).second)
+      kept += stiffness::size_of_interior(*elements_[e]);
   }
-  std::vector<Made> made;
+  std::vector<decltype(known)::value_type*> made;
   for (int e = 0; e < num_elems; ++e) {
-    if (!known.try_emplace({elem2shape_[e], elem_order[e]}).second) continue;
-    made.push_back({elem2shape_[e], elem_order[e], nullptr});
+    const auto [entry, is_new] = known.try_emplace({elem2shape_[e], elem_order[e]});
+    if (is_new) made.push_back(&*entry);
   }
   const Progress::Part part(context_->progress, "elements", static_cast<int>(made.size()));
   parallel_for(static_cast<int>(made.size()), num_threads_, [&](int i) {
     part.advance();
-    Made& matrices = made[i];
+    const auto [elem, order] = made[i]->first;
     try {
-      CondensedElement element = stiffness::condensed_element(context_->maps[matrices.elem], matrices.order);
+      CondensedElement element = stiffness::condensed_element(context_->maps[elem], order);
       const std::size_t size = stiffness::size_of_interior(element);
       if (kept.fetch_add(size) + size > kept_numbers_) element = {std::move(element.schur), {}, {}};
-      matrices.element = std::make_shared<CondensedElement>(std::move(element));
+      made[i]->second = std::make_shared<CondensedElement>(std::move(element));
     } catch (const ComputeError& error) {
-      throw ComputeError(fmt::format("{}: {}", context_->describe(matrices.elem), error.what()));
+      throw ComputeError(fmt::format("{}: {}", context_->describe(elem), error.what()));
     }
   });
-  for (Made& matrices : made) known[{matrices.elem, matrices.order}] = std::move(matrices.element);
   for (int e = 0; e < num_elems; ++e) elements_[e] = known.at({elem2shape_[e], elem_order[e]});
   elem_order_ = elem_order;
 }

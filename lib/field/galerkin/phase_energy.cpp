@@ -10,7 +10,6 @@
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"
-#include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::galerkin {
@@ -203,15 +202,6 @@ mesh::Location locate_node(const mesh::Locator& locator, const TriMesh& mesh, Ve
   const mesh::Location at = locator.find(node);
   if (at.elem >= 0) return at;
   throw ComputeError("the irregular node at " + position_text(node + mesh.face.origin) + " is outside the mesh");
-}
-
-Vec2 remainder_gradient(const spectral::TriMap& map, Vec2 xi, int order, const double* coefs) {
-  Vec2 x;
-  Mat2 dx_dxi, ds_dxi;
-  map.evaluate(xi, x, dx_dxi);
-  spectral::orthogonal_sum(order, coefs, coefs, xi, ds_dxi);
-  const Mat2 ds_dx = ds_dxi * inverse(dx_dxi);
-  return {ds_dx.xx, ds_dx.xy};
 }
 
 Vec2 phase_energy_gradient(const PhaseTerms& terms, int k, Vec2 remainder_slope) {

@@ -9,6 +9,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "field/explicit_value.hpp"
 #include "galerkin/continuous.hpp"
 #include "galerkin/hole_winding.hpp"
 #include "galerkin/phase_energy.hpp"
@@ -286,7 +287,8 @@ PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const std::vector<int>&
   for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
     const mesh::Location at = locate_node(*parts_->locator, *context.mesh, asked.nodes[k].position);
     const Eigen::VectorXd s = parts_->system.coefs(at.elem, state.dofs);
-    const Vec2 slope = remainder_gradient(context.maps[at.elem], at.xi, parts_->elem_order[at.elem], s.data());
+    const Vec2 slope =
+        field::remainder_sample(context.maps[at.elem], parts_->elem_order[at.elem], s.data(), at.xi).slope;
     energy.gradient.push_back(phase_energy_gradient(state.form.terms, static_cast<int>(k), slope));
   }
   parts_->known_energy = {asked, winding_offsets, energy};

@@ -16,18 +16,9 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-bool has_slits(const Draft& draft) {
-  std::set<Edge> edges;
-  for (const DraftEdge& edge : draft.edges) edges.insert({edge.from, edge.to});
-  return std::any_of(draft.edges.begin(), draft.edges.end(), [&](const DraftEdge& edge) {
-    return edges.contains({edge.to, edge.from});
-  });
-}
-
-/// The corners of triangles (corner k of triangle t is 3 t + k) that lie in one sector of their vertex.
-DisjointSets sectors_of(const Draft& draft) {
-  std::set<Edge> closed;
-  for (const DraftEdge& edge : draft.edges) closed.insert({edge.from, edge.to});
+/// The corners of triangles (corner k of triangle t is 3 t + k) that lie in one sector of their vertex, between the
+/// edges `closed`.
+DisjointSets sectors_of(const Draft& draft, const std::set<Edge>& closed) {
   std::map<Edge, int> edge2corner;  ///< to the corner at which the edge of a triangle starts
   DisjointSets sectors(3 * draft.triangles.size());
   const int count = static_cast<int>(draft.triangles.size());
@@ -46,80 +37,48 @@ DisjointSets sectors_of(const Draft& draft) {
   return sectors;
 }
 
-constexpr int num_sweeps = 6;
+using Star = std::vector<int>;  ///< the triangles around a vertex
 
-using Triangle = std::array<int, 3>;
-
-/// The triangles around each free vertex: offsets and values.
-struct Stars {
-  std::vector<int> offsets, values;
-};
-
-Stars stars_of(const Draft& draft, const std::vector<char>& is_free) {
-  Stars stars;
-  stars.offsets.assign(draft.vertices.size() + 1, 0);
-  for (const Triangle& triangle : draft.triangles)
-    for (const int v : triangle) stars.offsets[v + 1] += is_free[v];
-  for (std::size_t v = 0; v < draft.vertices.size(); ++v) stars.offsets[v + 1] += stars.offsets[v];
-  stars.values.resize(stars.offsets.back());
-  std::vector<int> next = stars.offsets;
-  for (int t = 0; t < static_cast<int>(draft.triangles.size()); ++t)
-    for (const int v : draft.triangles[t])
-      if (is_free[v]) stars.values[next[v]++] = t;
-  return stars;
+double least_shape(const Draft& draft, const Star& star) {
+  double least = 1;
+  for (const int t : star) {
+    const auto& [a, b, c] = draft.triangles[t];
+    least = std::min(least, triangle_shape(draft.vertices[a], draft.vertices[b], draft.vertices[c]));
+  }
+  return least;
 }
 
-class Mover {
- public:
-  Mover(Draft& draft, const std::vector<char>& is_free) : draft_(&draft), stars_(stars_of(draft, is_free)) {}
+Vec2 mean_of_neighbours(const Draft& draft, const Star& star, int vertex) {
+  // Every neighbour of an inner vertex is in two triangles of its star.
+  Vec2 sum;
+  for (const int t : star)
+    for (const int v : draft.triangles[t])
+      if (v != vertex) sum += draft.vertices[v];
+  return sum / (2 * static_cast<double>(star.size()));
+}
 
-  void improve(int vertex) {
-    const Vec2 old = draft_->vertices[vertex], goal = mean_of_neighbours(vertex);
-    double best = least_shape(vertex);
-    Vec2 best_position = old;
-    for (const double step : {1.0, 0.5, 0.25}) {
-      draft_->vertices[vertex] = old + step * (goal - old);
-      const double shape = least_shape(vertex);
-      if (shape > best + tolerance::round_off) best = shape, best_position = draft_->vertices[vertex];
-    }
-    draft_->vertices[vertex] = best_position;
+void improve(Draft& draft, const Star& star, int vertex) {
+  const Vec2 old = draft.vertices[vertex], goal = mean_of_neighbours(draft, star, vertex);
+  double best = least_shape(draft, star);
+  Vec2 best_position = old;
+  for (const double step : {1.0, 0.5, 0.25}) {
+    draft.vertices[vertex] = old + step * (goal - old);
+    const double shape = least_shape(draft, star);
+    if (shape > best + tolerance::round_off) best = shape, best_position = draft.vertices[vertex];
   }
-
- private:
-  Vec2 mean_of_neighbours(int vertex) const {
-    // Every neighbour of an inner vertex is in two triangles of its star.
-    Vec2 sum;
-    int count = 0;
-    for (int i = stars_.offsets[vertex]; i < stars_.offsets[vertex + 1]; ++i) {
-      for (const int v : draft_->triangles[stars_.values[i]]) {
-        if (v == vertex) continue;
-        sum += draft_->vertices[v];
-        ++count;
-      }
-    }
-    return sum / count;
-  }
-
-  double least_shape(int vertex) const {
-    double least = 1;
-    for (int i = stars_.offsets[vertex]; i < stars_.offsets[vertex + 1]; ++i) {
-      const auto& [a, b, c] = draft_->triangles[stars_.values[i]];
-      least = std::min(least, triangle_shape(draft_->vertices[a], draft_->vertices[b], draft_->vertices[c]));
-    }
-    return least;
-  }
-
-  Draft* draft_;
-  Stars stars_;
-};
+  draft.vertices[vertex] = best_position;
+}
 
 }  // namespace
 
 std::vector<int> cut_slits(Draft& draft) {
   std::vector<int> origins(draft.vertices.size());
   std::iota(origins.begin(), origins.end(), 0);
-  if (!has_slits(draft)) return origins;
-  DisjointSets sectors = sectors_of(draft);
+  std::set<Edge> closed;
+  for (const DraftEdge& edge : draft.edges) closed.insert({edge.from, edge.to});
+  const auto is_slit = [&](const DraftEdge& edge) { return closed.contains({edge.to, edge.from}); };
+  if (std::none_of(draft.edges.begin(), draft.edges.end(), is_slit)) return origins;
+  DisjointSets sectors = sectors_of(draft, closed);
   std::map<Edge, int> vertices;  ///< (vertex, sector) to the vertex or its copy
   std::set<int> seen;
   std::vector<std::array<int, 3>> triangles = draft.triangles;
@@ -148,10 +107,13 @@ double triangle_shape(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 void smooth(Draft& draft, const std::vector<char>& is_free) {
-  Mover mover(draft, is_free);
+  constexpr int num_sweeps = 6;
+  std::vector<Star> stars(draft.vertices.size());
+  for (int t = 0; t < static_cast<int>(draft.triangles.size()); ++t)
+    for (const int v : draft.triangles[t]) stars[v].push_back(t);
   for (int sweep = 0; sweep < num_sweeps; ++sweep)
     for (int v = 0; v < static_cast<int>(draft.vertices.size()); ++v)
-      if (is_free[v]) mover.improve(v);
+      if (is_free[v]) improve(draft, stars[v], v);
 }
 
 }  // namespace quadrille::triangulate

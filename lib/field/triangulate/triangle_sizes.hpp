@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "curve/pole_box.hpp"
 
 namespace quadrille::triangulate {
 
@@ -42,7 +43,7 @@ class TriangleSizes {
   struct Node {
     Node(int first_source, int end_source) : first(first_source), last(end_source) {}
     int first, last, left = -1;
-    Vec2 low, high;         ///< the box around their positions
+    curve::PoleBox box;     ///< around their positions
     double least_size = 0;  ///< of its sources
   };
 

@@ -9,6 +9,7 @@
 #include "../test_meshes.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
+#include "field/explicit_value.hpp"
 #include "field/phase_boundary.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
@@ -313,7 +314,7 @@ TEST(PhaseGradient, OfTheRemainderIsInThePlane) {
   const std::vector<double> coefs{0.3, -1, 0.7, 0.2, 0.5, -0.4};
   const Vec2 xi{-0.3, -0.5};
   const auto at = [&](Vec2 p) { return spectral::orthogonal_sum(2, coefs.data(), coefs.data(), p).x; };
-  const Vec2 slope = remainder_gradient(map, xi, 2, coefs.data());
+  const Vec2 slope = field::remainder_sample(map, 2, coefs.data(), xi).slope;
   const double h = 1e-5;
   for (const Vec2 step : {Vec2{h, 0}, Vec2{0, h}}) {
     const Vec2 dx = map.position(xi + step) - map.position(xi - step);
