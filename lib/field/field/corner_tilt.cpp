@@ -9,7 +9,6 @@
 #include "base/angle.hpp"
 #include "curve/arc_length.hpp"
 #include "field/boundary_values.hpp"
-#include "field/corner_lifting.hpp"
 
 namespace quadrille::field {
 namespace {

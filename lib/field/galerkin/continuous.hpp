@@ -7,7 +7,7 @@
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
 #include "galerkin/sparse_solver.hpp"
-#include "stiffness/condense.hpp"
+#include "stiffness/condensed_element.hpp"
 
 namespace quadrille::galerkin {
 

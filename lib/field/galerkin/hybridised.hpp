@@ -11,11 +11,11 @@
 #include <Eigen/Dense>
 #include <array>
 
+#include "galerkin/condensed_system.hpp"
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
-#include "galerkin/dof_map.hpp"
 #include "spectral/tri_map.hpp"
-#include "stiffness/condense.hpp"
+#include "stiffness/condensed_element.hpp"
 
 namespace quadrille::galerkin {
 

@@ -10,7 +10,6 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "field/boundary_values.hpp"
-#include "field/corner_lifting.hpp"
 #include "galerkin/continuous.hpp"
 #include "galerkin/hybridised.hpp"
 

@@ -6,7 +6,6 @@
 
 #include "base/progress.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "galerkin/dof_map.hpp"
 #include "mesh/elimination_tree.hpp"
 
 namespace quadrille::galerkin {

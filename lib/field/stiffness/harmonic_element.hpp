@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "spectral/tri_map.hpp"
-#include "stiffness/condense.hpp"
+#include "stiffness/condensed_element.hpp"
 
 namespace quadrille::stiffness {
 

@@ -16,7 +16,7 @@
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "triangulate/singularity.hpp"
+#include "triangulate/outline.hpp"
 #include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {

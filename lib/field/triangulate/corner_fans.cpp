@@ -12,7 +12,6 @@
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "triangulate/outline.hpp"
-#include "triangulate/singularity.hpp"
 
 namespace quadrille::triangulate {
 namespace {

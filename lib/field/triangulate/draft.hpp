@@ -1,11 +1,12 @@
 #pragma once
 // A triangle mesh under construction: straight elements, and boundary edges as directed pairs of vertices. Its last
-// steps: smoothing, and cutting along slits.
+// steps: smoothing, cutting along slits, and an order by regions.
 
 #include <array>
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "model/tri_mesh.hpp"
 
 namespace quadrille::triangulate {
 
@@ -44,5 +45,9 @@ double triangle_shape(Vec2 a, Vec2 b, Vec2 c);
 /// Moves the vertices with `is_free` towards the mean of their neighbours, each only if this improves the least shape
 /// around it; the connectivity does not change. `is_free` has one entry per vertex.
 void smooth(Draft& draft, const std::vector<char>& is_free);
+
+/// Sorts elements, and vertices, by region, and sets mesh.region_elems. Regions must share no vertex. Returns the
+/// former number of each vertex. A mesh of one region keeps its order.
+std::vector<int> sort_by_region(TriMesh& mesh);
 
 }  // namespace quadrille::triangulate

@@ -11,10 +11,9 @@
 #include "base/warning_codes.hpp"
 #include "mesh/quality.hpp"
 #include "triangulate/corner_fans.hpp"
-#include "triangulate/curve_elements.hpp"
+#include "triangulate/curved_edges.hpp"
 #include "triangulate/draft.hpp"
 #include "triangulate/refine_domain.hpp"
-#include "triangulate/sort_by_region.hpp"
 
 namespace quadrille::triangulate {
 namespace {

@@ -1,4 +1,4 @@
-#include "galerkin/hole_winding.hpp"
+#include "galerkin/solve_phase.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,18 @@
 #pragma once
-// Approximation error of an element edge of order N on a part of a curve. The edge is the interpolant through the
-// Gauss-Lobatto-Legendre points of the arc length.
+// Element edges of order N on curves: the interpolant through the Gauss-Lobatto-Legendre points of the arc length, and
+// its error.
+//
+// Curves the boundary elements of a straight-sided mesh. An element with curved edges becomes
+//   x(xi) = affine(xi) + sum over curved edges  lambda_a lambda_b q(lambda_b - lambda_a),
+// q the polynomial of degree N - 2 that puts the edge's Gauss-Lobatto-Legendre points on the curve. The map is a
+// polynomial of degree N, and straight edges stay exactly straight.
 
 #include <Eigen/Dense>
 #include <array>
 #include <vector>
 
 #include "model/cad_face.hpp"
+#include "model/tri_mesh.hpp"
 #include "triangulate/outline.hpp"
 
 namespace quadrille::triangulate {
@@ -58,5 +64,12 @@ class EdgeFit {
   std::vector<double> sample_fractions_;  ///< of the arc length, between the nodes
   Eigen::MatrixXd samples_;               ///< nodes -> samples
 };
+
+/// Computes the geometry nodes of all elements with an edge on a curve that is not straight: sets mesh.curved_elems and
+/// mesh.curved_nodes.
+void curve_elements(const EdgeFit& fit, TriMesh& mesh);
+
+/// For each element, a proved lower bound of det(d x / d xi) divided by the determinant of its straight triangle.
+std::vector<double> jacobian_ratio_bounds(const TriMesh& mesh);
 
 }  // namespace quadrille::triangulate
