@@ -82,8 +82,6 @@ TEST(IndexSum, CountsNodesCornersAndBoundaryNodes) {
   EXPECT_NO_THROW(require_valence_sum(face, prescribed));
 }
 
-using namespace testing_faces;
-
 const PhaseNodes right_corners{{}, {{0, 1}, {1, 1}, {2, 1}, {3, 1}}, {}};
 const PhaseNodes one_smooth_corner{{}, {{0, 1}, {1, 1}, {2, 1}, {3, 2}}, {}};
 
@@ -139,8 +137,6 @@ TEST(SharedCorners, KnowTheImagesOfEachNode) {
     EXPECT_EQ(positions(x), expected);
   }
 }
-
-using namespace testing_faces;
 
 ExplicitTerms terms_of(const CadFace& face, const PhaseNodes& prescribed) {
   SharedCorners corners(face, prescribed);

@@ -106,12 +106,12 @@ TEST(FollowedAngles, FindThePieceOfAParameter) {
   EXPECT_EQ(&piece_at(pieces, 4, true), &pieces[2]);
 }
 
-std::string refusal(const CadFace& face, const std::vector<TurnCentre>& centres) {
+std::string refusal_of_centres(const CadFace& face, const std::vector<TurnCentre>& centres) {
   return message_of<ComputeError>([&] { follow_circle(face, centres); });
 }
 
 TEST(FollowedAngles, RefuseNodesOnTheBoundaryAndCusps) {
-  EXPECT_NE(refusal(disc(), {{unit(1.0), 1, -1}}).find("the irregular node near (0.54"), std::string::npos);
+  EXPECT_NE(refusal_of_centres(disc(), {{unit(1.0), 1, -1}}).find("the irregular node near (0.54"), std::string::npos);
   CadFace face = disc();
   Nurbs there_and_back;  // a parabola that runs to (1/3, 0) and back on the same line
   there_and_back.degree = 2;
@@ -119,7 +119,8 @@ TEST(FollowedAngles, RefuseNodesOnTheBoundaryAndCusps) {
   there_and_back.poles = {{0, 0}, {1, 0}, {-1, 0}};
   there_and_back.weights = {1, 1, 1};
   face.curves[0] = there_and_back;
-  EXPECT_NE(refusal(face, {}).find("cusp near (0.333333, "), std::string::npos) << refusal(face, {});
+  EXPECT_NE(refusal_of_centres(face, {}).find("cusp near (0.333333, "), std::string::npos)
+      << refusal_of_centres(face, {});
 }
 
 TEST(FollowedAngles, TakeTheNearestBranch) {
@@ -127,8 +128,6 @@ TEST(FollowedAngles, TakeTheNearestBranch) {
   EXPECT_NEAR(nearest_branch(-3, 3), 3 - 2 * pi, 1e-14);
   EXPECT_EQ(round_to_turns(-4 * pi + 0.3), -2);
 }
-
-using namespace testing_faces;
 using Complex = std::complex<double>;
 
 Complex complex(Vec2 a) { return {a.x, a.y}; }
@@ -138,8 +137,6 @@ double at(const Nurbs& curve, double f) { return curve.begin() * (1 - f) + curve
 std::string refusal(const CadFace& face, const PhaseNodes& asked) {
   return message_of<ComputeError>([&] { const PhaseBoundary boundary(face, asked); });
 }
-
-CadFace disc() { return make_face({circle({0, 0}, 1)}); }
 
 PhaseNodes four_nodes(double radius, double turn) {
   PhaseNodes asked;

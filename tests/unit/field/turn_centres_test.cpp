@@ -40,19 +40,17 @@ TEST(HolePoints, MoveWithTheFace) {
   EXPECT_NEAR(distance(there, Vec2{d.x * x.x - d.y * x.y, d.y * x.x + d.x * x.y} + shift), 0, 1e-12);
 }
 
-using namespace testing_faces;
-
-const Loop outline = polygon({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}});
+const Loop wide_outline = polygon({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}});
 
 CadFace with_ellipse(double a, double b) {
   Loop loop = hole({0, 0}, 1);
   for (Vec2& pole : loop[0].poles) pole = {a * pole.x, b * pole.y};
-  return make_face({outline, loop});
+  return make_face({wide_outline, loop});
 }
 
 TEST(HoleFoci, AreNoneForCirclesAndPolygons) {
-  EXPECT_TRUE(hole_foci(make_face({outline, hole({1, 1}, 0.3)})).empty());
-  EXPECT_TRUE(hole_foci(make_face({outline, polygon({{0, 0}, {0, 1}, {5, 0}})})).empty());
+  EXPECT_TRUE(hole_foci(make_face({wide_outline, hole({1, 1}, 0.3)})).empty());
+  EXPECT_TRUE(hole_foci(make_face({wide_outline, polygon({{0, 0}, {0, 1}, {5, 0}})})).empty());
 }
 
 TEST(HoleFoci, OfAThinEllipseAreItsFociWithTwoTurnsEach) {
@@ -69,7 +67,7 @@ TEST(HoleFoci, OfAThinEllipseAreItsFociWithTwoTurnsEach) {
 
 TEST(HoleFoci, OfASlotAreInsideItsRoundEnds) {
   const CadFace face =
-      make_face({outline,
+      make_face({wide_outline,
                  {curve::segment({-2, 0.2}, {2, 0.2}), curve::circular_arc({2, 0}, 0.2, half_pi, -half_pi),
                   curve::segment({2, -0.2}, {-2, -0.2}), curve::circular_arc({-2, 0}, 0.2, 1.5 * pi, half_pi)}});
   const std::vector<HoleFocus> foci = hole_foci(face);
@@ -80,8 +78,6 @@ TEST(HoleFoci, OfASlotAreInsideItsRoundEnds) {
     EXPECT_NEAR(focus.position.y, 0, 1e-6);
   }
 }
-
-using namespace testing_faces;
 
 void expect_image(const MirrorImage& image, Vec2 position, int loop) {
   EXPECT_NEAR(distance(image.position, position), 0, 1e-12);

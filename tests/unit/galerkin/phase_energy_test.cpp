@@ -144,9 +144,6 @@ TEST(PhaseEnergy, GradientIsOneOfAFunctionWhereThereAreHolesAndCorners) {
   EXPECT_GT(std::abs(hessian[0][2]), 0.1);  // the nodes feel each other
 }
 
-using namespace testing_faces;
-using Complex = std::complex<double>;
-
 double energy_of(const CadFace& face, const PhaseNodes& asked) {
   const field::PhaseBoundary boundary(face, asked);
   return explicit_energy(face, asked, boundary.terms(), boundary.interior_angles());

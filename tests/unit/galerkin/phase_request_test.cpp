@@ -57,8 +57,6 @@ TEST(PhaseRequest, RefusesNodesOutside) {
             std::string::npos);
 }
 
-using namespace testing_faces;
-
 TriMesh mesh_of(const CadFace& face) {
   Report report;
   return triangulate::triangulate(face, {}, report);

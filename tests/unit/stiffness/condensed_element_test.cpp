@@ -25,13 +25,13 @@ TEST(SymmetricMatrix, IsMadeFromTheLowerTriangle) {
 
 TEST(SymmetricMatrix, CanBeEmpty) { EXPECT_EQ(SymmetricMatrix().dense().size(), 0); }
 
-const spectral::TriMap triangle(std::array<Vec2, 3>{Vec2{0, 0}, Vec2{1, 0.1}, Vec2{0.2, 0.9}});
+const spectral::TriMap element_map(std::array<Vec2, 3>{Vec2{0, 0}, Vec2{1, 0.1}, Vec2{0.2, 0.9}});
 
 TEST(Condense, SolvesLikeTheWholeMatrix) {
   // Interior rows are met, and the boundary rows give the complement's product.
   for (const int order : {3, 5, 10}) {
     const int nb = spectral::num_boundary_modes(order), ni = spectral::num_interior_modes(order);
-    const Eigen::MatrixXd k = stiffness_matrix(triangle, order);
+    const Eigen::MatrixXd k = stiffness_matrix(element_map, order);
     const CondensedElement element = condense(order, k);
     Eigen::VectorXd boundary(nb);
     for (int i = 0; i < nb; ++i) boundary[i] = 1.0 / (1 + i);
@@ -44,13 +44,13 @@ TEST(Condense, SolvesLikeTheWholeMatrix) {
 }
 
 TEST(Condense, LeavesElementsWithoutInteriorModesAlone) {
-  const Eigen::MatrixXd k = stiffness_matrix(triangle, 2);
+  const Eigen::MatrixXd k = stiffness_matrix(element_map, 2);
   EXPECT_EQ(condense(2, k).schur.dense(), k);
   EXPECT_EQ(condense(2, k).interior->rows(), 0);
 }
 
 TEST(Condense, RefusesAMatrixThatIsNotPositiveDefinite) {
-  EXPECT_THROW(condense(4, -stiffness_matrix(triangle, 4)), ComputeError);
+  EXPECT_THROW(condense(4, -stiffness_matrix(element_map, 4)), ComputeError);
 }
 
 using Triangle = std::array<Vec2, 3>;

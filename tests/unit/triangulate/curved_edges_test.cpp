@@ -81,8 +81,6 @@ TEST(EdgeFit, AStraightEdgeHasNoError) {
   EXPECT_LT(EdgeFit(outline, 8).error(0, 0.1, 1.7), 1e-15);
 }
 
-using namespace testing_faces;
-
 /// The quarter disc as ONE element with a curved edge 1, of order 8.
 struct QuarterDisc {
   QuarterDisc() {

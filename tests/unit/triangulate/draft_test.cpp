@@ -110,8 +110,6 @@ TEST(Smooth, OtherVerticesStay) {
   EXPECT_EQ(draft.vertices, before);
 }
 
-using namespace testing_faces;
-
 /// Two triangles on either side of a diagonal, the first one of region 1.
 TriMesh two_triangles() {
   TriMesh mesh;

@@ -59,8 +59,6 @@ TEST(Outline, ACurveThatReturnsOnItsOwnLineIsNotStraight) {
   EXPECT_FALSE(Outline(face, 1e-13).pieces()[0].is_straight);
 }
 
-using namespace testing_faces;
-
 TEST(Clearance, OfASquaresCornerIsTheWayToTheSidesThatDoNotStartThere) {
   const CadFace face = square();
   const Outline outline(face, 1e-13);

@@ -9,10 +9,11 @@
 namespace quadrille::triangulate {
 namespace {
 
-Segment straight(Vec2 from, Vec2 to) {
-  Segment segment;
-  for (int i = 0; i < 5; ++i) segment.samples[i] = from + i / 4.0 * (to - from);
-  return segment;
+Segment straight(Vec2 a, Vec2 b) {
+  Segment s;
+  s.s1 = distance(a, b);
+  for (int k = 0; k < 5; ++k) s.samples[k] = a + (k / 4.0) * (b - a);
+  return s;
 }
 
 TEST(BoundarySegment, DistanceIsThatOfThePolygons) {
@@ -34,13 +35,6 @@ TEST(BoundarySegment, IsARimOrAPartOfACurve) {
   segment.s0 = 1, segment.s1 = 4;
   EXPECT_FALSE(segment.is_rim());
   EXPECT_EQ(segment.length(), 3);
-}
-
-Segment straight(Vec2 a, Vec2 b) {
-  Segment s;
-  s.s1 = distance(a, b);
-  for (int k = 0; k < 5; ++k) s.samples[k] = a + (k / 4.0) * (b - a);
-  return s;
 }
 
 TEST(TriangleSizes, IsTheLengthOnASegmentAndGrowsFromThereUpToTheGlobalSize) {
