@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "adapt/order_policy.hpp"
-#include "adapt/sensor.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"

@@ -14,7 +14,7 @@
 
 #include "mesh/tri_topology.hpp"
 #include "model/tri_mesh.hpp"
-#include "stiffness/condensed_element.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 

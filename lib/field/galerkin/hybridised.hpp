@@ -15,7 +15,7 @@
 #include "galerkin/dirichlet.hpp"
 #include "galerkin/discretization.hpp"
 #include "spectral/tri_map.hpp"
-#include "stiffness/condensed_element.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 

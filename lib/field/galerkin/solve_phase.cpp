@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
 #include "field/explicit_value.hpp"
-#include "galerkin/continuous.hpp"
+#include "galerkin/discretization.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "mesh/locate.hpp"
 
@@ -146,12 +146,6 @@ void PhaseSolver::factor() {
   parts_->is_factored = true;
 }
 
-void PhaseSolver::require_measures() {
-  factor();
-  if (!parts_->has_measures) measure_holes();
-  parts_->has_measures = true;
-}
-
 std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<field::LiftedData>& data) {
   factor();
   ContinuousSystem& system = parts_->system;
@@ -173,6 +167,9 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
 
 // On hole j the vertex modes of w_j are 1, and its edge modes vanish.
 void PhaseSolver::measure_holes() {
+  factor();
+  if (parts_->has_measures) return;
+  parts_->has_measures = true;
   const TriMesh& mesh = *parts_->context.mesh;
   const DofMap& map = parts_->system.map();
   const int num_holes = mesh.face.num_loops() - 1;
@@ -208,7 +205,7 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const std::vector
         fmt::format("hole_winding_offsets has {} entries for {} holes", winding_offsets.size(), num_holes));
   set_nodes(asked);
   const field::PhaseBoundary& boundary = parts_->given->boundary;
-  require_measures();
+  measure_holes();
   const Eigen::MatrixXd data = parts_->given->data.values(parts_->context.topology, parts_->system.map());
 
   State state;

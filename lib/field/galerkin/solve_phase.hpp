@@ -63,7 +63,6 @@ class PhaseSolver {
   struct Parts;
   struct State;
   void factor();
-  void require_measures();
   void measure_holes();
   State state(const PhaseNodes& asked, const std::vector<int>& winding_offsets);
   void solve_for_winding(const Eigen::MatrixXd& data, State& state);

@@ -1,54 +1,13 @@
 #pragma once
-// The matrices of an element over its boundary modes: by static condensation, which eliminates the interior modes
-// (Karniadakis and Sherwin, sec. 4.1.6), and for continuous elements by the cheapest way that is accurate.
+// The matrices of an element for continuous elements, by the cheapest way that is accurate.
 
 #include <Eigen/Dense>
-#include <memory>
-#include <optional>
 #include <vector>
 
-#include "spectral/modified_basis.hpp"
 #include "spectral/tri_map.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::stiffness {
-
-/// A symmetric matrix: the lower triangle, column by column.
-class SymmetricMatrix {
- public:
-  SymmetricMatrix() = default;
-  /// From the lower triangle of a square matrix; its upper triangle is not read.
-  explicit SymmetricMatrix(const Eigen::MatrixXd& lower);
-
-  Eigen::Index rows() const { return rows_; }
-  /// All entries.
-  Eigen::MatrixXd dense() const;
-
- private:
-  Eigen::Index rows_ = 0;
-  Eigen::VectorXd columns_;
-};
-
-/// An element matrix over its boundary modes b alone, and what determines the solution inside: one of two, or neither
-/// if it is not kept.
-struct CondensedElement {
-  SymmetricMatrix schur;  ///< K_bb - K_bi K_ii^-1 K_ib, or its substitute of harmonic_element.hpp
-  /// If interior modes i were eliminated, -K_ii^-1 K_ib: their coefficients of least energy by boundary mode.
-  std::optional<Eigen::MatrixXd> interior;
-  Eigen::MatrixXd projection;  ///< onto harmonic polynomials, else empty (harmonic_element.hpp)
-
-  bool has_interior() const { return interior || projection.size() > 0; }
-};
-
-/// Eliminates the interior modes. Throws ComputeError(`failure`) if K_ii is not positive definite.
-CondensedElement eliminate_interior(const Eigen::MatrixXd& k_ii, const Eigen::MatrixXd& k_ib,
-                                    const Eigen::MatrixXd& k_bb, const char* failure);
-
-/// The matrices of all elements; those of the same shape and order share one object (first_of_shape).
-using CondensedElements = std::vector<std::shared_ptr<const CondensedElement>>;
-
-/// `stiffness` is ordered as the modified basis: boundary modes first. Throws ComputeError if K_ii is not positive
-/// definite, which only a folded element can cause.
-CondensedElement condense(int order, const Eigen::MatrixXd& stiffness);
 
 /// From this order on, elements use harmonic polynomials. At lower orders the interior modes are few, and the zeros of
 /// the field are up to ten times more accurate with them (stadium, order 8: 4e-8 and 6e-7).

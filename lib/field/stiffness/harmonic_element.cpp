@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "spectral/jacobi.hpp"
@@ -169,6 +170,116 @@ Products products_with_modes(const EdgeValues& at, const EdgeRule& edge, int ord
   return products;
 }
 
+// The collapsed Gauss rule that is exact for a mode of order P times a polynomial of degree P + 6.
+constexpr int num_points(int order) { return (order + harmonic_degree(order)) / 2 + 1; }
+
+// The projection of values at the points onto the orthogonal basis, in two steps, because mode (p, q) is a function of
+// eta1 and p times one of eta2, p and q.
+struct ProjectionTable {
+  std::vector<Vec2> points;             ///< reference coordinates, eta1 fastest
+  Eigen::MatrixXd across;               ///< p = 0 .. P x points eta1
+  std::vector<Eigen::MatrixXd> upward;  ///< by p: q = 0 .. P - p x points eta2
+  Eigen::MatrixXd trace;                ///< boundary modes x orthogonal modes
+};
+
+// The boundary modes of each orthogonal mode: values at the vertices and, with psi' of norm 1, integrals along the
+// edges of the slopes times those of the edge modes.
+Eigen::MatrixXd make_trace(int order) {
+  const EdgeRule& edge = edge_rule(order, true);
+  const MapTable modes = make_map_table(order, order);
+  const Eigen::Index n = edge.modes.rows(), num_edge = order - 1;
+  const Eigen::MatrixXd weighted = as_vector(edge.rule.weights).asDiagonal() * edge.modes.rightCols(num_edge);
+  Eigen::MatrixXd trace(spectral::num_boundary_modes(order), spectral::num_tri_modes(order));
+  Eigen::VectorXd at_vertex(trace.cols());
+  for (int k = 0; k < 3; ++k) {
+    spectral::orthogonal_values(order, spectral::tri_edge_point(k, 0), at_vertex.data());
+    trace.row(k) = at_vertex;
+    trace.middleRows(3 + k * num_edge, num_edge) = weighted.transpose() * modes.slopes.middleRows(k * n, n);
+  }
+  return trace;
+}
+
+ProjectionTable make_projection_table(int order) {
+  const int n = num_points(order);
+  const spectral::Quadrature eta1 = spectral::gauss_legendre(n), eta2 = spectral::gauss_jacobi(n, 1, 0);
+  ProjectionTable table{{}, Eigen::MatrixXd(order + 1, n), {}, make_trace(order)};
+  for (int p = 0; p <= order; ++p) {
+    Eigen::MatrixXd upward(order - p + 1, n);
+    for (int i = 0; i < n; ++i) {
+      table.across(p, i) = eta1.weights[i] * spectral::jacobi(p, 0, 0, eta1.points[i]);
+      const double y = eta2.points[i], weight = std::pow((1 - y) / 2, p) * eta2.weights[i] / 2;
+      for (int q = 0; q <= order - p; ++q)
+        upward(q, i) = weight * spectral::orthogonal_scale(p, q) * spectral::jacobi(q, 2 * p + 1, 0, y);
+    }
+    table.upward.push_back(std::move(upward));
+  }
+  for (const double y : eta2.points) {
+    for (const double x : eta1.points) table.points.push_back({(1 + x) * (1 - y) / 2 - 1, y});
+  }
+  return table;
+}
+
+const ProjectionTable& projection_table(int order) {
+  static spectral::PerOrder<ProjectionTable> tables(make_projection_table);
+  return tables[order];
+}
+
+// The modes of maps of one order at the points.
+const Eigen::MatrixXd& map_modes(int order, int map_order) {
+  static spectral::PerOrder<Eigen::MatrixXd> tables(
+      [](int key) { return spectral::orthogonal_vandermonde(key % 100, projection_table(key / 100).points); });
+  return tables[100 * order + map_order];
+}
+
+// Points are treated in groups, whose sums stay in registers.
+constexpr Eigen::Index group = 16;
+using Group = Eigen::Array<double, group, 1>;
+
+// The points as z = x + i y, padded to whole groups.
+struct Points {
+  Eigen::ArrayXd x, y;
+};
+
+Points points_of(const spectral::TriMap& map, const HarmonicFrame& frame, int order) {
+  const Eigen::MatrixXd& table = map_modes(order, map.order());
+  const Vector x = as_vector(map.coefs_x()), y = as_vector(map.coefs_y());
+  const Eigen::Index n = table.rows(), padded = (n + group - 1) / group * group;
+  const Eigen::ArrayXd dx = (table * x).array() - frame.centre.x, dy = (table * y).array() - frame.centre.y;
+  Points z{Eigen::ArrayXd::Zero(padded), Eigen::ArrayXd::Zero(padded)};
+  z.x.head(n) = frame.scale.real() * dx - frame.scale.imag() * dy;
+  z.y.head(n) = frame.scale.real() * dy + frame.scale.imag() * dx;
+  return z;
+}
+
+// Re of the sum of (a_k - i b_k) p_k at the points, for coefficients a_1, b_1, a_2, ...: Clenshaw's algorithm.
+Eigen::ArrayXd values_at(const Points& z, std::complex<double> b, const Eigen::VectorXd& coefs) {
+  Eigen::ArrayXd values(z.x.size());
+  for (Eigen::Index first = 0; first < values.size(); first += group) {
+    const Group x = z.x.segment<group>(first), y = z.y.segment<group>(first);
+    Group re = Group::Zero(), im = re, re1 = re, im1 = re, re2 = re, im2 = re;
+    for (Eigen::Index k = coefs.size() - 2; k >= 0; k -= 2) {
+      const Group re0 = x * re - y * im - b.real() * re1 + b.imag() * im1 - (1.0 / 3) * re2 + coefs[k];
+      const Group im0 = x * im + y * re - b.real() * im1 - b.imag() * re1 - (1.0 / 3) * im2 - coefs[k + 1];
+      re2 = re1, im2 = im1;
+      re1 = re, im1 = im;
+      re = re0, im = im0;
+    }
+    values.segment<group>(first) = x * re - y * im - b.real() * re1 + b.imag() * im1 - (1.0 / 3) * re2;
+  }
+  return values;
+}
+
+// Projects the values at the points onto the orthogonal basis.
+void project(const ProjectionTable& table, const Eigen::ArrayXd& values, Eigen::Ref<Eigen::VectorXd> coefs) {
+  const Eigen::Index n = table.across.cols();
+  const Eigen::MatrixXd across =
+      Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n).transpose() * table.across.transpose();  // points eta2 x p
+  for (int p = 0; p < static_cast<int>(table.upward.size()); ++p) {
+    const Eigen::VectorXd upward = table.upward[p] * across.col(p);
+    for (int q = 0; q < upward.size(); ++q) coefs[(p + q) * (p + q + 1) / 2 + p] = upward[q];
+  }
+}
+
 }  // namespace
 
 std::optional<CondensedElement> harmonic_element(const spectral::TriMap& map, int order) {
@@ -199,6 +310,19 @@ std::optional<CondensedElement> harmonic_element(const spectral::TriMap& map, in
   schur.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
   element.schur = SymmetricMatrix(schur);
   return element;
+}
+
+Eigen::MatrixXd harmonic_coefs(const spectral::TriMap& map, int order, const Eigen::MatrixXd& projection,
+                               const Eigen::MatrixXd& boundary) {
+  const ProjectionTable& table = projection_table(order);
+  const HarmonicFrame frame(map);
+  const Points z = points_of(map, frame, order);
+  const Eigen::MatrixXd polynomials = projection * boundary;
+  Eigen::MatrixXd coefs(spectral::num_tri_modes(order), boundary.cols());
+  for (Eigen::Index column = 0; column < boundary.cols(); ++column)
+    project(table, values_at(z, frame.b, polynomials.col(column)), coefs.col(column));
+  coefs += equilateral(order).extension * (boundary - table.trace * coefs);
+  return coefs;
 }
 
 }  // namespace quadrille::stiffness

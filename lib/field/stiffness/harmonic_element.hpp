@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "spectral/tri_map.hpp"
-#include "stiffness/condensed_element.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::stiffness {
 

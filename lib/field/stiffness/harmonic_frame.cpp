@@ -6,7 +6,6 @@
 #include "spectral/modified_to_orthogonal.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
-#include "stiffness/condensed_element.hpp"
 #include "stiffness/element_matrices.hpp"
 
 namespace quadrille::stiffness {

@@ -13,7 +13,7 @@
 
 #include "triangulate/curved_edges.hpp"
 #include "triangulate/draft.hpp"
-#include "triangulate/triangulate.hpp"
+#include "triangulate/triangulate_options.hpp"
 
 namespace quadrille::triangulate {
 

@@ -211,10 +211,7 @@ double EdgeFit::turn(int curve, double t0, double t1) const {
   double sum = 0;
   Vec2 before = curve::tangent(nurbs, t0, false);
   // Each knot span is sampled separately.
-  std::vector<double> ends{t0};
-  for (const double knot : nurbs.knots)
-    if (knot > ends.back() && knot < t1) ends.push_back(knot);
-  ends.push_back(t1);
+  const std::vector<double> ends = span_ends(nurbs, t0, t1);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     for (int k = 1; k <= num_turn_samples; ++k) {
       const double t = ends[i] + (ends[i + 1] - ends[i]) * k / num_turn_samples;

@@ -59,10 +59,7 @@ std::vector<Vec2> polyline(const Outline& outline, const SmoothPiece& piece) {
     points.push_back(curve::point(curve, piece.t1));
     return points;
   }
-  std::vector<double> ends{piece.t0};
-  for (const double knot : curve.knots)
-    if (knot > ends.back() && knot < piece.t1) ends.push_back(knot);
-  ends.push_back(piece.t1);
+  const std::vector<double> ends = span_ends(curve, piece.t0, piece.t1);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     sample(curve, ends[i], ends[i + 1], curve::tangent(curve, ends[i]), curve::tangent(curve, ends[i + 1], true), 0,
            points);
@@ -108,6 +105,14 @@ Singularity curvature_jump(const Junction& j, double radius) {
 }
 
 }  // namespace
+
+std::vector<double> span_ends(const Nurbs& curve, double t0, double t1) {
+  std::vector<double> ends{t0};
+  for (const double knot : curve.knots)
+    if (knot > ends.back() && knot < t1) ends.push_back(knot);
+  ends.push_back(t1);
+  return ends;
+}
 
 Outline::Outline(const CadFace& face, double straight_tol) : face_(&face) {
   lengths_.reserve(face.curves.size());

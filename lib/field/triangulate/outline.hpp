@@ -34,6 +34,9 @@ struct Junction {
   double curvature_slope_in = 0, curvature_slope_out = 0;  ///< d curvature / d arc length
 };
 
+/// t0, the knots of the curve between t0 and t1, and t1.
+std::vector<double> span_ends(const Nurbs& curve, double t0, double t1);
+
 class Outline {
  public:
   /// `face` must outlive the outline. A curve is straight if its poles deviate from its chord by less than

@@ -6,18 +6,9 @@
 
 #include "base/report.hpp"
 #include "model/tri_mesh.hpp"
+#include "triangulate/triangulate_options.hpp"
 
 namespace quadrille::triangulate {
-
-struct TriangulateOptions {
-  int order = 8;             ///< shape order N, 1..16: proofs are exact to round-off up to degree 2N - 2 = 30
-  double size = 0;           ///< greatest element size in file units; 0: diameter / 4
-  double growth = 0.5;       ///< Lipschitz constant of the size field (0, 2]
-  double curve_tol = 1e-12;  ///< greatest distance between element edges and curves, relative to the diameter
-  int fan_layers = -1;       ///< layers of a corner fan; -1: chosen by the exponent at the corner
-  double fan_factor = 0.15;  ///< ratio of the radii of successive layers (0, 1)
-  void validate() const;     ///< throws UsageError
-};
 
 /// Which elements of a mesh are not fit for a purpose of the caller, ascending: a further reason to refine them.
 using Doubts = std::function<std::vector<int>(const TriMesh&)>;

@@ -1,4 +1,4 @@
-#include "galerkin/continuous.hpp"
+#include "galerkin/discretization.hpp"
 
 #include <gtest/gtest.h>
 
