@@ -5,7 +5,7 @@
 #include "cli/tool_main.hpp"
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 using namespace quadrille;
 

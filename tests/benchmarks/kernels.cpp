@@ -8,7 +8,6 @@
 #include "../unit/support/square_field.hpp"
 #include "field/error_estimate.hpp"
 #include "field/evaluate.hpp"
-#include "stiffness/condense.hpp"
 #include "stiffness/element_matrices.hpp"
 #include "triangulate/triangulate.hpp"
 #include "zeros/cell.hpp"

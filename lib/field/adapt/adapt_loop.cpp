@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "adapt/order_policy.hpp"
-#include "adapt/sensor.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
@@ -21,11 +20,12 @@ namespace quadrille::adapt {
 
 namespace {
 
-// Predictions aim at a sensor below the one that makes them necessary, so that few elements have to be corrected.
-constexpr double aim = 0.02;
-
-// The part of the expected rate of decay that predictions rely on.
-constexpr double trusted_rate = 0.9;
+struct PredictionConstants {
+  // Predictions aim at a sensor below the one that makes them necessary, so that few elements have to be corrected.
+  double aim = 0.02;
+  double trusted_rate = 0.9;  // the part of the expected rate of decay that predictions rely on
+};
+constexpr PredictionConstants prediction;
 
 // Solves for a field of the same kind and options as the initial one, with other orders.
 struct Solver {
@@ -37,10 +37,9 @@ struct Solver {
 Solver solver_of(const Field& start, int num_threads) {
   if (start.kind == FieldKind::phase) {
     const auto solver = std::make_shared<galerkin::PhaseSolver>(start.mesh, start.elem_order, num_threads);
-    const galerkin::PhaseOptions options{start.phase.hole_winding_offsets};
     return {[=, &start](const std::vector<int>& orders, Report& report) {
               solver->set_orders(orders);
-              return solver->solve(start.phase.prescribed, options, report);
+              return solver->solve(start.phase.prescribed, start.phase.hole_winding_offsets, report);
             },
             [=](const std::vector<int>& orders) { return solver->num_unknowns(orders); },
             [=] { return solver->boundary(); }};
@@ -84,9 +83,9 @@ void step_orders(const std::vector<double>& sensors, const AdaptOptions& options
 // not to where it just meets the other limit: the errors of many elements add up.
 double next_order(const std::vector<double>& sensors, const AdaptOptions& options) {
   const double order = static_cast<double>(sensors.size()) - 1;
-  const double predicted = predicted_order(sensors, aim * options.raise_above, trusted_rate);
+  const double predicted = predicted_order(sensors, prediction.aim * options.raise_above, prediction.trusted_rate);
   if (predicted >= order) return predicted;
-  return std::clamp(predicted_order(sensors, options.lower_below, trusted_rate), predicted, order);
+  return std::clamp(predicted_order(sensors, options.lower_below, prediction.trusted_rate), predicted, order);
 }
 
 // Orders by prediction: in the first round of all elements, then of those that exceed the limit. A solution that is

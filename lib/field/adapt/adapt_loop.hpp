@@ -2,7 +2,7 @@
 // Solves, evaluates the sensor and changes the order of each element, until no order changes: by prediction, or by
 // Algorithm 1 of the paper.
 
-#include "adapt/adapt_options.hpp"
+#include "adapt/order_policy.hpp"
 #include "base/report.hpp"
 #include "model/field.hpp"
 

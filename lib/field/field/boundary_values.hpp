@@ -1,5 +1,10 @@
 #pragma once
-// Dirichlet data of the guiding field from the exact tangents of the CAD curves (paper, eq. 3).
+// Dirichlet data of the guiding field from the exact tangents of the CAD curves (paper, eq. 3), and exact harmonic
+// liftings of their jumps at corners (lib/method.md §3, §8.4).
+//
+// At a corner c the data jump from v_in (end of the incoming curve) to v_out (start of the outgoing one). The function
+// jump * theta_c(x), theta_c = Arg((z - c)/(z - p_c)), is harmonic in the domain and has exactly that jump at c: after
+// subtracting it, the data are continuous at c.
 
 #include <optional>
 #include <vector>
@@ -24,7 +29,7 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
 /// its pole, and other joints are in the same place). Along the two element edges at such a corner the data change
 /// linearly, in the parameter, to the mean of both sides at the corner. The two deviations are opposite, so that the
 /// field is disturbed by (r0 / r)^(2 pi / omega) only, r0 the length of the edges: the fan of such a corner makes it
-/// negligible (triangulate/singularity.hpp).
+/// negligible (junction_singularity in triangulate/outline.hpp).
 class CornerBridges {
  public:
   /// Bridges at all slit joints of the mesh's face. `mesh` must outlive this object.
@@ -62,5 +67,26 @@ class BoundaryValues {
 /// multiples of 45 degrees. The field then vanishes along curves, and the harmonic method yields no layout
 /// (lib/method.md §3).
 bool is_line_field(const CadFace& face);
+
+/// Smaller jumps of the data, of v or of the phase, are rounding of the decimals in the CAD file (a tangent jump of
+/// 2.5e-11 radians). By the maximum principle the error of the field is no larger, and every lifting costs time at each
+/// evaluation of the field.
+inline constexpr double jump_tol = 1e-10;
+
+/// The midpoint between `start`, a boundary point, and the first intersection of the boundary with the ray along the
+/// unit vector `direction` out of the domain. The distance from `start` is at most the diameter.
+Vec2 half_way(const CadFace& face, Vec2 start, Vec2 direction);
+
+/// p_c for an apex on the boundary: half_way along the exterior bisector. `tangent_out`: unit tangent of the outgoing
+/// side of the boundary at the apex; `interior_angle` in radians.
+Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double interior_angle);
+
+/// The lifting at a joint where the function that it is made for jumps from `incoming` to `outgoing`; its pole is the
+/// exterior_pole.
+Lifting lifting_at(const CadFace& face, int joint, Vec2 incoming, Vec2 outgoing);
+
+/// One lifting for every joint at which the data jump by more than round-off, except at slits: there is no place for
+/// the pole, and other joints are in the same place (BoundaryValues bridges those jumps).
+std::vector<Lifting> corner_liftings(const CadFace& face);
 
 }  // namespace quadrille::field

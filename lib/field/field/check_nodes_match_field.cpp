@@ -7,14 +7,11 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::field {
 namespace {
-
-// Relative to the diameter: how far a node may lie from its zero, and from the node that the phase was solved for.
-constexpr double relative_zero_tol = 1e-6;
-constexpr double relative_node_tol = 1e-9;
 
 // Whether the field has a zero of the given index at the position.
 bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
@@ -28,7 +25,7 @@ bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
   if (std::abs(p.index) != 1) return norm(sample.value) <= 1e-4;
   if ((det(sample.dv_dx) > 0) != (p.index > 0)) return false;
   const Vec2 off = inverse(sample.dv_dx) * sample.value;
-  return norm(off) <= relative_zero_tol * diameter;
+  return norm(off) <= tolerance::same_point * diameter;
 }
 
 std::string position_text(const CadFace& face, Vec2 x) { return quadrille::position_text(x + face.origin); }
@@ -58,7 +55,7 @@ int solved_valence(const PhaseNodes& solved, int joint) {
 std::string first_difference(const Field& field, const CriticalPoints& points) {
   const CadFace& face = field.mesh.face;
   const PhaseNodes& solved = field.phase.prescribed;
-  const double tol = relative_node_tol * face.diameter;
+  const double tol = tolerance::round_off * face.diameter;
   for (size_t i = 0; i < points.critical_points.size(); ++i) {
     const CriticalPoint& p = points.critical_points[i];
     if (i >= solved.nodes.size() || p.valence != solved.nodes[i].valence ||

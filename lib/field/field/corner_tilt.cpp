@@ -9,7 +9,6 @@
 #include "base/angle.hpp"
 #include "curve/arc_length.hpp"
 #include "field/boundary_values.hpp"
-#include "field/corner_lifting.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -81,6 +80,25 @@ LiftedData tilt_data(const CadFace& face, const std::vector<int>& joints, TiltPa
     return tilts->value(curve, t) - liftings_on_boundary(face, liftings, curve, t);
   };
   return data;
+}
+
+void add(const HarmonicPart& part, double factor, Field& field) {
+  std::size_t next = 0;
+  for (const int e : part.elems)
+    for (int i = field.coef_offsets[e]; i < field.coef_offsets[e + 1]; ++i, ++next) {
+      field.u[i] += factor * part.u[next];
+      field.v[i] += factor * part.v[next];
+    }
+  for (const Lifting& lifting : part.liftings) {
+    const auto same = std::find_if(field.liftings.begin(), field.liftings.end(),
+                                   [&](const Lifting& other) { return other.joint == lifting.joint; });
+    if (same != field.liftings.end()) {
+      same->jump += factor * lifting.jump;
+    } else {
+      field.liftings.push_back(lifting);
+      field.liftings.back().jump = factor * lifting.jump;
+    }
+  }
 }
 
 }  // namespace quadrille::field

@@ -9,7 +9,8 @@
 //
 //   v (cos tau - 1)  (even part)  +  s i v (+- sin tau)  (odd part)   on top of v:
 //
-// linear in the signs s of all corners.
+// linear in the signs s of all corners. So the field for any signs is a sum of harmonic functions, each solved for
+// once.
 
 #include <functional>
 #include <vector>
@@ -30,5 +31,16 @@ enum class TiltPart { even, odd };
 
 /// The sum of one part of the tilts at these joints. `face` must outlive the result.
 LiftedData tilt_data(const CadFace& face, const std::vector<int>& joints, TiltPart part);
+
+/// A harmonic function that may be added to a field, on the mesh and with the orders of that field: coefficients of the
+/// elements on which the function is not negligible.
+struct HarmonicPart {
+  std::vector<int> elems;
+  std::vector<double> u, v;  ///< element after element
+  std::vector<Lifting> liftings;
+};
+
+/// Adds `factor` times `part` to a harmonic field with the same orders.
+void add(const HarmonicPart& part, double factor, Field& field);
 
 }  // namespace quadrille::field

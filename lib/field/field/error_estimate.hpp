@@ -26,11 +26,22 @@ namespace quadrille::field {
 
 class PhaseBoundary;
 
+/// The deviation of a field from its exact boundary data, including the shape error of curved edges: for each element,
+/// the greatest |v_h(x_h) - v_b(t)| + |dv/dn| |x_h - x(t)| over sampled points of its boundary edges;
+/// 0 for elements without boundary edge. x_h is the point of the element and x(t) the point of the curve at the same
+/// arc length; only the component of x_h - x(t) normal to the curve counts. For a field of kind "phase", the same for
+/// the phase, in radians: |s_h - g| + |dphi/dn| |x_h - x(t)|. `phase_boundary`: the data of the phase on this mesh, if
+/// they were computed before.
+std::vector<double> boundary_misfit(const Field& field, const PhaseBoundary* phase_boundary = nullptr);
+
 /// Estimate of |v - v_h| on each element. For a field of kind "phase" it is |s - s_h|, which is the same to first order
 /// because v is a unit vector. Cost: linear in the number of modes and of elements (only the 512 strongest sources are
 /// summed). `phase_boundary`: see boundary_misfit().
 std::vector<double> error_estimate(const Field& field, const PhaseBoundary* phase_boundary = nullptr,
                                    Progress* progress = nullptr);
+
+/// Adds the squared norm of the modes of each degree to `norms`; `coefs`: in the orthogonal basis.
+void add_squared_norms(const double* coefs, std::vector<double>& norms);
 
 /// First-order bound of the displacement (a length) of a zero by a field error |e|: |J^-1 e| <= |e| / (least singular
 /// value of J = dv/dx).

@@ -1,18 +1,88 @@
 #pragma once
 // The guiding field at a point: value, gradient, position. Later stages access a field only through this header.
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
+#include "base/angle_sum.hpp"
 #include "curve/rotation.hpp"
-#include "field/element_terms.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/tri_topology.hpp"
 #include "model/field.hpp"
 #include "spectral/tri_map.hpp"
 
 namespace quadrille::field {
+
+/// Of the reference triangle.
+inline constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
+
+/// The explicit terms of a field (liftings, or those of a phase) as seen from a disc: most apexes, nodes and holes are
+/// far from it, and the sum of their angles is one power series there (base/angle_expansion).
+class DiscTerms {
+ public:
+  /// All terms of the field, none of them far.
+  explicit DiscTerms(const Field& field);
+  /// In a disc that lies inside that of `outer`.
+  DiscTerms(const DiscTerms& outer, Vec2 centre, double radius);
+
+  /// Whether far_liftings and far_phase are valid at x.
+  bool contains(Vec2 x) const { return expansion_.contains(x); }
+  int num_near() const;
+
+  /// Liftings that are not far, and the sum of the others at x.
+  const std::vector<Lifting>& near_liftings() const { return near_liftings_; }
+  Vec2 far_liftings(Vec2 x) const { return at_centre_ + expansion_.at(x); }
+
+  /// Terms of a phase that are not far. The others sum up to the angle of far_direction() plus far_phase(x), radians.
+  const PhaseTerms& near_terms() const { return near_terms_; }
+  Vec2 far_direction() const { return at_centre_; }
+  double far_phase(Vec2 x) const { return expansion_.at(x).x; }
+
+ private:
+  void split_liftings(const DiscTerms& outer, Vec2 centre);
+  void split_terms(const DiscTerms& outer, Vec2 centre);
+  void split_turns(const std::vector<PhaseTurn>& turns, std::vector<PhaseTurn>& near, std::vector<PhaseTurn>& far);
+
+  bool is_phase_;
+  AngleExpansion expansion_;
+  Vec2 at_centre_;  // sum of the far liftings, or direction of the far terms, at the centre of the disc
+  std::vector<Lifting> near_liftings_;
+  PhaseTerms near_terms_;
+};
+
+/// The terms of each element, made when they are first asked for. Where there are many, those far from a group of
+/// elements are summed once for the group, and again for each of the cells of which it consists. May be used by several
+/// threads at once.
+class ElementTerms {
+ public:
+  /// Both must outlive the object.
+  ElementTerms(const Field& field, const std::vector<spectral::TriMap>& maps);
+  /// In a disc that contains the element.
+  const DiscTerms& of(int elem) const;
+
+ private:
+  struct Disc {
+    Vec2 centre;
+    double radius = 0;
+    std::once_flag is_made;
+    std::unique_ptr<const DiscTerms> terms;
+    std::atomic<const DiscTerms*> ready = nullptr;  // terms.get() once they are made
+
+    /// outer(): the terms of a disc around this one; called only to make those of this one.
+    template <typename Outer>
+    const DiscTerms& made(const Outer& outer);
+    void enclose(const Disc& other);
+  };
+  void group_elements();
+
+  DiscTerms all_;
+  mutable std::vector<Disc> discs_;           // by element
+  mutable std::vector<Disc> cells_, groups_;  // of a few elements, of a few cells; empty if there are few terms
+  std::vector<int> elem2cell_, cell2group_;
+};
 
 /// Value and derivatives of the field and of the element map at a point of an element.
 struct FieldSample {
@@ -66,6 +136,7 @@ class FieldEvaluator {
   Vec2 liftings(int elem, Vec2 x) const;
   Vec2 sum_of(const std::vector<Lifting>& liftings, int elem, Vec2 x) const;
   Vec2 inward(int elem, Vec2 x) const;  ///< from x towards the element's centroid
+  Vec2 value(mesh::Location at) const;
   Vec2 phase_value(double remainder, int elem, Vec2 x) const;
   FieldSample phase_sample(int elem, Vec2 xi) const;
 
@@ -98,5 +169,12 @@ class FieldsOfRegions {
   std::vector<const FieldEvaluator*> regions_;
   std::vector<curve::Rotation> rotations_;
 };
+
+/// phi_0 of node `node` of a field of kind "phase" (field.phase.prescribed.nodes; lib/method.md §8.7), radians, modulo
+/// 2 pi:
+///   phi(z) = phi_0 + d arg(z - a) + O(|z - a|)   near a node a of index d = 4 - V,
+/// where the cross has the direction alpha if 4 alpha = phi_0 + d alpha (mod 2 pi). Throws FormatError if the node lies
+/// outside the mesh. Linear in the number of terms.
+double node_phase(const FieldEvaluator& evaluator, int node);
 
 }  // namespace quadrille::field

@@ -1,15 +1,102 @@
 #pragma once
-// The explicit terms of a phase with prescribed nodes (model/phase_nodes.hpp): turns about the nodes, about one point
-// and the foci of each hole, and about the mirror images of the nodes; and a multiple of theta_c for each corner.
+// The explicit terms of a phase with prescribed nodes (model/phase_terms.hpp): turns about the nodes, about one point
+// and the foci of each hole, and about the mirror images of the nodes; and a multiple of theta_c for each corner. One
+// object serves all sets of nodes with the same valences on the boundary for what does not depend on the nodes inside
+// the domain: apexes, corner angles, and the turns about the holes.
 
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/angle_sum.hpp"
-#include "field/corner_terms.hpp"
+#include "field/turn_centres.hpp"
 #include "model/cad_face.hpp"
 #include "model/phase_nodes.hpp"
 
 namespace quadrille::field {
+
+/// A boundary point with a prescribed valence: a joint of the face, or a boundary node inside a curve (lib/method.md
+/// §8.2, §8.8).
+struct BoundaryApex {
+  int curve = 0;              ///< the curve that begins at the joint, or the curve of the boundary node
+  double t = 0;               ///< parameter on `curve`
+  double interior_angle = 0;  ///< omega, radians, between the tangents of both sides; pi inside a smooth curve
+  int valence = 2;            ///< V
+};
+
+struct BoundaryApexes {
+  std::vector<BoundaryApex> apexes;  ///< sorted by curve, then t
+  std::vector<int> offsets;          ///< apexes of curve c: [offsets[c], offsets[c + 1]), its joint first
+};
+
+/// Checks sum (4 - V_k) + sum (2 - V_c) = 4 chi (lib/method.md §8.1); throws ComputeError with the sums otherwise.
+void require_valence_sum(const CadFace& face, const PhaseNodes& prescribed);
+
+/// Unlisted joints have valence 2; a boundary node at the end of a curve is the joint there. Throws ComputeError if a
+/// joint, curve or parameter does not exist, a joint is listed twice, or boundary nodes coincide.
+BoundaryApexes boundary_apexes(const CadFace& face, const PhaseNodes& prescribed);
+
+/// The position in `apexes` of the apex at parameter t of `curve`, up to round-off; -1 if no apex lies there.
+int find_apex(const CadFace& face, const BoundaryApexes& apexes, int curve, double t);
+
+/// Unit tangents at an apex: of the incoming and of the outgoing side of the boundary.
+struct ApexTangents {
+  Vec2 in, out;
+};
+/// The tangents at an apex; at a joint, those of the two curves that meet there.
+ApexTangents tangents_at(const CadFace& face, const BoundaryApex& apex);
+
+struct CornerTerms {
+  BoundaryApexes apexes;
+  std::vector<HoleFocus> foci;
+  std::vector<CornerAngle> corner_angles;
+  std::vector<int> apex2corner_angle;  ///< position in corner_angles; -1 if the data do not jump at the apex
+  std::vector<PhaseTurn> holes;        ///< h_j and the turns D_j that make the data of hole j single-valued
+};
+
+/// Throws as boundary_apexes().
+CornerTerms corner_terms(const CadFace& face, const PhaseNodes& prescribed);
+
+/// The sum of beta_c theta_c at x. If x is the apex of corner angle `at_apex` (-1: x is no such apex), its limit along
+/// the unit vector `inward`.
+double sum_of_corner_angles(const std::vector<CornerAngle>& corner_angles, Vec2 x, int at_apex, Vec2 inward);
+
+/// What the data at parameters `t` of a curve need that does not depend on the nodes inside the domain.
+struct BoundarySamples {
+  std::vector<double> t;
+  std::vector<int> apexes;             ///< the apex at the point; -1: none
+  std::vector<Vec2> x;                 ///< the points
+  std::vector<double> tangent_angles;  ///< on the side of rising t, principal values
+  std::vector<double> corner_angles;   ///< the sums of beta_c theta_c; 0 at apexes
+};
+
+/// Corner terms, the samples of the boundary asked for so far, and the images of nodes. Not to be used by two threads
+/// at once.
+class SharedCorners {
+ public:
+  /// Throws as corner_terms(). `face` must outlive this object.
+  SharedCorners(const CadFace& face, const PhaseNodes& prescribed);
+  /// Whether `prescribed` has the valences on the boundary for which this was made.
+  bool fit(const PhaseNodes& prescribed) const;
+  const CornerTerms& terms() const { return terms_; }
+  /// Whether the loop runs along slits only (CadFace::is_slit_loop).
+  bool is_slit(int loop) const { return face_->is_slit_loop(loop); }
+  /// Valid until the next call. `t` is not empty.
+  const BoundarySamples& samples(int curve, std::span<const double> t);
+  /// The mirror images of a node at x.
+  const std::vector<MirrorImage>& images(Vec2 x);
+
+ private:
+  std::vector<CornerValence> corners_;
+  std::vector<BoundaryNode> boundary_nodes_;
+  const CadFace* face_;
+  MirrorImages mirror_images_;
+  CornerTerms terms_;
+  std::vector<std::unordered_map<double, BoundarySamples>> samples_;  ///< by curve, then first parameter
+  std::map<std::pair<double, double>, std::vector<MirrorImage>> images_;
+};
 
 /// The centre of the term turns * arg(z - position).
 struct TurnCentre {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "curve/arc_length.hpp"
-#include "galerkin/dof_map.hpp"
+#include "galerkin/condensed_system.hpp"
 #include "model/tri_mesh.hpp"
 
 namespace quadrille::galerkin {

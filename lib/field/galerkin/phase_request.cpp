@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::galerkin {
-
 namespace {
 
 // lib/method.md §5: a sharp corner needs one block in any case. The tolerance admits corners that equal a bound up to
@@ -52,6 +53,16 @@ void require_possible(PhaseSolver& solver, const CadFace& face, const PhaseNodes
   } catch (const ComputeError& error) {
     throw FormatError(fmt::format("{}: {}", name, error.what()));
   }
+}
+
+std::vector<int> phase_orders(const TriMesh& mesh, const std::vector<int>& field_orders) {
+  constexpr int more_than_half = 5;
+  std::vector<int> orders = field_orders;
+  for (std::size_t e = 0; e < orders.size(); ++e)
+    if (mesh.elem_layer[e] < 0) orders[e] = std::min(orders[e], (orders[e] + 1) / 2 + more_than_half);
+  for (const BoundaryEdge& edge : mesh.boundary_edges)
+    if (mesh.face.curves[edge.curve].degree == 1) orders[edge.elem] = field_orders[edge.elem];
+  return orders;
 }
 
 }  // namespace quadrille::galerkin

@@ -10,8 +10,7 @@
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "field/boundary_values.hpp"
-#include "field/corner_lifting.hpp"
-#include "galerkin/continuous.hpp"
+#include "galerkin/discretization.hpp"
 #include "galerkin/hybridised.hpp"
 
 namespace quadrille::galerkin {

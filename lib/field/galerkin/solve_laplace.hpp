@@ -14,7 +14,7 @@ namespace quadrille::galerkin {
 
 /// Treatment of the jumps of the boundary data at corners.
 enum class CornerData {
-  lift,  ///< represented by exact harmonic liftings (field/corner_lifting.hpp)
+  lift,  ///< represented by exact harmonic liftings (field/boundary_values.hpp)
   dg     ///< kept in the data, as in the paper; discontinuous elements only
 };
 constexpr auto enum_names(CornerData) { return std::to_array({"lift", "dg"}); }

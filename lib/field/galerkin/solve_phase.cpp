@@ -2,22 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "galerkin/continuous.hpp"
-#include "galerkin/explicit_energy.hpp"
-#include "galerkin/hole_winding.hpp"
-#include "galerkin/phase_gradient.hpp"
-#include "galerkin/solve_parts.hpp"
+#include "base/tolerance.hpp"
+#include "field/explicit_value.hpp"
+#include "galerkin/discretization.hpp"
+#include "galerkin/phase_energy.hpp"
 #include "mesh/locate.hpp"
 
 namespace quadrille::galerkin {
-
 namespace {
+
+/// Smaller coefficients are omitted: what they add up to is far below the error of any field.
+constexpr double negligible = 1e-13;
+
+/// Functions that are solved for together: wide matrices are faster, but take memory.
+constexpr std::size_t batch = 8;
+
+/// Adds what each part is on element e, from two columns of `coefs` for each.
+void add_element(const Eigen::MatrixXd& coefs, int e, field::HarmonicPart* parts) {
+  for (int k = 0; 2 * k < coefs.cols(); ++k) {
+    if (coefs.middleCols(2 * k, 2).cwiseAbs().maxCoeff() < negligible) continue;
+    parts[k].elems.push_back(e);
+    parts[k].u.insert(parts[k].u.end(), coefs.col(2 * k).begin(), coefs.col(2 * k).end());
+    parts[k].v.insert(parts[k].v.end(), coefs.col(2 * k + 1).begin(), coefs.col(2 * k + 1).end());
+  }
+}
 
 /// The harmonic measures w_j of the holes: 1 on hole j, 0 on the other loops.
 struct HoleMeasures {
@@ -28,6 +43,33 @@ struct HoleMeasures {
 };
 
 }  // namespace
+
+std::vector<int> nearest_hole_winding(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target) {
+  Eigen::VectorXd m = (target.array() - 0.5 - tolerance::tied).ceil();
+  Eigen::VectorXd slope = gram * (m - target);
+  const auto size = m.size();
+  // Takes the step a e_i + b e_j (b = 0: in one entry only) if it reduces |m - target| in the norm of the Gram matrix.
+  const auto take = [&](Eigen::Index i, double a, Eigen::Index j, double b) {
+    const double own = a * a * gram(i, i) + b * b * gram(j, j) + 2 * a * b * gram(i, j);
+    if (2 * (a * slope[i] + b * slope[j]) + own >= -tolerance::tied * own) return false;
+    m[i] += a;
+    m[j] += b;
+    slope += a * gram.col(i) + b * gram.col(j);
+    return true;
+  };
+  // All steps in a fixed order, until none reduces the norm.
+  for (bool is_improved = true; is_improved;) {
+    is_improved = false;
+    for (Eigen::Index i = 0; i < size; ++i)
+      for (const double a : {1.0, -1.0}) {
+        is_improved |= take(i, a, i, 0);
+        for (Eigen::Index j = i + 1; j < size; ++j)
+          for (const double b : {1.0, -1.0}) is_improved |= take(i, a, j, b);
+      }
+  }
+  const Eigen::VectorXi winding = m.cast<int>();
+  return {winding.begin(), winding.end()};
+}
 
 /// The boundary data of one set of nodes, and their projections for the orders of the last solution.
 struct PhaseSolver::Given {
@@ -104,19 +146,30 @@ void PhaseSolver::factor() {
   parts_->is_factored = true;
 }
 
-void PhaseSolver::require_measures() {
-  factor();
-  if (!parts_->has_measures) measure_holes();
-  parts_->has_measures = true;
-}
-
 std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<field::LiftedData>& data) {
   factor();
-  return solve_parts(parts_->context, parts_->system, parts_->points, data);
+  ContinuousSystem& system = parts_->system;
+  std::vector<field::HarmonicPart> parts(data.size());
+  for (std::size_t first = 0; first < data.size(); first += batch) {
+    const std::size_t last = std::min(first + batch, data.size());
+    Eigen::MatrixXd given(system.map().num_dofs - system.map().num_unknowns, 2 * (last - first));
+    for (std::size_t i = first; i < last; ++i) {
+      parts[i].liftings = data[i].liftings;
+      given.middleCols(2 * (i - first), 2) =
+          DirichletData(parts_->points, data[i].values).values(parts_->context.topology, system.map());
+    }
+    const Eigen::MatrixXd dofs = system.solve(given, parts_->watch);
+    for (int e = 0; e < static_cast<int>(parts_->elem_order.size()); ++e)
+      add_element(system.coefs(e, dofs), e, &parts[first]);
+  }
+  return parts;
 }
 
 // On hole j the vertex modes of w_j are 1, and its edge modes vanish.
 void PhaseSolver::measure_holes() {
+  factor();
+  if (parts_->has_measures) return;
+  parts_->has_measures = true;
   const TriMesh& mesh = *parts_->context.mesh;
   const DofMap& map = parts_->system.map();
   const int num_holes = mesh.face.num_loops() - 1;
@@ -144,15 +197,15 @@ void PhaseSolver::set_nodes(const PhaseNodes& asked) {
 
 const field::PhaseBoundary* PhaseSolver::boundary() const { return parts_->given ? &parts_->given->boundary : nullptr; }
 
-PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOptions& options) {
+PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const std::vector<int>& winding_offsets) {
   const TriMesh& mesh = *parts_->context.mesh;
   const std::size_t num_holes = mesh.face.num_loops() - 1;
-  if (!options.hole_winding_offsets.empty() && options.hole_winding_offsets.size() != num_holes)
-    throw UsageError(fmt::format("hole_winding_offsets has {} entries for {} holes",
-                                 options.hole_winding_offsets.size(), num_holes));
+  if (!winding_offsets.empty() && winding_offsets.size() != num_holes)
+    throw UsageError(
+        fmt::format("hole_winding_offsets has {} entries for {} holes", winding_offsets.size(), num_holes));
   set_nodes(asked);
   const field::PhaseBoundary& boundary = parts_->given->boundary;
-  require_measures();
+  measure_holes();
   const Eigen::MatrixXd data = parts_->given->data.values(parts_->context.topology, parts_->system.map());
 
   State state;
@@ -160,7 +213,7 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const PhaseOption
   form.prescribed = asked;
   form.terms = boundary.terms();
   state.interior_angles = boundary.interior_angles();
-  form.hole_winding_offsets = options.hole_winding_offsets;
+  form.hole_winding_offsets = winding_offsets;
   // The winding of the last nodes is mostly that of these nodes too.
   solve_for_winding(data, state);
   if (num_holes == 0) return state;
@@ -202,10 +255,10 @@ Eigen::VectorXd PhaseSolver::nearest_winding(const State& state) const {
   return m;
 }
 
-Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, Report& report) {
+Field PhaseSolver::solve(const PhaseNodes& asked, const std::vector<int>& winding_offsets, Report& report) {
   parts_->watch = Stopwatch();
   parts_->context.progress = report.progress();
-  State state = this->state(asked, options);
+  State state = this->state(asked, winding_offsets);
   const TriMesh& mesh = *parts_->context.mesh;
   Field field;
   field.provenance = mesh.provenance;
@@ -243,12 +296,12 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const PhaseOptions& options, R
   return field;
 }
 
-PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const PhaseOptions& options) {
+PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const std::vector<int>& winding_offsets) {
   // A minimisation starts where the energy was computed before.
   if (const auto& known = parts_->known_energy;
-      known && known->asked == asked && known->hole_winding_offsets == options.hole_winding_offsets)
+      known && known->asked == asked && known->hole_winding_offsets == winding_offsets)
     return known->energy;
-  const State state = this->state(asked, options);
+  const State state = this->state(asked, winding_offsets);
   const MeshContext& context = parts_->context;
   if (!parts_->locator) parts_->locator = std::make_unique<mesh::Locator>(*context.mesh, context.maps);
   PhaseEnergy energy;
@@ -257,16 +310,17 @@ PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const PhaseOptions& opt
   for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
     const mesh::Location at = locate_node(*parts_->locator, *context.mesh, asked.nodes[k].position);
     const Eigen::VectorXd s = parts_->system.coefs(at.elem, state.dofs);
-    const Vec2 slope = remainder_gradient(context.maps[at.elem], at.xi, parts_->elem_order[at.elem], s.data());
+    const Vec2 slope =
+        field::remainder_sample(context.maps[at.elem], parts_->elem_order[at.elem], s.data(), at.xi).slope;
     energy.gradient.push_back(phase_energy_gradient(state.form.terms, static_cast<int>(k), slope));
   }
-  parts_->known_energy = {asked, options.hole_winding_offsets, energy};
+  parts_->known_energy = {asked, winding_offsets, energy};
   return energy;
 }
 
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked,
-                  const PhaseOptions& options, Report& report) {
-  return PhaseSolver(mesh, elem_order).solve(asked, options, report);
+                  const std::vector<int>& winding_offsets, Report& report) {
+  return PhaseSolver(mesh, elem_order).solve(asked, winding_offsets, report);
 }
 
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked, Report& report) {

@@ -3,22 +3,22 @@
 // one continuous Laplace solve, the hole winding by §8.6.
 
 #include <Eigen/Core>
+#include <Eigen/Dense>
 #include <memory>
 #include <vector>
 
 #include "base/report.hpp"
 #include "field/corner_tilt.hpp"
-#include "field/harmonic_part.hpp"
 #include "field/phase_boundary.hpp"
 #include "model/field.hpp"
 
 namespace quadrille::galerkin {
 
-struct PhaseOptions {
-  /// Offsets from the hole winding of least energy, one integer for each hole (loops 1, 2, ...); empty: all 0. With a
-  /// non-zero offset, streamlines spiral around the hole.
-  std::vector<int> hole_winding_offsets;
-};
+/// The hole winding m_j (lib/method.md §8.6): an integer vector m of small (m - target)^T gram (m - target): rounding,
+/// then steps of +-1 in one or two entries as long as one of them reduces the norm. For a single entry m is optimal.
+/// Halves within 1e-6 are rounded down, and steps whose relative gain is below 1e-6 are rejected, so that rounding
+/// errors do not affect the result.
+std::vector<int> nearest_hole_winding(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target);
 
 /// W and dW / da_k for each node k (galerkin/phase_energy.hpp).
 struct PhaseEnergy {
@@ -28,7 +28,8 @@ struct PhaseEnergy {
 
 /// Solves for many sets of nodes on one mesh and for successive order maps: one factorisation for each order map, which
 /// serves the harmonic measures of all holes and other harmonic functions too. Each set of nodes costs new boundary
-/// data and one back substitution.
+/// data and one back substitution. `winding_offsets`: from the hole winding of least energy, one integer for each hole
+/// (loops 1, 2, ...); empty: all 0. With a non-zero offset, streamlines spiral around the hole.
 class PhaseSolver {
  public:
   /// Order elem_order[e] on element e. `mesh` must outlive the solver. The system is factored at first use.
@@ -46,11 +47,11 @@ class PhaseSolver {
 
   /// The field of kind "phase". Throws ComputeError for infeasible nodes (PhaseBoundary) and if the factorisation
   /// breaks down, UsageError unless the winding offsets are empty or one per hole.
-  Field solve(const PhaseNodes& asked, const PhaseOptions& options, Report& report);
+  Field solve(const PhaseNodes& asked, const std::vector<int>& winding_offsets, Report& report);
   /// The energy W of the field and its gradient. Throws as solve(), and ComputeError if a node lies outside the mesh
   /// (between a curve and its elements).
-  PhaseEnergy energy(const PhaseNodes& asked, const PhaseOptions& options = {});
-  /// Harmonic functions with these boundary data (galerkin/solve_parts.hpp), to be added to a field on this mesh with
+  PhaseEnergy energy(const PhaseNodes& asked, const std::vector<int>& winding_offsets = {});
+  /// Harmonic functions with these boundary data, to be added to a field on this mesh with
   /// this order map. Throws ComputeError if the factorisation breaks down.
   std::vector<field::HarmonicPart> harmonic_parts(const std::vector<field::LiftedData>& data);
   /// Size of the condensed system for this order map.
@@ -62,9 +63,8 @@ class PhaseSolver {
   struct Parts;
   struct State;
   void factor();
-  void require_measures();
   void measure_holes();
-  State state(const PhaseNodes& asked, const PhaseOptions& options);
+  State state(const PhaseNodes& asked, const std::vector<int>& winding_offsets);
   void solve_for_winding(const Eigen::MatrixXd& data, State& state);
   Eigen::VectorXd nearest_winding(const State& state) const;
   std::unique_ptr<Parts> parts_;
@@ -72,7 +72,7 @@ class PhaseSolver {
 
 /// Solves for one set of nodes; throws as PhaseSolver::solve().
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked,
-                  const PhaseOptions& options, Report& report);
+                  const std::vector<int>& winding_offsets, Report& report);
 Field solve_phase(const TriMesh& mesh, const std::vector<int>& elem_order, const PhaseNodes& asked, Report& report);
 
 }  // namespace quadrille::galerkin

@@ -1,10 +1,12 @@
 #pragma once
-// What the discretisations ask of a solver of the condensed system (make_sparse_solver.hpp).
+// What the discretisations ask of a solver of the condensed system.
 
 #include <Eigen/Dense>
+#include <memory>
 
 #include "base/progress.hpp"
 #include "galerkin/condensed_system.hpp"
+#include "mesh/elimination_tree.hpp"
 
 namespace quadrille::galerkin {
 
@@ -20,5 +22,11 @@ class SparseSolver {
   /// b^T A^-1 b for the factored A and many sparse columns b. Requires factor().
   virtual Eigen::MatrixXd inverse_products(const SparseColumns& b) const = 0;
 };
+
+// The choice of a solver of the condensed system.
+
+/// The solver of all systems, CondensedCholesky. `map` numbers its free dofs in the order of tree.elimination_order; a
+/// solver with an order of its own permutes them inside. Both must outlive the solver.
+std::unique_ptr<SparseSolver> make_sparse_solver(const mesh::EliminationTree& tree, const DofMap& map, int num_threads);
 
 }  // namespace quadrille::galerkin

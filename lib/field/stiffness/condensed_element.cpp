@@ -1,19 +1,40 @@
 #include "stiffness/condensed_element.hpp"
 
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 #include "spectral/factored_modes.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "stiffness/element_matrices.hpp"
-#include "stiffness/harmonic_coefs.hpp"
 #include "stiffness/harmonic_element.hpp"
 
 namespace quadrille::stiffness {
+namespace {
+
+constexpr double same = 1e-12;
+
+// The coefficients of x + iy but the constant one, divided by that of mode 2, the direction of edge 0, as multiples of
+// `same`: what a similarity transform leaves as it is.
+std::vector<std::int64_t> shape_of(const spectral::TriMap& map) {
+  const auto coef = [&](std::size_t i) { return std::complex(map.coefs_x()[i], map.coefs_y()[i]); };
+  const std::complex<double> scale = same * coef(2);
+  std::vector<std::int64_t> shape;
+  for (std::size_t i = 1; i < map.coefs_x().size(); ++i) {
+    const std::complex<double> ratio = coef(i) / scale;
+    shape.push_back(std::llround(ratio.real()));
+    shape.push_back(std::llround(ratio.imag()));
+  }
+  return shape;
+}
+
+}  // namespace
 
 CondensedElement condensed_element(const spectral::TriMap& map, int order) {
   if (order >= least_harmonic_order) {
-    std::optional<HarmonicElement> harmonic = harmonic_element(map, order);
-    if (harmonic) return {std::move(harmonic->schur), std::nullopt, std::move(harmonic->projection)};
+    if (std::optional<CondensedElement> harmonic = harmonic_element(map, order)) return *std::move(harmonic);
   }
   return condense(order, stiffness_matrix(map, order));
 }
@@ -29,6 +50,14 @@ Eigen::MatrixXd element_coefs(const spectral::TriMap& map, int order, const Cond
 std::size_t size_of_interior(const CondensedElement& element) {
   const auto size = [](const Eigen::MatrixXd& matrix) { return static_cast<std::size_t>(matrix.size()); };
   return size(element.interior ? *element.interior : element.projection);
+}
+
+std::vector<int> first_of_shape(const std::vector<spectral::TriMap>& maps) {
+  std::map<std::vector<std::int64_t>, int> firsts;
+  std::vector<int> first(maps.size());
+  for (std::size_t e = 0; e < maps.size(); ++e)
+    first[e] = firsts.try_emplace(shape_of(maps[e]), static_cast<int>(e)).first->second;
+  return first;
 }
 
 }  // namespace quadrille::stiffness

@@ -2,9 +2,10 @@
 // The matrices of an element for continuous elements, by the cheapest way that is accurate.
 
 #include <Eigen/Dense>
+#include <vector>
 
 #include "spectral/tri_map.hpp"
-#include "stiffness/condense.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::stiffness {
 
@@ -23,5 +24,12 @@ Eigen::MatrixXd element_coefs(const spectral::TriMap& map, int order, const Cond
 
 /// The numbers that has_interior() keeps.
 std::size_t size_of_interior(const CondensedElement& element);
+
+/// For each element, the first one of the same shape: a similarity transform maps it onto the other, vertex by vertex,
+/// within about 1e-12 of the element's size. Mirror images count as different. The stiffness matrices of the Laplace
+/// operator in the plane do not change with the place, the direction and the size of an element: similar elements share
+/// them. The rings of a fan are similar to each other, and so are the fans of equal corners, with which most of a mesh
+/// is made.
+std::vector<int> first_of_shape(const std::vector<spectral::TriMap>& maps);
 
 }  // namespace quadrille::stiffness

@@ -1,17 +1,12 @@
 #include "stiffness/element_matrices.hpp"
 
-#include <map>
-#include <memory>
-#include <mutex>
 #include <utility>
-#include <vector>
 
+#include "base/error.hpp"
 #include "spectral/factored_modes.hpp"
-#include "spectral/modified_basis.hpp"
 #include "spectral/per_order.hpp"
 
 namespace quadrille::stiffness {
-
 namespace {
 
 // The factors of the modified basis at a collapsed Gauss rule, and their products, on which sum factorisation works.
@@ -39,12 +34,8 @@ FactorTable make_factor_table(int order, int num_points) {
 }
 
 const FactorTable& factor_table(int order, int num_points) {
-  static std::mutex mutex;
-  static std::map<std::pair<int, int>, std::unique_ptr<FactorTable>> tables;
-  const std::lock_guard lock(mutex);
-  auto& entry = tables[{order, num_points}];
-  if (!entry) entry = std::make_unique<FactorTable>(make_factor_table(order, num_points));
-  return *entry;
+  static spectral::PerOrder<FactorTable> tables([](int key) { return make_factor_table(key / 1000, key % 1000); });
+  return tables[1000 * order + num_points];
 }
 
 // A symmetric metric: the stiffness matrix is the integral of g11 d1 d1 + g12 (d1 d2 + d2 d1) + g22 d2 d2 over the
@@ -185,6 +176,38 @@ Eigen::MatrixXd cut_down(const Eigen::MatrixXd& stiffness, int higher_order, int
   if (order == higher_order) return stiffness;
   const std::vector<int>& modes = spectral::modified_subset(order, higher_order);
   return stiffness(modes, modes);
+}
+
+SymmetricMatrix::SymmetricMatrix(const Eigen::MatrixXd& lower)
+    : rows_(lower.rows()), columns_(lower.rows() * (lower.rows() + 1) / 2) {
+  for (Eigen::Index j = 0, first = 0; j < rows_; first += rows_ - j, ++j)
+    columns_.segment(first, rows_ - j) = lower.col(j).tail(rows_ - j);
+}
+
+Eigen::MatrixXd SymmetricMatrix::dense() const {
+  Eigen::MatrixXd all(rows_, rows_);
+  for (Eigen::Index j = 0, first = 0; j < rows_; first += rows_ - j, ++j) {
+    all.col(j).tail(rows_ - j) = columns_.segment(first, rows_ - j);
+    all.row(j).tail(rows_ - j) = columns_.segment(first, rows_ - j).transpose();
+  }
+  return all;
+}
+
+CondensedElement eliminate_interior(const Eigen::MatrixXd& k_ii, const Eigen::MatrixXd& k_ib,
+                                    const Eigen::MatrixXd& k_bb, const char* failure) {
+  const Eigen::LLT<Eigen::MatrixXd> factored(k_ii);  // L L^T
+  if (factored.info() != Eigen::Success) throw ComputeError(failure);
+  Eigen::MatrixXd interior = -k_ib, schur = k_bb;
+  factored.matrixL().solveInPlace(interior);
+  schur.selfadjointView<Eigen::Lower>().rankUpdate(interior.transpose(), -1);
+  factored.matrixU().solveInPlace(interior);
+  return {SymmetricMatrix(schur), std::move(interior), {}};
+}
+
+CondensedElement condense(int order, const Eigen::MatrixXd& stiffness) {
+  const int nb = spectral::num_boundary_modes(order), ni = spectral::num_interior_modes(order);
+  return eliminate_interior(stiffness.bottomRightCorner(ni, ni), stiffness.bottomLeftCorner(ni, nb),
+                            stiffness.topLeftCorner(nb, nb), "an element's stiffness matrix is not positive definite");
 }
 
 }  // namespace quadrille::stiffness

@@ -13,17 +13,18 @@
 #include <optional>
 
 #include "spectral/tri_map.hpp"
-#include "stiffness/symmetric_matrix.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::stiffness {
 
-struct HarmonicElement {
-  SymmetricMatrix schur;       ///< S, over the boundary modes
-  Eigen::MatrixXd projection;  ///< Pi, a column per boundary mode: coefficients of Re p_1, Im p_1, Re p_2, ...
-};
+/// `schur`: S; `projection`: Pi, a column per boundary mode, coefficients of Re p_1, Im p_1, Re p_2, ... Nothing below
+/// order 3, where there is at most one interior mode, and if the element is slender, strongly curved or folded.
+std::optional<CondensedElement> harmonic_element(const spectral::TriMap& map, int order);
 
-/// Nothing below order 3, where there is at most one interior mode, and if the element is slender, strongly curved or
-/// folded.
-std::optional<HarmonicElement> harmonic_element(const spectral::TriMap& map, int order);
+/// The solution inside. Coefficients in the orthogonal basis of order P, one function a column: the projection of the
+/// harmonic polynomial `projection` * `boundary` onto the polynomials of the reference triangle, plus the function of
+/// least energy on an equilateral triangle that corrects its boundary modes to the given ones.
+Eigen::MatrixXd harmonic_coefs(const spectral::TriMap& map, int order, const Eigen::MatrixXd& projection,
+                               const Eigen::MatrixXd& boundary);
 
 }  // namespace quadrille::stiffness

@@ -3,7 +3,24 @@
 #include <array>
 #include <cmath>
 
+#include "spectral/factored_modes.hpp"
+#include "spectral/orthogonal_basis.hpp"
+#include "spectral/per_order.hpp"
+#include "stiffness/element_matrices.hpp"
+
 namespace quadrille::stiffness {
+namespace {
+
+Equilateral make_equilateral(int order) {
+  const spectral::TriMap map(std::array{Vec2{0, 0}, Vec2{1, 0}, Vec2{0.5, std::sqrt(0.75)}});
+  const CondensedElement element = condense(order, stiffness_matrix(map, order));
+  const int nb = spectral::num_boundary_modes(order);
+  Eigen::MatrixXd modes(spectral::num_tri_modes(order), nb);
+  modes << Eigen::MatrixXd::Identity(nb, nb), *element.interior;
+  return {element.schur.dense().diagonal().cwiseSqrt(), spectral::modified_to_orthogonal(order).transpose() * modes};
+}
+
+}  // namespace
 
 // The affine map of the equilateral triangle 1, e^(2 pi i / 3), e^(-2 pi i / 3) is w -> alpha w + beta conj(w). The
 // outside of that triangle is the image of |w| > capacity.
@@ -20,6 +37,11 @@ HarmonicFrame::HarmonicFrame(const spectral::TriMap& map) {
   }
   scale = 1.0 / (capacity * alpha);
   b = beta / alpha;
+}
+
+const Equilateral& equilateral(int order) {
+  static spectral::PerOrder<Equilateral> tables(make_equilateral);
+  return tables[order];
 }
 
 }  // namespace quadrille::stiffness

@@ -6,6 +6,7 @@
 // the outside of a circle under w + 1 / (3 w^2) + ...; for an ellipse it is that under w + b / w. Powers of z would be
 // so nearly dependent at degree 26 that five digits were lost.
 
+#include <Eigen/Dense>
 #include <complex>
 
 #include "base/vec2.hpp"
@@ -35,5 +36,14 @@ template <class Z, class P>
 auto next_polynomial(const Z& z, std::complex<double> b, const P& p, const P& p1, const P& p2) {
   return z * p - b * p1 - p2 / 3.0;
 }
+
+/// The equilateral triangle, which stands for elements of any shape where only the size of an energy matters.
+struct Equilateral {
+  Eigen::VectorXd root_diagonal;  ///< the roots of the diagonal of its Schur complement: roots of the modes' energies
+  Eigen::MatrixXd extension;      ///< column: orthogonal coefficients of the least energy for a boundary mode
+};
+
+/// Of order >= 1; computed once.
+const Equilateral& equilateral(int order);
 
 }  // namespace quadrille::stiffness

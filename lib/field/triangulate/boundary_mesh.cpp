@@ -11,36 +11,31 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "model/repair.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "model/repair.hpp"
-#include "triangulate/junction_clearance.hpp"
-#include "triangulate/singularity.hpp"
+#include "triangulate/outline.hpp"
 #include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {
 namespace {
 
-constexpr double slack = 1 + 1e-9;
+constexpr double slack = 1 + tolerance::round_off;
 /// At order 8 each bisection reduces the error by a factor of 500; low orders do not reach 1e-12 with a reasonable
 /// number of elements.
 constexpr int max_fit_depth_high = 12, max_fit_depth_low = 1, high_order = 7;
 constexpr int max_turn_depth = 30;
-/// Segments shorter than this, relative to the diameter, mean that curves touch.
-constexpr double least_length = 1e-9;
 /// Touching curves would need infinitely many segments; curves at a relative distance of 1e-6 need some thousands.
 /// They end at wedges with straight sides of 0.005 degrees, and at crescents with tips of 0.1 degrees.
 constexpr std::size_t max_segments = 10000;
-
-/// Segments are split at knots that are farther from both ends than this part of their length.
-constexpr double least_part = 0.1;
 
 /// The inner knot of the segment, of continuity C3 or more, nearest to its middle. High derivatives jump there, so that
 /// polynomials converge slowly on both sides together. std::nullopt if there is none, or two are equally near.
 std::optional<SplitPoint> inner_knot(const Nurbs& curve, const curve::ArcLength& length, const Segment& segment) {
   std::optional<SplitPoint> nearest;
-  double least = (0.5 - least_part) * segment.length();
+  double least = 0.4 * segment.length();  // farther from both ends than a tenth of the length
   const auto first = std::upper_bound(curve.knots.begin(), curve.knots.end(), segment.t0);
   for (auto knot = first; knot != curve.knots.end() && *knot < segment.t1;) {
     const auto next = std::upper_bound(knot, curve.knots.end(), *knot);
@@ -177,7 +172,7 @@ int BoundaryMesh::split_at(int i, SplitPoint at) {
   Segment first = segments_[i], second = segments_[i];
   const Outline& outline = fit_->outline();
   const Vec2 middle = outline.at(first.curve, at.t);
-  if (first.length() < least_length * outline.face().diameter)
+  if (first.length() < tolerance::round_off * outline.face().diameter)
     refuse_contact({i}, "the boundary touches or crosses itself, or nearly");
   first.to = second.from = draft_->add_vertex(middle);
   first.t1 = second.t0 = at.t;

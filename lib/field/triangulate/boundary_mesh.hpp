@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/point_grid.hpp"
-#include "triangulate/boundary_segment.hpp"
 #include "triangulate/corner_fans.hpp"
+#include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {
 

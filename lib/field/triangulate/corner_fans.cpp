@@ -9,24 +9,27 @@
 #include <tuple>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "triangulate/junction_clearance.hpp"
-#include "triangulate/singularity.hpp"
+#include "triangulate/outline.hpp"
 
 namespace quadrille::triangulate {
 namespace {
 
-constexpr double acute_angle = radians(75.0);
-constexpr double sector_angle = radians(60.0);
-constexpr double slack = 1 + 1e-9;
-/// Least radius of a ring, in diameters. Coordinates have 16 digits: the curved elements of smaller rings are not valid
-/// for certain.
-constexpr double least_radius = 1e-11;
+struct FanConstants {
+  double acute_angle = radians(75.0), sector_angle = radians(60.0);
+  double slack = 1 + tolerance::round_off;
+  /// Least radius of a ring, in diameters. Coordinates have 16 digits: the curved elements of smaller rings are not
+  /// valid for certain.
+  double least_radius = 1e-11;
+};
+constexpr FanConstants fan_constants;
 
 /// Whether the curves at a corner are so close to each other, inside or outside the face, that segments along them
 /// would be bisected without end.
 bool is_sharp(const Junction& junction) {
-  return junction.interior_angle < acute_angle || junction.interior_angle > 2 * pi - acute_angle;
+  return junction.interior_angle < fan_constants.acute_angle ||
+         junction.interior_angle > 2 * pi - fan_constants.acute_angle;
 }
 
 /// The same for the curves of a body that slits meet at one place, as wakes do: the junctions between body and slits
@@ -38,7 +41,7 @@ bool is_sharp_outside(const Outline& outline, std::span<const Fan> fans) {
     inside += outline.junctions()[fan.junction].interior_angle;
     has_body = has_body || !outline.face().is_interface(outline.pieces()[fan.junction].curve);
   }
-  return has_body && inside > 2 * pi - acute_angle;
+  return has_body && inside > 2 * pi - fan_constants.acute_angle;
 }
 
 /// The parameter at which the piece, followed from its start (`from_start`) or its end, leaves the circle of this
@@ -58,19 +61,11 @@ double parameter_at_radius(const Outline& outline, const SmoothPiece& piece, boo
   return t;
 }
 
-/// The number of rings around the apex triangles, at most `needed`, such that none is smaller than `least`.
-int layers_above(double least, double radius, int needed, double factor) {
-  int layers = 0;
-  for (; layers < needed && radius * factor >= least; ++layers) radius *= factor;
-  return layers;
-}
-
-std::vector<double> ring_radii(double radius, int layers, double factor) {
-  std::vector<double> radii(layers + 1);
-  for (int ring = layers; ring >= 0; --ring) {
-    radii[ring] = radius;
-    radius *= factor;
-  }
+/// The radii of at most `layers` rings around the apex triangles, and of these, innermost first: none is below `least`.
+std::vector<double> ring_radii(double radius, int layers, double factor, double least) {
+  std::vector<double> radii{radius};
+  while (std::ssize(radii) <= layers && radii.back() * factor >= least) radii.push_back(radii.back() * factor);
+  std::reverse(radii.begin(), radii.end());
   return radii;
 }
 
@@ -98,17 +93,10 @@ bool keeps_limits(const EdgeFit& fit, const Fan& fan, const EdgeLimits& limits) 
     if (piece.is_straight) return true;
     const double turn = fit.turn(piece.curve, t0, t1);
     turns += turn;
-    return turn <= limits.turn * slack && fit.error(piece.curve, t0, t1) <= limits.curve_tol;
+    return turn <= limits.turn * fan_constants.slack && fit.error(piece.curve, t0, t1) <= limits.curve_tol;
   };
   return keeps(out, out0, fan.t_out[last]) && keeps(in, fan.t_in[last], in1) &&
-         turns <= fit.outline().junctions()[fan.junction].interior_angle * slack;
-}
-
-/// The greatest radius of a fan, before its curves are looked at.
-double greatest_radius(const Outline& outline, int junction, double size, double clearance) {
-  const SmoothPiece& out = outline.pieces()[junction];
-  const SmoothPiece& in = outline.pieces()[out.previous];
-  return std::min({size, clearance / 3, out.length() / 3, in.length() / 3});
+         turns <= fit.outline().junctions()[fan.junction].interior_angle * fan_constants.slack;
 }
 
 /// Sets radii and side vertices of the fans `fans`, whose junctions are in one place, to the same radii. Returns false
@@ -117,7 +105,7 @@ bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const Edg
   const Outline& outline = fit.outline();
   double radius = limits.size;
   for (const Fan& fan : fans) radius = std::min(radius, fan.radius);
-  const double smallest = least_radius * outline.face().diameter;
+  const double smallest = fan_constants.least_radius * outline.face().diameter;
   constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
     int layers = 0;
@@ -129,11 +117,10 @@ bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const Edg
     }
     if (layers > 0 && options.fan_layers >= 0) layers = options.fan_layers;
     if (layers == 0 && !is_needed) return false;
-    layers = layers_above(smallest, radius, layers, options.fan_factor);
     bool do_keep = true;
     for (Fan& fan : fans) {
       fan.radius = radius;
-      fan.radii = ring_radii(radius, layers, options.fan_factor);
+      fan.radii = ring_radii(radius, layers, options.fan_factor, smallest);
       place_sides(outline, fan);
       do_keep = do_keep && keeps_limits(fit, fan, limits);
     }
@@ -206,33 +193,6 @@ void add_quads(const std::vector<int>& inner, const std::vector<int>& outer, int
   }
 }
 
-}  // namespace
-
-std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits) {
-  const Outline& outline = fit.outline();
-  const auto& junctions = outline.junctions();
-  const Clearance clearance(outline);
-  std::map<int, std::vector<Fan>> fans_by_place;
-  std::set<int> places;
-  for (int j = 0; j < static_cast<int>(junctions.size()); ++j)
-    if (fan_layers(junction_singularity(junctions[j], limits.size), options.fan_factor) > 0 || is_sharp(junctions[j]))
-      places.insert(junctions[j].place);
-  for (int j = 0; j < static_cast<int>(junctions.size()); ++j) {
-    if (!places.contains(junctions[j].place)) continue;
-    Fan fan;
-    fan.junction = j;
-    fan.radius = greatest_radius(outline, j, limits.size, clearance.at_junction(j));
-    fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junctions[j].interior_angle / (sector_angle * slack))));
-    fans_by_place[junctions[j].place].push_back(std::move(fan));
-  }
-  std::vector<Fan> fans;
-  for (auto& [place, group] : fans_by_place)
-    if (shape_fans(fit, options, limits, group)) std::move(group.begin(), group.end(), std::back_inserter(fans));
-  return fans;
-}
-
-namespace {
-
 void build_fan(const Outline& outline, Fan& fan, SlitVertices& slits, Draft& draft) {
   const SmoothPiece& out = outline.pieces()[fan.junction];
   const SmoothPiece& in = outline.pieces()[out.previous];
@@ -256,6 +216,31 @@ void build_fan(const Outline& outline, Fan& fan, SlitVertices& slits, Draft& dra
 }
 
 }  // namespace
+
+std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits) {
+  const Outline& outline = fit.outline();
+  const auto& junctions = outline.junctions();
+  const Clearance clearance(outline);
+  std::map<int, std::vector<Fan>> fans_by_place;
+  std::set<int> places;
+  for (int j = 0; j < static_cast<int>(junctions.size()); ++j)
+    if (fan_layers(junction_singularity(junctions[j], limits.size), options.fan_factor) > 0 || is_sharp(junctions[j]))
+      places.insert(junctions[j].place);
+  for (int j = 0; j < static_cast<int>(junctions.size()); ++j) {
+    if (!places.contains(junctions[j].place)) continue;
+    Fan fan;
+    fan.junction = j;
+    const SmoothPiece &out = outline.pieces()[j], &in = outline.pieces()[out.previous];
+    fan.radius = std::min({limits.size, clearance.at_junction(j) / 3, out.length() / 3, in.length() / 3});
+    fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junctions[j].interior_angle /
+                                                             (fan_constants.sector_angle * fan_constants.slack))));
+    fans_by_place[junctions[j].place].push_back(std::move(fan));
+  }
+  std::vector<Fan> fans;
+  for (auto& [place, group] : fans_by_place)
+    if (shape_fans(fit, options, limits, group)) std::move(group.begin(), group.end(), std::back_inserter(fans));
+  return fans;
+}
 
 void build_fans(const Outline& outline, std::span<Fan> fans, Draft& draft) {
   SlitVertices slits(outline, draft);

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "triangulate/curved_edges.hpp"
 #include "triangulate/draft.hpp"
-#include "triangulate/edge_fit.hpp"
 #include "triangulate/triangulate_options.hpp"
 
 namespace quadrille::triangulate {

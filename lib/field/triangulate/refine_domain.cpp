@@ -12,20 +12,23 @@
 namespace quadrille::triangulate {
 namespace {
 
-/// A point encroaches on a segment if it sees the segment at an angle above 107 degrees: cos = -0.3.
-constexpr double encroached_cosine = -0.3;
-/// Greatest ratio of circumradius to shortest edge: 1.4 means a least angle of 21 degrees.
-constexpr double thin_ratio = 1.4;
-/// Greatest ratio of circumradius to size; an equilateral triangle whose edges have the prescribed size has 0.577.
-constexpr double large_ratio = 0.75;
-/// Thin triangles and encroached segments below this fraction of the size are not refined, so that refinement
-/// terminates.
-constexpr double least_share = 0.2;
-constexpr int max_rounds = 200;
+struct RefinementLimits {
+  /// A point encroaches on a segment if it sees the segment at an angle above 107 degrees: cos = -0.3.
+  double encroached_cosine = -0.3;
+  /// Greatest ratio of circumradius to shortest edge: 1.4 means a least angle of 21 degrees.
+  double thin_ratio = 1.4;
+  /// Greatest ratio of circumradius to size; an equilateral triangle whose edges have the prescribed size has 0.577.
+  double large_ratio = 0.75;
+  /// Thin triangles and encroached segments below this fraction of the size are not refined, so that refinement
+  /// terminates.
+  double least_size = 0.2;
+  int max_rounds = 200;
+};
+constexpr RefinementLimits refinement;
 
 bool encroaches(Vec2 x, Vec2 a, Vec2 b) {
   const Vec2 to_a = a - x, to_b = b - x;
-  return dot(to_a, to_b) <= encroached_cosine * norm(to_a) * norm(to_b);
+  return dot(to_a, to_b) <= refinement.encroached_cosine * norm(to_a) * norm(to_b);
 }
 
 struct Circle {
@@ -106,7 +109,7 @@ int DomainRefiner::segment_between(int from, int to) const {
 
 bool DomainRefiner::may_split(int segment) const {
   const Segment& s = boundary_->segments()[segment];
-  return !s.is_rim() && s.length() > least_share * sizes_.at(s.samples[2]);
+  return !s.is_rim() && s.length() > refinement.least_size * sizes_.at(s.samples[2]);
 }
 
 bool DomainRefiner::split_encroached(const Triangles& triangles) {
@@ -139,11 +142,11 @@ DomainRefiner::Candidates DomainRefiner::candidates(const Triangles& triangles) 
     const Circle circle = circumcircle(a, b, c);
     const double size = sizes_.at((a + b + c) / 3);
     const double shortest = std::min({distance(a, b), distance(b, c), distance(c, a)});
-    const bool is_large = circle.radius > large_ratio * size;
-    const bool is_thin = circle.radius > thin_ratio * shortest && shortest > least_share * size;
+    const bool is_large = circle.radius > refinement.large_ratio * size;
+    const bool is_thin = circle.radius > refinement.thin_ratio * shortest && shortest > refinement.least_size * size;
     if (is_large || is_thin) {
       found.push_back({circle.centre, circle.radius, i, is_thin});
-      const double excess = circle.radius / (large_ratio * size);
+      const double excess = circle.radius / (refinement.large_ratio * size);
       result.num_triangles += std::max(1.0, excess * excess);
     } else {
       good.push_back(triangles[i].vertices);
@@ -216,8 +219,8 @@ bool DomainRefiner::insert_centres(const Triangles& triangles, Progress* progres
 }
 
 void DomainRefiner::refine(Progress* progress) {
-  const Progress::Part part(progress, "refinements", max_rounds, Progress::Total::bound);
-  for (int round = 0; round < max_rounds; ++round, part.advance()) {
+  const Progress::Part part(progress, "refinements", refinement.max_rounds, Progress::Total::bound);
+  for (int round = 0; round < refinement.max_rounds; ++round, part.advance()) {
     const Triangles triangles = delaunay_.triangles();
     if (!split_encroached(triangles) && !insert_centres(triangles, progress)) return;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "curve/pole_box.hpp"
 #include "triangulate/delaunay.hpp"
 
 namespace quadrille::triangulate {
@@ -13,11 +14,9 @@ constexpr double frame_distance = 1e3;
 constexpr int frame_corners = 4;
 
 void insert_frame(const std::vector<SizePoint>& points, ConstrainedDelaunay& delaunay) {
-  Vec2 low = points[0].position, high = low;
-  for (const SizePoint& point : points) {
-    low = {std::min(low.x, point.position.x), std::min(low.y, point.position.y)};
-    high = {std::max(high.x, point.position.x), std::max(high.y, point.position.y)};
-  }
+  curve::PoleBox box{points[0].position, points[0].position};
+  for (const SizePoint& point : points) box.extend({point.position, point.position});
+  const auto& [low, high] = box;
   const double reach = frame_distance * std::max({high.x - low.x, high.y - low.y, 1e-300});
   const std::array<Vec2, frame_corners> corners{Vec2{low.x - reach, low.y - reach},
                                                 {high.x + reach, low.y - reach},

@@ -1,6 +1,9 @@
 #include "triangulate/triangle_sizes.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "base/segments.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -9,6 +12,14 @@ constexpr int most_in_leaf = 8;
 constexpr double rounding = 1e-14;  // relative, of a sum of a size and a distance
 
 }  // namespace
+
+double segment_distance(const Segment& a, const Segment& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      least = std::min(least, distance_of_segments(a.samples[i], a.samples[i + 1], b.samples[j], b.samples[j + 1]));
+  return least;
+}
 
 TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth)
     : size_(size), growth_(growth) {
@@ -24,16 +35,15 @@ void TriangleSizes::split(int id) {
   Node node = nodes_[id];
   if (node.first == node.last) return;
   const auto begin = sources_.begin() + node.first, end = sources_.begin() + node.last;
-  node.low = node.high = begin->position;
+  node.box = {begin->position, begin->position};
   node.least_size = begin->size;
   for (auto source = begin; source != end; ++source) {
-    const Vec2 x = source->position;
-    node.low = {std::min(node.low.x, x.x), std::min(node.low.y, x.y)};
-    node.high = {std::max(node.high.x, x.x), std::max(node.high.y, x.y)};
+    node.box.extend({source->position, source->position});
     node.least_size = std::min(node.least_size, source->size);
   }
   if (node.last - node.first > most_in_leaf) {
-    const bool is_wide = node.high.x - node.low.x > node.high.y - node.low.y;
+    const Vec2 size = node.box.high - node.box.low;
+    const bool is_wide = size.x > size.y;
     const int middle = (node.first + node.last) / 2;
     std::nth_element(begin, sources_.begin() + middle, end, [is_wide](const Source& a, const Source& b) {
       return is_wide ? a.position.x < b.position.x : a.position.y < b.position.y;
@@ -47,8 +57,7 @@ void TriangleSizes::split(int id) {
 
 // No source of the node prescribes less at x.
 double TriangleSizes::lower_bound(const Node& node, Vec2 x) const {
-  const Vec2 nearest = {std::clamp(x.x, node.low.x, node.high.x), std::clamp(x.y, node.low.y, node.high.y)};
-  return (1 - rounding) * (node.least_size + growth_ * norm(x - nearest));
+  return (1 - rounding) * (node.least_size + growth_ * node.box.distance_from(x));
 }
 
 void TriangleSizes::search(int id, Vec2 x, double& least) const {

@@ -11,23 +11,24 @@
 #include "base/warning_codes.hpp"
 #include "mesh/tri_maps.hpp"
 #include "triangulate/corner_fans.hpp"
-#include "triangulate/curve_elements.hpp"
-#include "triangulate/cut_slits.hpp"
+#include "triangulate/curved_edges.hpp"
+#include "triangulate/draft.hpp"
 #include "triangulate/refine_domain.hpp"
-#include "triangulate/smooth.hpp"
-#include "triangulate/sort_by_region.hpp"
 
 namespace quadrille::triangulate {
 namespace {
 
-constexpr double edge_turn = radians(40.0);
-constexpr double default_share = 0.25;  ///< greatest size, relative to the diameter
-constexpr double straight_share = 1e-13;
-/// Greatest ratio of the length of a boundary segment to its distance from segments that it does not touch.
-constexpr double gap_ratio = 2.5;
-/// An element is refined if det J may fall below this fraction of the determinant of its straight triangle.
-constexpr double least_jacobian_ratio = 0.05;
-constexpr int max_proof_rounds = 12;
+struct MeshConstants {
+  double edge_turn = radians(40.0);
+  double default_size = 0.25;  ///< greatest size, relative to the diameter
+  double straight = 1e-13;     ///< deviation of a straight curve from its chord, relative to the diameter
+  /// Greatest ratio of the length of a boundary segment to its distance from segments that it does not touch.
+  double gap_ratio = 2.5;
+  /// An element is refined if det J may fall below this fraction of the determinant of its straight triangle.
+  double least_jacobian_ratio = 0.05;
+  int max_proof_rounds = 12;
+};
+constexpr MeshConstants mesh_constants;
 
 /// The straight-sided mesh: elements, layers and boundary edges.
 TriMesh assemble(const CadFace& face, int order, const Draft& draft) {
@@ -88,7 +89,7 @@ Result complete_mesh(const Outline& outline, int order, Draft draft, const Domai
 std::vector<int> doubtful_elements(const std::vector<double>& ratios) {
   std::vector<int> elems;
   for (int e = 0; e < static_cast<int>(ratios.size()); ++e)
-    if (!(ratios[e] >= least_jacobian_ratio)) elems.push_back(e);
+    if (!(ratios[e] >= mesh_constants.least_jacobian_ratio)) elems.push_back(e);
   return elems;
 }
 
@@ -115,7 +116,7 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
   std::vector<Fan> fans = plan_fans(fit, options, limits);
   build_fans(outline, fans, draft);
   BoundaryMesh boundary(fit, fans, limits, draft);
-  boundary.resolve_gaps(gap_ratio);
+  boundary.resolve_gaps(mesh_constants.gap_ratio);
   boundary.grade(options.growth);
   DomainRefiner refiner(boundary, draft, limits.size, options.growth);
   const Progress::Part part(progress, "round");
@@ -130,7 +131,7 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
     const auto invalid = doubtful_elements(result.ratios);
     const auto elems = invalid.empty() && doubts ? doubts(result.mesh) : invalid;
     if (elems.empty()) return result;
-    if (round == max_proof_rounds || !split_at(result, elems, refiner)) {
+    if (round == mesh_constants.max_proof_rounds || !split_at(result, elems, refiner)) {
       if (invalid.empty()) return result;
       const Vec2 position = position_of(result.mesh, invalid.front());
       throw ComputeError("no valid curved element at " + position_text(position));
@@ -160,6 +161,24 @@ void write_report(const Result& result, const EdgeFit& fit, double curve_tol, Re
   }
 }
 
+/// The limits of the coarse triangles: few triangles, and no more than the blocks need.
+struct CoarseLimits {
+  double size = 0.5;     ///< diameters
+  double growth = 1;     ///< of sizes with the distance
+  double curve_tol = 1;  ///< diameters: the blocks follow the curves, not the triangles
+  int fan_layers = 0;    ///< small triangles at singular corners serve the field only
+};
+
+TriangulateOptions coarse_options(const CadFace& face) {
+  constexpr CoarseLimits coarse;
+  TriangulateOptions options;
+  options.size = coarse.size * face.diameter;
+  options.growth = coarse.growth;
+  options.curve_tol = coarse.curve_tol;
+  options.fan_layers = coarse.fan_layers;
+  return options;
+}
+
 }  // namespace
 
 void TriangulateOptions::validate() const {
@@ -173,15 +192,19 @@ void TriangulateOptions::validate() const {
 
 TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report, const Doubts& doubts) {
   options.validate();
-  const Outline outline(face, straight_share * face.diameter);
+  const Outline outline(face, mesh_constants.straight * face.diameter);
   const EdgeFit fit(outline, options.order);
   EdgeLimits limits;
-  limits.size = options.size > 0 ? options.size : default_share * face.diameter;
-  limits.turn = edge_turn;
+  limits.size = options.size > 0 ? options.size : mesh_constants.default_size * face.diameter;
+  limits.turn = mesh_constants.edge_turn;
   limits.curve_tol = options.curve_tol * face.diameter;
   Result result = proved_mesh(fit, options, limits, doubts, report.progress());
   write_report(result, fit, limits.curve_tol, report);
   return std::move(result.mesh);
+}
+
+TriMesh coarse_triangles(const CadFace& face, const Doubts& doubts, Report& report) {
+  return triangulate(face, coarse_options(face), report, doubts);
 }
 
 }  // namespace quadrille::triangulate

@@ -13,7 +13,7 @@
 #include "base/position_text.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
-#include "field/node_phase.hpp"
+#include "field/evaluate.hpp"
 #include "trace/launch_directions.hpp"
 
 namespace quadrille::trace {

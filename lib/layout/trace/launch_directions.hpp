@@ -34,7 +34,7 @@ std::vector<double> corner_launch_directions(double interior_angle, int valence)
 std::vector<double> launch_directions_on_arc(const field::FieldEvaluator& evaluator, Vec2 apex, double tangent_out,
                                              double interior_angle, double radius, int valence);
 
-/// The V directions at a node of a phase, radians, phi_0 as in field/node_phase.
+/// The V directions at a node of a phase, radians, phi_0 as in field/evaluate.
 std::vector<double> phase_launch_directions(double phi_0, int valence);
 
 /// The V - 1 directions into the domain at a corner or boundary node of a phase: interior_angle k / V.

@@ -10,7 +10,7 @@
 #include "features/resolve_features.hpp"
 #include "features/small_features.hpp"
 #include "field/evaluate.hpp"
-#include "galerkin/phase_energy.hpp"
+#include "galerkin/solve_phase.hpp"
 #include "guide/complete_nodes.hpp"
 #include "guide/line_field.hpp"
 #include "guide/override_corners.hpp"
@@ -80,9 +80,8 @@ void place(const Field& field, const NodeOptions& options, bool moves_all, Share
     for (std::size_t i = 0; i < is_free.size(); ++i)
       is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
-  const auto energy = galerkin::phase_energy_function(solver.get(), {points.hole_winding_offsets});
-  const auto of_points = [&](const CriticalPoints& at) {
-    galerkin::PhaseEnergy e = energy(phase_nodes_of(at));
+  const auto of_points = [&solver = *solver.get(), offsets = points.hole_winding_offsets](const CriticalPoints& at) {
+    galerkin::PhaseEnergy e = solver.energy(phase_nodes_of(at), offsets);
     return placement::NodeEnergy{e.value, std::move(e.gradient)};
   };
   placement::place_nodes(field.mesh.face, of_points, is_free, options.placement, points, report);

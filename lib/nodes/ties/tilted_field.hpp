@@ -13,7 +13,6 @@
 #include "curve/symmetry.hpp"
 #include "field/corner_tilt.hpp"
 #include "field/evaluate.hpp"
-#include "field/harmonic_part.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::ties {

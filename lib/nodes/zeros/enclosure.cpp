@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/angle.hpp"
-#include "field/lifting.hpp"
+#include "field/explicit_value.hpp"
 #include "spectral/tri_bernstein.hpp"
 
 namespace quadrille::zeros {

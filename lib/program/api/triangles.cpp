@@ -1,7 +1,7 @@
 #include "api/triangles.hpp"
 
 #include "stage/triangulate_face.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::api {
 

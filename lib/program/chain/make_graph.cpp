@@ -4,7 +4,7 @@
 
 #include "chain/chain_nodes.hpp"
 #include "cli/messages.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::chain {
 

@@ -11,7 +11,7 @@
 #include "model/name_rules.hpp"
 #include "model/tri_mesh.hpp"
 #include "stage/stage_input.hpp"
-#include "triangulate/triangulate_options.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::stage {
 

@@ -13,7 +13,6 @@
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
 #include "field/error_estimate.hpp"
-#include "galerkin/phase_orders.hpp"
 #include "galerkin/phase_request.hpp"
 #include "galerkin/solve_phase.hpp"
 #include "regions/join.hpp"
@@ -65,7 +64,7 @@ std::vector<SolvedRegion> solved(const TriMesh& mesh, const std::vector<TriMesh>
             meshes[region],
             orders.of_harmonic_field ? galerkin::phase_orders(meshes[region], part_orders) : part_orders, threads);
         galerkin::require_possible(*result.phase, meshes[region].face, phase_nodes, prescribed->file.name);
-        result.field = result.phase->solve(phase_nodes, {nodes[region].hole_winding_offsets}, part_report);
+        result.field = result.phase->solve(phase_nodes, nodes[region].hole_winding_offsets, part_report);
         return result;
       });
 }

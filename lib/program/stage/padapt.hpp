@@ -1,7 +1,7 @@
 #pragma once
 // The stage padapt: adapts the polynomial order of each element of a field, in each region.
 
-#include "adapt/adapt_options.hpp"
+#include "adapt/order_policy.hpp"
 #include "base/options.hpp"
 #include "base/run.hpp"
 #include "model/field.hpp"

@@ -3,7 +3,7 @@
 
 #include "base/run.hpp"
 #include "model/tri_mesh.hpp"
-#include "triangulate/triangulate_options.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::stage {
 

@@ -20,7 +20,6 @@
 #include "model/interfaces.hpp"
 #include "regions/region_numbers.hpp"
 #include "regions/split.hpp"
-#include "triangulate/coarse_triangles.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::couple {
@@ -37,7 +36,7 @@ Field guiding_field(const CadFace& face, CriticalPoints& points) {
   points = choice::choose_nodes(field, {}, 1, report);
   if (points.form == NodeForm::harmonic) return field;
   galerkin::PhaseSolver solver(mesh, field.elem_order, 1);
-  return solver.solve(phase_nodes_of(points), {points.hole_winding_offsets}, report);
+  return solver.solve(phase_nodes_of(points), points.hole_winding_offsets, report);
 }
 
 /// Layouts of the regions, as separatrix computes them; the fields must outlive them.

@@ -4,7 +4,6 @@
 
 #include "../support/polygon_field.hpp"
 #include "field/boundary_values.hpp"
-#include "field/corner_lifting.hpp"
 
 namespace quadrille::field {
 namespace {

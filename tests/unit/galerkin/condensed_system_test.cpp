@@ -2,14 +2,90 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "../test_meshes.hpp"
+#include "mesh/elimination_tree.hpp"
 #include "mesh/tri_maps.hpp"
 #include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 namespace {
+
+const TriMesh mesh = parallelogram_mesh({0, 0}, {1, 0}, {0, 1}, 4);
+
+TEST(DofMap, CountsVerticesAndEdges) {
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
+  const int order = 5, num_edges = static_cast<int>(topology.edge2vertices.size());
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
+                                  std::vector<int>(mesh.num_elems(), order));
+  EXPECT_EQ(map.num_dofs, static_cast<int>(mesh.vertices.size()) + num_edges * (order - 1));
+  const int inner_vertices = 3 * 3, inner_edges = num_edges - 16;
+  EXPECT_EQ(map.num_unknowns, inner_vertices + inner_edges * (order - 1));
+}
+
+TEST(DofMap, EdgesTakeTheLowerOrder) {
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
+  std::vector<int> orders(mesh.num_elems());
+  for (int e = 0; e < mesh.num_elems(); ++e) orders[e] = 2 + e % 4;
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order, orders);
+  for (std::size_t edge = 0; edge < topology.edge2elems.size(); ++edge) {
+    const auto& [a, b] = topology.edge2elems[edge];
+    EXPECT_EQ(map.edge2order[edge], b < 0 ? orders[a] : std::min(orders[a], orders[b]));
+  }
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    const int offset = map.elem2offset[e];
+    EXPECT_EQ(map.elem2offset[e + 1] - offset, 3 * orders[e]);
+    for (int k = 0; k < 3; ++k) {
+      const int edge = topology.elem2edges[e][k];
+      for (int d = 2; d <= orders[e]; ++d) {
+        const int dof = map.elem2dofs[offset + 3 + k * (orders[e] - 1) + d - 2];
+        EXPECT_EQ(dof, d <= map.edge2order[edge] ? map.edge2dof[edge] + d - 2 : -1);
+      }
+    }
+  }
+}
+
+TEST(DofMap, NeighboursDisagreeInSignExactlyForOddDegrees) {
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
+  const int order = 6;
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
+                                  std::vector<int>(mesh.num_elems(), order));
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    for (int k = 0; k < 3; ++k) {
+      const int other = topology.elem2neighbors[e][k];
+      if (other < 0) continue;
+      const int there = topology.elem2neighbor_edges[e][k];
+      for (int d = 2; d <= order; ++d) {
+        const double mine = map.elem2signs[map.elem2offset[e] + 3 + k * (order - 1) + d - 2];
+        const double others = map.elem2signs[map.elem2offset[other] + 3 + there * (order - 1) + d - 2];
+        EXPECT_EQ(mine * others, d % 2 == 0 ? 1 : -1);
+      }
+    }
+  }
+}
+
+TEST(DofMap, NumbersEachDofOnceAndBoundaryDofsLast) {
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
+                                  std::vector<int>(mesh.num_elems(), 3));
+  std::set<int> seen;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    EXPECT_TRUE(seen.insert(map.vertex2dof[v]).second);
+    const Vec2 x = mesh.vertices[v];
+    const bool on_boundary = std::min({x.x, x.y, 1 - x.x, 1 - x.y}) < 1e-12;
+    EXPECT_EQ(map.vertex2dof[v] >= map.num_unknowns, on_boundary);
+  }
+  for (const int first : map.edge2dof) {
+    EXPECT_TRUE(seen.insert(first).second);
+    EXPECT_TRUE(seen.insert(first + 1).second);
+  }
+  EXPECT_EQ(*seen.begin(), 0);
+  EXPECT_EQ(*seen.rbegin(), map.num_dofs - 1);
+  EXPECT_EQ(static_cast<int>(seen.size()), map.num_dofs);
+}
 
 // The condensed Laplacian on a parallelogram of area 3, with the linear functions x and y as columns of `dofs`.
 struct System {

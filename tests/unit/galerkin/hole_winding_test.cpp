@@ -1,6 +1,6 @@
-#include "galerkin/hole_winding.hpp"
-
 #include <gtest/gtest.h>
+
+#include "galerkin/solve_phase.hpp"
 
 namespace quadrille::galerkin {
 namespace {

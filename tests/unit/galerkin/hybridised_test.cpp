@@ -2,12 +2,75 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "../test_meshes.hpp"
 #include "base/error.hpp"
+#include "curve/nurbs.hpp"
 #include "plane_functions.hpp"
+#include "spectral/orthogonal_basis.hpp"
+#include "spectral/quadrature.hpp"
+#include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {
 namespace {
+
+stiffness::CondensedElement sample_element(double penalty) {
+  const spectral::TriMap map({Vec2{0.1, -0.2}, Vec2{1.3, 0.1}, Vec2{0.4, 0.9}});
+  return condense_to_trace(map, 5, {5, 7, 6}, stiffness::stiffness_matrix(map, 5), penalty);
+}
+
+TEST(TraceElement, TraceModesAreOrthonormal) {
+  const spectral::Quadrature rule = spectral::gauss_legendre(8);
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(8, 8);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    Eigen::VectorXd values(8);
+    trace_values(7, rule.points[q], values.data());
+    gram += rule.weights[q] * values * values.transpose();
+  }
+  EXPECT_LT((gram - Eigen::MatrixXd::Identity(8, 8)).norm(), 1e-13);
+}
+
+TEST(TraceElement, AConstantTraceHasAConstantInsideAndNoFlux) {
+  const stiffness::CondensedElement element = sample_element(3);
+  Eigen::VectorXd trace = Eigen::VectorXd::Zero(element.schur.rows());
+  for (const int first : {0, 6, 14}) trace[first] = std::sqrt(2.0);  // the value 1 on all three edges
+  EXPECT_LT((element.schur.dense() * trace).norm(), 1e-11);
+  const Eigen::VectorXd inside = *element.interior * trace;
+  EXPECT_LT((inside.head(3) - Eigen::Vector3d::Ones()).norm(), 1e-12);
+  EXPECT_LT(inside.tail(inside.size() - 3).norm(), 1e-12);
+}
+
+TEST(TraceElement, TheComplementIsSymmetricWithOneZeroEnergy) {
+  const stiffness::CondensedElement element = sample_element(3);
+  const Eigen::VectorXd energies = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(element.schur.dense()).eigenvalues();
+  EXPECT_NEAR(energies[0], 0, 1e-11 * energies.maxCoeff());
+  EXPECT_GT(energies[1], 1e-3);
+}
+
+TEST(TraceElement, TooSmallAPenaltyIsRefused) { EXPECT_ANY_THROW(sample_element(0.01)); }
+
+TEST(TraceData, OfTheCurvesThemselvesRunAlongEachEdgeFromItsLowerVertex) {
+  const TriMesh mesh = parallelogram_mesh({0, 0}, {2, 0}, {0.5, 1.5}, 2);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
+  std::vector<int> elimination_order(mesh.vertices.size() + topology.edge2vertices.size());
+  std::iota(elimination_order.begin(), elimination_order.end(), 0);
+  const DofMap map = make_trace_map(mesh, topology, elimination_order, std::vector<int>(mesh.num_elems(), 3));
+  const Eigen::MatrixXd values =
+      trace_data(mesh, topology, map, [&](int curve, double t) { return curve::point(mesh.face.curves[curve], t); });
+  ASSERT_EQ(values.rows(), map.num_dofs - map.num_unknowns);
+  for (const BoundaryEdge& boundary : mesh.boundary_edges) {
+    const int edge = topology.elem2edges[boundary.elem][boundary.edge];
+    const Vec2 low = mesh.vertices[topology.edge2vertices[edge][0]],
+               high = mesh.vertices[topology.edge2vertices[edge][1]];
+    for (const double r : {-1.0, -0.3, 0.8}) {
+      Eigen::VectorXd modes(4);
+      trace_values(3, r, modes.data());
+      const Eigen::VectorXd x = values.middleRows(map.edge2dof[edge] - map.num_unknowns, 4).transpose() * modes;
+      EXPECT_NEAR(distance({x[0], x[1]}, low + (1 + r) / 2 * (high - low)), 0, 1e-13);
+    }
+  }
+}
 
 /// A unit square of 3 x 3 cells: 21 inner edges.
 struct HybridisedMethod : testing::Test {

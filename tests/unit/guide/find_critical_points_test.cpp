@@ -8,7 +8,7 @@
 #include "../support/square_field.hpp"
 #include "../support/texts.hpp"
 #include "base/error.hpp"
-#include "field/lifting.hpp"
+#include "field/explicit_value.hpp"
 #include "guide/valence.hpp"
 
 namespace quadrille::guide {

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "graph/candidate_layout.hpp"
 #include "trace/merged_lines.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 
 namespace quadrille::layout {
 namespace {

@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "check/check.hpp"
 #include "graph/candidate_layout.hpp"
-#include "triangulate/coarse_triangles.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::layout {

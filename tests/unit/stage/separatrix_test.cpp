@@ -6,7 +6,7 @@
 #include "graph/candidate_layout.hpp"
 #include "graph/subdivision.hpp"
 #include "stage/fieldsolve.hpp"
-#include "triangulate/coarse_triangles.hpp"
+#include "triangulate/triangulate.hpp"
 #include "two_squares.hpp"
 
 namespace quadrille::stage {

@@ -9,8 +9,8 @@
 #include "../support/texts.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
-#include "field/node_phase.hpp"
-#include "field/phase_value.hpp"
+#include "field/evaluate.hpp"
+#include "field/explicit_value.hpp"
 #include "trace/launch_directions.hpp"
 
 // Launching from phases with closed forms (lib/method.md §8.7).

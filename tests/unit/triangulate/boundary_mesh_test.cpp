@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "faces.hpp"
-#include "triangulate/singularity.hpp"
+#include "triangulate/outline.hpp"
 
 namespace quadrille::triangulate {
 namespace {

@@ -7,7 +7,7 @@
 #include "mesh/tri_maps.hpp"
 #include "mesh/tri_topology.hpp"
 #include "spectral/quadrature.hpp"
-#include "triangulate/curve_elements.hpp"
+#include "triangulate/curved_edges.hpp"
 
 namespace quadrille::triangulate {
 namespace {

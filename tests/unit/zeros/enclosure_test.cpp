@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/square_field.hpp"
-#include "field/corner_lifting.hpp"
+#include "field/boundary_values.hpp"
 
 namespace quadrille::zeros {
 namespace {
