@@ -9,16 +9,16 @@
 #include "base/options.hpp"
 #include "check/check.hpp"
 #include "curve/named_curves.hpp"
-#include "layers/layer_law.hpp"
 #include "layers/wall_layers.hpp"
+#include "layers/wall_spec.hpp"
 #include "mesh/element_sizes.hpp"
 #include "model/length_scale.hpp"
 #include "outline/extent.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
-#include "sizing/automatic_sizes.hpp"
 #include "sizing/element_limit.hpp"
+#include "sizing/make_size_field.hpp"
 
 namespace quadrille::stage {
 
@@ -192,7 +192,7 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
   run.report().set("sizes.per_curve", sizes.per_curve);
   run.report().set("sizes.least_along_curves", sizes.least_along_curves);
   set_first_heights(options, layout.face, refine);
-  if (options.flow.velocity > 0) prescribe::report_flow(options.flow, run.report());
+  if (options.flow.velocity > 0) layers::report_flow(options.flow, run.report());
   if (!options.blocks.empty()) refine.blocks = refine::parse_blocks(options.blocks, layout.block_names);
   layers::require_offsets(refine.walls, layout.face);
   run.begin_phase("refine");

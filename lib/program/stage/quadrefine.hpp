@@ -7,9 +7,9 @@
 
 #include "base/options.hpp"
 #include "base/run.hpp"
+#include "layers/wall_spec.hpp"
 #include "model/block_layout.hpp"
 #include "model/quad_mesh.hpp"
-#include "prescribe/flat_plate.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/make_size_field.hpp"
 #include "stage/stage_input.hpp"
@@ -27,7 +27,7 @@ struct QuadrefineOptions {
   std::string size_field_file;        ///< path of prescribed sizes, which the caller reads
   std::vector<std::string> walls;     ///< NAME:first=H,growth=R,layers=N
   double yplus = 0;                   ///< of walls without first and yplus; 0: none
-  prescribe::PlateFlow flow;
+  layers::PlateFlow flow;
   std::string flow_unit = "file";  ///< length unit of `flow`
   std::string blocks;              ///< numbers or names; empty: all
 

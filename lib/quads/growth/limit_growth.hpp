@@ -10,9 +10,14 @@
 
 #include <array>
 
-#include "growth/interval_pairs.hpp"
+#include "growth/smooth_divisions.hpp"
 
 namespace quadrille::growth {
+
+/// Divides all arcs of a chord into `count` intervals whose lengths follow those in `divisions`; layers and breaks of
+/// the boundary remain ends of intervals. If equal parts of an arc compete for the last intervals, so that no choice
+/// would be symmetric, the count is the next greater one with which none compete, of a few. Returns the count.
+int recount_chord(const GrowthInput& input, int chord, int count, sizing::ArcDivisions& divisions);
 
 struct GrowthConstants {
   int max_rounds = 60;
@@ -26,7 +31,9 @@ struct GrowthConstants {
   double margin = 0.1;  ///< part of the limit's logarithm by which arcs, with the first weight, and lines inside blocks
                         ///< aim at less than the limit: lines are not as smooth as the arcs between which they run, and
                         ///< are tied to their neighbours afterwards (layers/smooth_across)
-  double equal_tol = 1e-6;  ///< ratios that exceed the limit by less, relatively, are within it
+  /// Part of the logarithm of what is aimed at from which on excess is weighted: against the other terms, some remains.
+  double excess_aim = 0.97;
+  int max_tie_tries = 4;  ///< counts at which equal parts of an arc may compete for the last intervals
 };
 inline constexpr GrowthConstants growth_constants;
 

@@ -1,9 +1,9 @@
 #include "growth/line_correction.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Sparse>
 #include <cmath>
-#include <tuple>
+
+#include "growth/normal_equations.hpp"
 
 namespace quadrille::growth {
 namespace {
@@ -11,12 +11,14 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double smallness = 0.02;  // corrections reach some seven intervals far; less lets them skew far blocks
-constexpr double weight_of_excess = 10;
-constexpr int max_corrections = 40;
-/// Later corrections move half as far, in case two alternate.
-constexpr int full_corrections = 10;
-constexpr double small_change = 1e-9;
+struct CorrectionConstants {
+  double smallness = 0.02;  ///< corrections reach some seven intervals far; less lets them skew far blocks
+  double weight_of_excess = 10;
+  int max_corrections = 40;
+  int full_corrections = 10;  ///< later ones move half as far, in case two alternate
+  double small_change = 1e-9;
+};
+constexpr CorrectionConstants correction_constants;
 
 /// Adjacent intervals of the line; -1: a layer.
 struct Adjacent {
@@ -50,31 +52,19 @@ std::vector<Adjacent> adjacent_intervals(const std::vector<LinePiece>& pieces, b
 }
 
 /// The minimum without the constraints, linearised where pairs exceed the limit.
-struct Smoothness {
-  Eigen::SparseMatrix<double> matrix;
-  VectorXd right;
-};
-
-Smoothness smoothness(const std::vector<Adjacent>& pairs, const VectorXd& c, double log_limit) {
-  const int size = static_cast<int>(c.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  Smoothness result{{size, size}, VectorXd::Zero(size)};
-  for (int k = 0; k < size; ++k) entries.emplace_back(k, k, smallness);
+NormalEquations smoothness(const std::vector<Adjacent>& pairs, const VectorXd& c, double log_limit) {
+  NormalEquations equations(static_cast<int>(c.size()));
+  for (int k = 0; k < c.size(); ++k) equations.add(correction_constants.smallness, 0, {{k, 1}});
   for (const Adjacent& pair : pairs) {
     const double change = correction(c, pair.second, pair.given) - correction(c, pair.first, pair.given);
     const double growth = pair.log_ratio + change;
     // weight (c' - c - target)^2 is (c' - c)^2 + weight_of_excess (ln b' / b + c' - c -+ log_limit)^2 up to a constant.
-    const double excess = std::abs(growth) > log_limit ? weight_of_excess : 0, weight = 1 + excess;
+    const double excess = std::abs(growth) > log_limit ? correction_constants.weight_of_excess : 0, weight = 1 + excess;
     const double target = excess * (std::copysign(log_limit, growth) - pair.log_ratio) / weight;
-    for (const auto& [k, other, sign] : {std::tuple{pair.first, pair.second, -1}, {pair.second, pair.first, 1}}) {
-      if (k < 0) continue;
-      entries.emplace_back(k, k, weight);
-      if (other >= 0) entries.emplace_back(k, other, -weight);
-      result.right[k] += weight * (sign * target + (other < 0 ? pair.given : 0));
-    }
+    const double fixed = (pair.second < 0 ? pair.given : 0) - (pair.first < 0 ? pair.given : 0);
+    equations.add(weight, fixed - target, {{pair.first, -1}, {pair.second, 1}});
   }
-  result.matrix.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return equations;
 }
 
 /// The linearised logarithms of the pieces' sums: their derivatives are the shares of the intervals.
@@ -105,18 +95,18 @@ std::vector<std::vector<double>> corrected_lengths(const std::vector<LinePiece>&
   for (const LinePiece& piece : pieces) size += static_cast<int>(piece.sizes.size());
   const std::vector<Adjacent> pairs = adjacent_intervals(pieces, is_closed);
   VectorXd c = VectorXd::Zero(size);
-  for (int step = 0; step < max_corrections; ++step) {
-    const Smoothness smooth = smoothness(pairs, c, std::log(limit));
+  for (int step = 0; step < correction_constants.max_corrections; ++step) {
+    const NormalEquations smooth = smoothness(pairs, c, std::log(limit));
     const auto [shares, target] = constraints(pieces, c);
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(smooth.matrix);
-    const VectorXd free = solver.solve(smooth.right);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(smooth.matrix());
+    const VectorXd free = solver.solve(smooth.right());
     const MatrixXd response = solver.solve(shares);
     const VectorXd forces =
         MatrixXd(shares.transpose() * response).ldlt().solve(target - VectorXd(shares.transpose() * free));
     const VectorXd next = free + response * forces;
     const double change = (next - c).cwiseAbs().maxCoeff();
-    c += (step < full_corrections ? 1 : 0.5) * (next - c);
-    if (change < small_change) break;
+    c += (step < correction_constants.full_corrections ? 1 : 0.5) * (next - c);
+    if (change < correction_constants.small_change) break;
   }
   std::vector<std::vector<double>> lengths;
   int k = 0;

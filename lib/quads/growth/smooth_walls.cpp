@@ -10,6 +10,7 @@
 
 #include "base/counted.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/mesh_score.hpp"
 #include "prescribe/named_arcs.hpp"
@@ -61,7 +62,7 @@ std::array<bool, 2> lines_to_drop(const std::array<int, 4>& walls, const layers:
   if (lines[0].empty() || lines[1].empty()) return {true, true};
   const bool has_columns = walls[0] >= 0 || walls[2] >= 0, has_rows = walls[1] >= 0 || walls[3] >= 0;
   if (has_columns != has_rows) return {has_rows, has_columns};
-  const double ratio = least_interval(lines[0]) / least_interval(lines[1]), tol = growth_constants.equal_tol;
+  const double ratio = least_interval(lines[0]) / least_interval(lines[1]), tol = tolerance::tied;
   return {ratio > 1 - tol, ratio < 1 + tol};
 }
 

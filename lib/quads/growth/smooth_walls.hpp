@@ -8,10 +8,7 @@
 #include "base/report.hpp"
 #include "growth/limit_growth.hpp"
 #include "growth/line_intervals.hpp"
-#include "layers/wall_layers.hpp"
 #include "model/quad_mesh.hpp"
-#include "prescribe/end_grading.hpp"
-#include "sizing/grade_chords.hpp"
 
 namespace quadrille::growth {
 

@@ -16,23 +16,10 @@
 
 #include <vector>
 
-#include "base/vec2.hpp"
-#include "layers/shift_along_rows.hpp"
+#include "layers/wall_layers.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille::growth {
-
-struct StraightenConstants {
-  double oblique = 0.5;         ///< cotangent at which both powers are equal
-  double smoothness = 50;       ///< weight of changes of the growth along rows
-  double excess_weight = 300;   ///< of edges that grow faster than the limit
-  double margin = 0.1;          ///< part of the limit's logarithm that is left for what follows
-  double least_interval = 0.1;  ///< part of its interval that is left of one
-  double flat = 1e-3;           ///< sine of the least angle that is told from 0
-  int max_steps = 12;           ///< Gauss-Newton steps
-  double least_change = 1e-3;   ///< of a shift, in intervals, in a step that is not the last
-  double least_part = 1e-3;     ///< of a step, which is halved until it reduces the sum
-};
-inline constexpr StraightenConstants straighten_constants;
 
 /// The vertices of a block. The lines cross the rows: line i consists of the vertices i of all rows.
 struct VertexRows {
@@ -42,5 +29,13 @@ struct VertexRows {
 
 /// `limit`: of the ratio of adjacent edges, > 1. Cost: a sparse factorisation of the vertices' number in each step.
 layers::RowShifts straightening_shifts(const VertexRows& block, double limit);
+
+/// By block: the shifts of the lines along the normals of its walls (LayeredBlock::shifts), empty for blocks without
+/// walls and for those that are not skew in `mesh` (mesh/mesh_score); empty if no block has any.
+std::vector<layers::RowShifts> block_shifts(const BlockLayout& blocks, const layers::WallPlan& walls,
+                                            const sizing::ArcDivisions& divisions, const QuadMesh& mesh, double limit);
+
+/// Blocks that shifts do not make less skew lose these; returns whether any did. `straight`: the mesh with the shifts.
+bool drop_useless(const QuadMesh& before, const QuadMesh& straight, std::vector<layers::RowShifts>& shifts);
 
 }  // namespace quadrille::growth

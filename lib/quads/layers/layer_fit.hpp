@@ -7,20 +7,38 @@
 // LayerConstants::greatest_change at the narrowest position: all lines of a chord have one number of intervals,
 // determined by the widest position.
 
+#include <array>
 #include <vector>
 
-#include "layers/normal_line_samples.hpp"
-#include "layers/wall_spec.hpp"
+#include "layers/end_spacing.hpp"
 
 namespace quadrille::layers {
+
+/// A line from a wall to the far side of its block, with its heights above the walls at sampled points.
+struct NormalLineSample {
+  int chord = 0;
+  int front = -1, back = -1;          ///< specs of the walls at its beginning and its end; -1: none
+  double size = 0;                    ///< prescribed beyond the layers
+  std::vector<double> lengths;        ///< by sample: along the line from its beginning
+  std::vector<double> front_heights;  ///< by sample: distance from the front wall
+  std::vector<double> back_heights;   ///< by sample, counted from the end: distance from the back wall
+  Vec2 far_end;
+  std::array<int, 2> own_intervals{};  ///< WallSide::own_intervals of the front and the back wall
+};
+
+/// LayerConstants::lines_per_block lines across every block with walls, its sides among them; a block between two walls
+/// is crossed once. `arc_sizes`: by arc, the prescribed interval.
+std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& measured, const WallSides& walls,
+                                                  const std::vector<double>& arc_sizes);
+
+/// The part of a line between its layers, given the layers' heights by spec; its length is negative if they have no
+/// clearance.
+FreePart part_between_layers(const NormalLineSample& line, const std::vector<std::vector<double>>& spec_heights);
 
 /// The number of layers of each spec. Throws ComputeError with the greatest number that fits, and the position where
 /// the prescribed ones do not. Positions in messages are in file coordinates: `origin` is added.
 /// `may_crowd`: crowding is ignored where all numbers are prescribed (rule 13): other intervals are made to suit.
 std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::vector<NormalLineSample>& lines,
                                 Vec2 origin, bool may_crowd = false);
-
-/// The greatest growth beyond the layers of a wall.
-double growth_beyond(const WallSpec& spec);
 
 }  // namespace quadrille::layers

@@ -28,7 +28,7 @@
 //                                                       the other side at most continues them (rule 19)
 //    5 a closed wall                                    layers along its whole length, without ends
 //
-//   heights (wall_line, layered_block)
+//   heights (wall_sides, layered_block)
 //    6 the boundary from which heights are measured     the side and its neighbours along the boundary, walls or not,
 //                                                       up to the first node with V other than 2; beyond that node,
 //                                                       the distance from it, or, if it is a corner with V = 1 of at
@@ -169,19 +169,15 @@ struct LayerConstants {
   /// inside the block if growth is limited: there the wall's offset curve is half as long as the wall.
   double greatest_bend_height = 0.5;
 
-  // Geometry of walls (wall_line).
+  // Geometry of walls (wall_sides).
   /// The sine of the angle at which a joint of a wall is a bend. Well above the angles that CAD programs have between
   /// tangent curves, well below any intended corner.
   double least_bend = 1e-3;
   /// The least sine of the angle of a corner beyond which a wall is continued straight: less steep lines would cross
   /// the layers far from it.
   double least_corner_sine = 0.5;
-
-  // Comparisons.
-  /// Lengths and heights that differ by less, relative to themselves, are equal: mirror images must decide alike.
-  double equal_tol = 1e-6;
-  /// Fractions of an arc that differ by less are the same point.
-  double same_fraction = 1e-9;
+  /// Newton steps to the nearest point of a wall.
+  int max_foot_steps = 40;
 };
 
 inline constexpr LayerConstants layer_constants;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/tolerance.hpp"
 #include "layers/layer_rules.hpp"
 #include "layers/smooth_across.hpp"
 #include "mesh/piecewise_polynomial.hpp"
@@ -57,12 +58,12 @@ void place_crossings(const BlockNodes& nodes, std::vector<Vec2>& positions) {
 
 LineFamily column_family(const BlockNodes& nodes) {
   const LayeredBlock& block = nodes.block;
-  return line_family(block.sides[0], block.sides[2], nodes.lengths(3), nodes.lengths(1), nodes.order);
+  return {block.sides[0], block.sides[2], nodes.lengths(3), nodes.lengths(1), nodes.order};
 }
 
 LineFamily row_family(const BlockNodes& nodes) {
   const LayeredBlock& block = nodes.block;
-  return line_family(block.sides[3], block.sides[1], nodes.lengths(0), nodes.lengths(2), nodes.order);
+  return {block.sides[3], block.sides[1], nodes.lengths(0), nodes.lengths(2), nodes.order};
 }
 
 /// The given lengths of the free intervals of a line; nullptr: none are given.
@@ -85,8 +86,7 @@ class TiedLines {
             const std::vector<double>& last, std::vector<std::vector<double>>& parameters)
       : family_(family), lines_(lines), parameters_(parameters), num_nodes_(static_cast<int>(first.size())) {
     parameters.front() = first, parameters.back() = last;
-    low_ = static_cast<int>(family.low_heights.size());
-    high_ = num_nodes_ - 1 - static_cast<int>(family.high_heights.size());
+    low_ = family.low_node(), high_ = family.high_node(num_nodes_);
   }
 
   /// Ties the lines themselves.
@@ -234,8 +234,7 @@ void shift_columns(const BlockNodes& nodes, const std::vector<Vec2>& st, std::ve
   const std::array<std::vector<double>, 4>& fractions = nodes.block.fractions;
   const std::vector<Vec2> shifted = shifted_along_rows(st, nodes.width(), nodes.order, nodes.block.shifts);
   const LineFamily family = column_family(nodes);
-  const int low = static_cast<int>(family.low_heights.size());
-  const int high = nodes.height() - 1 - static_cast<int>(family.high_heights.size());
+  const int low = family.low_node(), high = family.high_node(nodes.height());
   for (int i = 1; i + 1 < nodes.width(); ++i) {
     const mesh::PiecewisePolynomial s = column_through(nodes, shifted, i);
     const NormalLine column = [&](double t) { return nodes.position(s(t), t); };
@@ -274,7 +273,7 @@ Last placed_last(const LayeredBlock& block) {
     for (std::size_t k = 1; k < fractions.size(); ++k) step = std::min(step, fractions[k] - fractions[k - 1]);
     return step * block.lengths[side];
   };
-  const double ratio = std::min(least(0), least(2)) / std::min(least(1), least(3)), tol = layer_constants.equal_tol;
+  const double ratio = std::min(least(0), least(2)) / std::min(least(1), least(3)), tol = tolerance::tied;
   return ratio < 1 - tol ? Last::rows : ratio > 1 + tol ? Last::columns : Last::either;
 }
 

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "layers/divide_normal_line.hpp"
+#include "layers/normal_line.hpp"
 #include "layers/shift_along_rows.hpp"
 #include "layers/side_table.hpp"
 

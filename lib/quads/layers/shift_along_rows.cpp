@@ -1,8 +1,5 @@
 #include "layers/shift_along_rows.hpp"
 
-#include <algorithm>
-
-#include "layers/index_cubic.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::layers {

@@ -7,15 +7,13 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/named_curves.hpp"
-#include "layers/arc_sizes.hpp"
 #include "layers/layer_fit.hpp"
-#include "layers/layer_law.hpp"
 #include "layers/layer_rules.hpp"
-#include "layers/normal_line_samples.hpp"
 #include "layers/propagate_spacing.hpp"
-#include "layers/request_layers.hpp"
+#include "layers/wall_spec.hpp"
 #include "mesh/block_sides.hpp"
 #include "model/special_names.hpp"
 
@@ -119,6 +117,17 @@ sizing::ArcDivisions planned_divisions(const sizing::MeasuredLayout& measured,
   return divisions;
 }
 
+/// By spec: whether the intervals above the layers of some arc are far shorter than its last layer.
+std::vector<bool> crowded_specs(const WallInput& input, const WallPlan& plan) {
+  std::vector<bool> crowded(plan.heights.size(), false);
+  for (const auto& [arc, end, side] : plan.walls.layered_ends()) {
+    const EndSpacing& spacing = plan.requests.spacings[arc][end];
+    if (spacing.before * layer_constants.greatest_jump < spacing.last_layer() * input.measured.length(arc))
+      crowded[plan.walls.sides[side].spec] = true;
+  }
+  return crowded;
+}
+
 }  // namespace
 
 bool WallPlan::has_wall(int block) const {
@@ -170,42 +179,16 @@ std::vector<prescribe::LayeredCount> layered_counts(const WallInput& input,
   return counts;
 }
 
-namespace {
-
-/// By spec: whether the intervals above the layers of some arc are far shorter than its last layer.
-std::vector<bool> crowded_specs(const WallInput& input, const WallPlan& plan) {
-  std::vector<bool> crowded(plan.heights.size(), false);
-  for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
-    for (const int end : {0, 1}) {
-      const int wall = plan.walls.at_arc_end[arc][end];
-      if (wall < 0) continue;
-      const EndSpacing& spacing = plan.requests.spacings[arc][end];
-      const std::size_t count = spacing.layer_ends.size();
-      const double below = count > 1 ? spacing.layer_ends[count - 2] : 0;
-      const double last = (spacing.layer_ends.back() - below) * input.measured.length(arc);
-      if (spacing.before * layer_constants.greatest_jump < last) crowded[plan.walls.sides[wall].spec] = true;
-    }
-  return crowded;
-}
-
-}  // namespace
-
 void release_compressed_layers(const WallInput& input, WallPlan& plan) {
-  constexpr double tol = layer_constants.equal_tol;
   const std::vector<bool> is_crowded = crowded_specs(input, plan);
-  for (std::size_t spec = 0; spec < plan.heights.size(); ++spec) {
-    const std::vector<double>& heights = plan.heights[spec];
-    const bool is_compressed = plan.least_thickness[spec] < heights.back() * (1 - tol);
-    if (is_compressed || is_crowded[spec]) plan.num_fixed[spec] = 1;
+  for (std::size_t spec = 0; spec < plan.heights.size(); ++spec)
+    if (is_crowded[spec] || plan.least_thickness[spec] < plan.heights[spec].back() * (1 - tolerance::tied))
+      plan.num_fixed[spec] = 1;
+  for (const auto& [arc, end, side] : plan.walls.layered_ends()) {
+    const int fixed = plan.num_fixed[plan.walls.sides[side].spec];
+    plan.requests.spacings[arc][end].layer_ends.resize(fixed);
+    plan.requests.nodes[arc][end].resize(static_cast<std::size_t>(fixed) * input.order);
   }
-  for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
-    for (const int end : {0, 1}) {
-      const int wall = plan.walls.at_arc_end[arc][end];
-      if (wall < 0) continue;
-      const int fixed = plan.num_fixed[plan.walls.sides[wall].spec];
-      plan.requests.spacings[arc][end].layer_ends.resize(fixed);
-      plan.requests.nodes[arc][end].resize(static_cast<std::size_t>(fixed) * input.order);
-    }
 }
 
 void release_bent_layers(const WallInput& input, WallPlan& plan) {
@@ -219,16 +202,13 @@ void release_bent_layers(const WallInput& input, WallPlan& plan) {
 }
 
 void measure_released_layers(const WallInput& input, const sizing::ArcDivisions& divisions, WallPlan& plan) {
-  for (int arc = 0; arc < input.measured.num_arcs(); ++arc)
-    for (const int end : {0, 1}) {
-      const int wall = plan.walls.at_arc_end[arc][end];
-      if (wall < 0) continue;
-      const int spec = plan.walls.sides[wall].spec, count = static_cast<int>(plan.heights[spec].size());
-      if (plan.num_fixed[spec] == count) continue;
-      const std::vector<double>& ends = divisions[arc].ends;
-      const double top = end == 0 ? ends[count] : 1 - ends[ends.size() - 1 - count];
-      plan.least_thickness[spec] = std::min(plan.least_thickness[spec], top * input.measured.length(arc));
-    }
+  for (const auto& [arc, end, side] : plan.walls.layered_ends()) {
+    const int spec = plan.walls.sides[side].spec, count = static_cast<int>(plan.heights[spec].size());
+    if (plan.num_fixed[spec] == count) continue;
+    const std::vector<double>& ends = divisions[arc].ends;
+    const double top = end == 0 ? ends[count] : 1 - ends[ends.size() - 1 - count];
+    plan.least_thickness[spec] = std::min(plan.least_thickness[spec], top * input.measured.length(arc));
+  }
 }
 
 void require_offsets(const std::vector<WallSpec>& specs, const CadFace& face) {

@@ -11,10 +11,8 @@
 #include <vector>
 
 #include "base/report.hpp"
+#include "layers/end_spacing.hpp"
 #include "layers/layered_block.hpp"
-#include "layers/request_layers.hpp"
-#include "layers/wall_input.hpp"
-#include "layers/wall_sides.hpp"
 #include "prescribe/boundary_counts.hpp"
 
 namespace quadrille::layers {
@@ -34,6 +32,14 @@ struct WallPlan {
   bool has_wall(int block) const;
   /// Layers of fixed height along a side of a block; 0 without a wall.
   int num_fixed_on(int block, int side) const;
+  /// At the beginning and the end of the columns (direction 0) or rows (1) of a block.
+  std::array<int, 2> num_fixed_along(int block, int direction) const {
+    return {num_fixed_on(block, direction == 0 ? 0 : 3), num_fixed_on(block, direction == 0 ? 2 : 1)};
+  }
+  /// Fractions of all nodes of an arc.
+  std::vector<double> nodes_on(int arc, const sizing::ArcDivision& division, int order) const {
+    return arc_nodes[arc].empty() ? interval_nodes(division.ends, order) : arc_nodes[arc];
+  }
 };
 
 /// The counts that the chords have with the layers of `input` and with no prescribed counts but those of `input`, from

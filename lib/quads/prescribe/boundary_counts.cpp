@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/warning_codes.hpp"
 #include "prescribe/named_arcs.hpp"
 
@@ -151,19 +151,13 @@ void warn_if_count_missed(const BoundaryCount& boundary, int achieved, int least
                           boundary.count, achieved, why));
 }
 
-std::optional<int> whole_number(const std::string& text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional<int>(value) : std::nullopt;
-}
-
 }  // namespace
 
 void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chords,
                  std::vector<BoundaryCount>& boundaries) {
   const std::size_t equals = text.rfind('=');
   const std::string name = text.substr(0, equals), value = equals == std::string::npos ? "" : text.substr(equals + 1);
-  const std::optional<int> chord = whole_number(name), count = whole_number(value);
+  const std::optional<int> chord = number_of<int>(name), count = number_of<int>(value);
   if (name.empty() || !count || *count < 1)
     throw UsageError(fmt::format("--count: '{}' is not CHORD=N or NAME=N with a whole number N >= 1", text));
   if (chord)

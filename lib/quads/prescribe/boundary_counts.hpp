@@ -14,10 +14,6 @@
 
 #include "base/report.hpp"
 #include "prescribe/end_grading.hpp"
-#include "sizing/arc_division.hpp"
-#include "sizing/grade_chords.hpp"
-#include "sizing/measured_layout.hpp"
-#include "sizing/size_field.hpp"
 
 namespace quadrille::prescribe {
 

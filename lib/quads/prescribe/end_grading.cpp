@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/chords.hpp"
 #include "prescribe/log_spacing.hpp"
@@ -19,11 +19,13 @@
 namespace quadrille::prescribe {
 namespace {
 
-constexpr int uniform_samples = 96;
-constexpr double least_sample = 1e-7;  ///< samples near both ends double from here
-constexpr double derivative_step = 1e-5;
-constexpr double missed = 1.2;  ///< factor of an achieved length that is reported
-constexpr double missed_growth = 1.1;
+struct GradingConstants {
+  int uniform_samples = 96;
+  double least_sample = 1e-7;  ///< samples near both ends double from here
+  double derivative_step = 1e-5;
+  double missed = 1.2, missed_growth = 1.1;  ///< factors of an achieved length and growth that are reported
+};
+constexpr GradingConstants grading_constants;
 
 using ArcChain = std::vector<HalfEdge>;
 
@@ -51,10 +53,13 @@ class GradedChord {
               const sizing::ChordPlan& plan)
       : measured_(measured), chord_(measured.chords()[chord]), ends_(ends), plan_(plan) {
     std::set<double> samples(plan.grading.samples().begin(), plan.grading.samples().end());
-    for (int k = 0; k <= uniform_samples; ++k) samples.insert(static_cast<double>(k) / uniform_samples);
-    for (double u = least_sample; u < 0.5; u *= 2) samples.insert({u, 1 - u});
+    for (int k = 0; k <= grading_constants.uniform_samples; ++k)
+      samples.insert(static_cast<double>(k) / grading_constants.uniform_samples);
+    for (double u = grading_constants.least_sample; u < 0.5; u *= 2) samples.insert({u, 1 - u});
     u_.assign(samples.begin(), samples.end());
-    u_.erase(std::unique(u_.begin(), u_.end(), [](double a, double b) { return b - a < least_sample / 2; }), u_.end());
+    u_.erase(std::unique(u_.begin(), u_.end(),
+                         [](double a, double b) { return b - a < grading_constants.least_sample / 2; }),
+             u_.end());
     u_.back() = 1;
   }
 
@@ -90,7 +95,8 @@ class GradedChord {
 
   /// A length along the arc of an end, in u.
   double in_parameter(const EndLength& end, double u, double length) const {
-    const double low = std::max(0.0, u - derivative_step), high = std::min(1.0, u + derivative_step);
+    const double low = std::max(0.0, u - grading_constants.derivative_step),
+                 high = std::min(1.0, u + grading_constants.derivative_step);
     return length * (high - low) / std::abs(distance(end, high) - distance(end, low));
   }
 
@@ -154,11 +160,8 @@ std::vector<ArcChain> chains_of(const sizing::MeasuredLayout& measured, const st
   std::set<int> ends;
   for (const HalfEdge arc : arcs) ends.insert(end_of(all, arc));
   std::vector<ArcChain> chains;
-  const auto take_from = [&](int node) {
-    return std::find_if(arcs.begin(), arcs.end(), [&](HalfEdge arc) { return start_of(all, arc) == node; });
-  };
   while (!arcs.empty()) {
-    auto next = std::find_if(arcs.begin(), arcs.end(), [&](HalfEdge a) { return !ends.contains(start_of(all, a)); });
+    auto next = std::ranges::find_if(arcs, [&](HalfEdge a) { return !ends.contains(start_of(all, a)); });
     if (next == arcs.end())
       throw UsageError(
           fmt::format("--grading {0}: the boundary '{0}' is closed, it has no ends: use --size-near", name));
@@ -166,7 +169,7 @@ std::vector<ArcChain> chains_of(const sizing::MeasuredLayout& measured, const st
     while (next != arcs.end()) {
       chain.push_back(*next);
       arcs.erase(next);
-      next = take_from(end_of(all, chain.back()));
+      next = std::ranges::find(arcs, end_of(all, chain.back()), [&](HalfEdge a) { return start_of(all, a); });
     }
   }
   return chains;
@@ -183,10 +186,8 @@ void add_end(const sizing::MeasuredLayout& measured, const ArcChain& chain, doub
              std::vector<std::vector<EndLength>>& by_chord) {
   double offset = 0;
   for (const HalfEdge half : chain) {
-    const int chord = measured.chord_of(half.arc);
-    const std::vector<int>& arcs = measured.chords()[chord].arcs;
-    const int position = static_cast<int>(std::find(arcs.begin(), arcs.end(), half.arc) - arcs.begin());
-    by_chord[chord].push_back({position, half.is_backwards, offset, length});
+    by_chord[measured.chord_of(half.arc)].push_back(
+        {measured.position_in_chord(half.arc), half.is_backwards, offset, length});
     offset += measured.length(half.arc);
   }
 }
@@ -221,31 +222,21 @@ void add_chain(const sizing::MeasuredLayout& measured, const GradedChain& chain,
   if (chain.last > 0) add_end(measured, reversed(chain.arcs), chain.last, by_chord);
 }
 
-/// The greatest ratio of adjacent elements along a chain.
-double greatest_ratio_along(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
-                            const ArcChain& chain) {
-  double greatest = 1, last = 0;
+/// The lengths of the elements along a chain.
+std::vector<double> element_lengths(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions,
+                                    const ArcChain& chain) {
+  std::vector<double> lengths;
   for (const HalfEdge half : chain) {
     const sizing::ArcDivision& division = divisions[half.arc];
-    const int count = division.num_intervals();
-    for (int k = 0; k < count; ++k) {
-      const int own = half.is_backwards ? count - 1 - k : k;
-      const double length = (division.high(own) - division.low(own)) * measured.length(half.arc);
-      if (last > 0) greatest = std::max({greatest, length / last, last / length});
-      last = length;
-    }
+    for (int k = 0; k < division.num_intervals(); ++k)
+      lengths.push_back(division.width(half.is_backwards ? division.num_intervals() - 1 - k : k) *
+                        measured.length(half.arc));
   }
-  return greatest;
-}
-
-double first_length(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, HalfEdge half) {
-  const std::vector<double>& ends = divisions[half.arc].ends;
-  const double fraction = half.is_backwards ? 1 - ends[ends.size() - 2] : ends[1];
-  return fraction * measured.length(half.arc);
+  return lengths;
 }
 
 void warn_if_missed(const std::string& boundary, double prescribed, double achieved, Report& report) {
-  if (std::max(achieved / prescribed, prescribed / achieved) > missed)
+  if (std::max(achieved / prescribed, prescribed / achieved) > grading_constants.missed)
     report.warn(warning::end_length_missed,
                 fmt::format("--grading {}: an element at its end is {:.3g} long, not {:.3g}: another boundary of its "
                             "chord, wall layers or the number of elements require it",
@@ -253,7 +244,7 @@ void warn_if_missed(const std::string& boundary, double prescribed, double achie
 }
 
 void warn_if_steep(const std::string& boundary, double ratio, double growth, Report& report) {
-  if (ratio > missed_growth * growth)
+  if (ratio > grading_constants.missed_growth * growth)
     report.warn(warning::end_growth_missed,
                 fmt::format("--grading {}: adjacent elements along it differ by a factor of {:.3g}, more than --growth "
                             "{:g}: its end lengths with the number of elements in --count require it",
@@ -262,10 +253,8 @@ void warn_if_steep(const std::string& boundary, double ratio, double growth, Rep
 
 std::optional<double> length_of(const std::string& text) {
   if (text.empty()) return 0;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_length = error == std::errc() && end == text.data() + text.size() && value >= 0 && std::isfinite(value);
-  return is_length ? std::optional<double>(value) : std::nullopt;
+  const std::optional<double> value = number_of<double>(text);
+  return value && *value >= 0 && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace
@@ -310,8 +299,8 @@ void report_end_gradings(const sizing::MeasuredLayout& measured, const sizing::A
     const EndGrading& grading = gradings[i];
     report.set(fmt::format("gradings.{}.boundary", i), grading.boundary);
     for (const ArcChain& chain : chains_of(measured, grading.boundary)) {
-      const double first = first_length(measured, divisions, chain.front());
-      const double last = first_length(measured, divisions, chain.back().reversed());
+      const std::vector<double> lengths = element_lengths(measured, divisions, chain);
+      const double first = lengths.front(), last = lengths.back();
       if (grading.first > 0) {
         report.set(fmt::format("gradings.{}.first", i), first);
         warn_if_missed(grading.boundary, grading.first, first, report);
@@ -320,7 +309,9 @@ void report_end_gradings(const sizing::MeasuredLayout& measured, const sizing::A
         report.set(fmt::format("gradings.{}.last", i), last);
         warn_if_missed(grading.boundary, grading.last, last, report);
       }
-      const double ratio = greatest_ratio_along(measured, divisions, chain);
+      double ratio = 1;
+      for (std::size_t k = 1; k < lengths.size(); ++k)
+        ratio = std::max({ratio, lengths[k] / lengths[k - 1], lengths[k - 1] / lengths[k]});
       report.set(fmt::format("gradings.{}.growth", i), ratio);
       if (std::ranges::any_of(chain, is_counted)) warn_if_steep(grading.boundary, ratio, growth, report);
     }

@@ -17,9 +17,7 @@
 #include <vector>
 
 #include "base/report.hpp"
-#include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
-#include "sizing/measured_layout.hpp"
 
 namespace quadrille::prescribe {
 

@@ -4,21 +4,14 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "curve/named_curves.hpp"
-#include "model/interfaces.hpp"
 
 namespace quadrille::prescribe {
 namespace {
-
-/// An arc and where it begins.
-struct PlacedArc {
-  int curve = 0;
-  double t = 0;
-  HalfEdge arc;
-};
 
 [[noreturn]] void refuse_partial(const sizing::MeasuredLayout& measured, int arc, const std::string& name,
                                  const std::string& option) {
@@ -39,23 +32,21 @@ std::vector<HalfEdge> named_arcs(const sizing::MeasuredLayout& measured, const s
     is_named[curve] = true;
     if (face.is_interface(curve)) is_named[face.partners[curve]] = true;
   }
-  std::vector<PlacedArc> placed;
+  std::vector<std::tuple<int, double, HalfEdge>> placed;  // curve and parameter at which the arc begins
   for (int a = 0; a < measured.num_arcs(); ++a) {
     const GraphArc& arc = measured.blocks().arcs[a];
-    if (!is_on_cad_curve(measured.blocks(), arc)) continue;
+    if (!measured.is_on_cad_curve(a)) continue;
     const auto follows = [&](const ArcPiece& piece) { return is_named[piece.curve]; };
     const auto num_named = std::count_if(arc.pieces.begin(), arc.pieces.end(), follows);
     if (num_named == 0) continue;
     if (num_named < std::ssize(arc.pieces)) refuse_partial(measured, a, name, option);
     const bool is_backwards = arc.pieces.front().t0 > arc.pieces.front().t1;
     const ArcPiece& first = is_backwards ? arc.pieces.back() : arc.pieces.front();
-    placed.push_back({first.curve, std::min(first.t0, first.t1), {a, is_backwards}});
+    placed.emplace_back(first.curve, std::min(first.t0, first.t1), HalfEdge{a, is_backwards});
   }
-  std::stable_sort(placed.begin(), placed.end(), [](const PlacedArc& a, const PlacedArc& b) {
-    return std::tie(a.curve, a.t) < std::tie(b.curve, b.t);
-  });
+  std::ranges::stable_sort(placed, {}, [](const auto& p) { return std::pair(std::get<0>(p), std::get<1>(p)); });
   std::vector<HalfEdge> arcs;
-  for (const PlacedArc& one : placed) arcs.push_back(one.arc);
+  for (const auto& [curve, t, arc] : placed) arcs.push_back(arc);
   return arcs;
 }
 

@@ -1,10 +1,10 @@
 #include "refine/align_chords.hpp"
 
-#include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
 
-#include "refine/match_periodic.hpp"
+#include "growth/normal_equations.hpp"
+#include "refine/divide_arcs.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -123,47 +123,29 @@ class Aligner {
     return k <= 0 || k >= fine_samples ? -1 : (k - 1) * static_cast<int>(chord_.arcs.size()) + i;
   }
 
-  /// Adds one squared residual to the normal equations.
-  struct Term {
-    int unknown;
-    double factor;
-  };
-  void add(double residual, const std::vector<Term>& terms) {
-    for (const Term& p : terms) {
-      if (p.unknown < 0) continue;
-      gradient_[p.unknown] += p.factor * residual;
-      for (const Term& q : terms)
-        if (q.unknown >= 0) entries_.emplace_back(p.unknown, q.unknown, p.factor * q.factor);
-    }
-  }
-
-  Eigen::VectorXd newton_step(const Fractions& g) {
-    const int count = (fine_samples - 1) * static_cast<int>(chord_.arcs.size());
-    entries_.clear();
-    gradient_ = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd newton_step(const Fractions& g) const {
+    growth::NormalEquations equations((fine_samples - 1) * static_cast<int>(chord_.arcs.size()));
     std::vector<double> width(chord_.arcs.size(), 0), pairs(chord_.arcs.size(), 0);
     for (const auto& [a, b] : chord_.pairs) {
       const std::vector<CrossLine> lines = cross_lines(tables_, g, a, b);
       for (int k = 1; k < fine_samples; ++k) {
         const CrossLine& r = lines[k];
         if (r.width <= 0) continue;
-        add(misalignment(lines, k), {{unknown(a, k), r.slope_a / r.width}, {unknown(b, k), r.slope_b / r.width}});
+        equations.add(1, misalignment(lines, k),
+                      {{unknown(a, k), r.slope_a / r.width}, {unknown(b, k), r.slope_b / r.width}});
         for (const int i : {a, b}) width[i] += r.width, pairs[i] += 1;
       }
     }
     for (int i = 0; i < static_cast<int>(chord_.arcs.size()); ++i)
-      add_stiffness(g[i], i, pairs[i] > 0 ? width[i] / pairs[i] : tables_[i].length);
-    Eigen::SparseMatrix<double> matrix(count, count);
-    matrix.setFromTriplets(entries_.begin(), entries_.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    return -solver.solve(gradient_);
+      add_stiffness(g[i], i, pairs[i] > 0 ? width[i] / pairs[i] : tables_[i].length, equations);
+    return equations.step();
   }
 
-  void add_stiffness(const std::vector<double>& g, int i, double width) {
+  void add_stiffness(const std::vector<double>& g, int i, double width, growth::NormalEquations& equations) const {
     const double factor = options_.stiffness * width / tables_[i].length * fine_samples * fine_samples;
     for (int k = 1; k < fine_samples; ++k)
-      add(factor * (g[k - 1] - 2 * g[k] + g[k + 1]),
-          {{unknown(i, k - 1), factor}, {unknown(i, k), -2 * factor}, {unknown(i, k + 1), factor}});
+      equations.add(1, factor * (g[k - 1] - 2 * g[k] + g[k + 1]),
+                    {{unknown(i, k - 1), factor}, {unknown(i, k), -2 * factor}, {unknown(i, k + 1), factor}});
   }
 
   double step_at(const Eigen::VectorXd& step, int i, int k) const {
@@ -192,8 +174,6 @@ class Aligner {
   const mesh::Chord& chord_;
   const AlignOptions& options_;
   std::vector<ArcTable> tables_;
-  std::vector<Eigen::Triplet<double>> entries_;
-  Eigen::VectorXd gradient_;
 };
 
 }  // namespace
@@ -206,10 +186,7 @@ std::vector<sizing::ArcParameter> align_chords(const sizing::MeasuredLayout& mea
     const Fractions g = aligner.align();
     for (std::size_t i = 0; i < g.size(); ++i) {
       std::vector<double> fractions = g[i];
-      if (chord.backwards[i]) {
-        std::reverse(fractions.begin(), fractions.end());
-        for (double& f : fractions) f = 1 - f;
-      }
+      if (chord.backwards[i]) sizing::reverse_fractions(fractions);
       by_arc[chord.arcs[i]] = std::move(fractions);
     }
   }

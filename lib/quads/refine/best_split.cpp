@@ -1,13 +1,133 @@
 #include "refine/best_split.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
-#include "refine/remedies.hpp"
+#include "growth/straighten_lines.hpp"
+#include "refine/chosen_blocks.hpp"
+#include "refine/relax.hpp"
 #include "sizing/element_limit.hpp"
 
 namespace quadrille::refine {
+namespace {
+
+constexpr int max_doublings = 3;  ///< of the counts of chords: 64 times as many elements in their blocks
+constexpr double stricter = 0.8;  ///< than the ratio by which the boundary misses its tolerance
+constexpr int most_refined = 10;  ///< elements with shorter ones, over those without
+
+void restore_lines(const SplitRequest& request, SplitSettings& settings) {
+  const SplitSettings first = first_settings(request);
+  settings.limits_growth = first.limits_growth;
+  settings.is_aligned = first.is_aligned;
+}
+
+bool lift_growth_limit(const SplitRequest&, const SplitMesh& last, SplitSettings& settings) {
+  if (last.mesh.is_valid || !settings.limits_growth) return false;
+  settings.limits_growth = false;
+  return true;
+}
+
+bool use_equal_fractions(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings) {
+  if (last.mesh.is_valid || !settings.is_aligned) return false;
+  restore_lines(request, settings);
+  settings.is_aligned = false;
+  return true;
+}
+
+bool raise_coarse_counts(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings) {
+  if (last.mesh.is_valid || settings.doublings > 0 || !raise_counts(request.equal, last.mesh, settings.counts))
+    return false;
+  restore_lines(request, settings);
+  return true;
+}
+
+/// A block whose exact map is valid has valid elements once these are small.
+bool double_all_counts(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings) {
+  const RefineOptions& options = request.options;
+  if (last.mesh.is_valid || options.allow_invalid || settings.doublings == max_doublings ||
+      !double_counts(request.equal, last.mesh, last.divisions, options.counts, settings.counts))
+    return false;
+  ++settings.doublings;
+  restore_lines(request, settings);
+  return true;
+}
+
+/// What splines that were replaced add to the distance does not change.
+bool divide_more_strictly(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings) {
+  const double fit = last.mesh.face.fit_distance, allowed = request.limits.distance - fit;
+  if (last.score.distance == 0 || allowed <= 0) return false;
+  settings.tolerance *= stricter * allowed / (last.distance.worst().distance - fit);
+  return true;
+}
+
+bool shorten_elements(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings) {
+  if (last.score.elongation == 0) return false;
+  if (settings.length_limits.empty())
+    settings.max_elements = std::min(settings.max_elements, most_refined * last.mesh.num_elems());
+  return add_length_limits(layout_of(request, last.settings), last.plans, last.divisions, last.mesh, request.sizes,
+                           request.limits.edge_ratio, elements_on_layered_chords(request.equal.blocks(), last),
+                           settings.length_limits);
+}
+
+/// No value if it would have too many elements.
+std::optional<SplitMesh> next_attempt(const SplitRequest& request, const SplitSettings& settings,
+                                      const SplitMesh& last) {
+  try {
+    return split(request, settings, &last);
+  } catch (const sizing::TooManyElements&) {
+    return std::nullopt;
+  }
+}
+
+constexpr std::array<Remedy, 6> all_remedies{lift_growth_limit, use_equal_fractions,  raise_coarse_counts,
+                                             double_all_counts, divide_more_strictly, shorten_elements};
+
+constexpr int max_corrections = 3;
+
+/// Keeps a mesh with other lines if it is better; returns whether it is.
+bool keep_if_better(const SplitRequest& request, SplitMesh next, SplitMesh& result) {
+  set_score(request, next);
+  const bool is_better = mesh::is_better(next.score, result.score);
+  if (is_better) result = std::move(next);
+  return is_better;
+}
+
+void straighten_lines(const SplitRequest& request, SplitMesh& result) {
+  SplitMesh next = result;
+  std::vector<layers::RowShifts>& shifts = next.lines.shifts;
+  shifts =
+      growth::block_shifts(request.equal.blocks(), *result.walls, result.divisions, result.mesh, request.limits.growth);
+  while (!std::ranges::all_of(shifts, &layers::RowShifts::empty)) {
+    sample_mesh(request, &result.mesh, next);
+    if (growth::drop_useless(result.mesh, next.mesh, shifts)) continue;
+    keep_if_better(request, std::move(next), result);
+    return;
+  }
+}
+
+/// Returns whether this improves the mesh.
+bool correct_lines(const SplitRequest& request, SplitMesh& result) {
+  if (result.score.growth == 0) return false;
+  SplitMesh next = result;
+  growth::correct_factors(layout_of(request, result.settings), *result.walls, result.divisions, result.mesh,
+                          request.limits.growth, next.lines);
+  sample_mesh(request, &result.mesh, next);
+  return keep_if_better(request, std::move(next), result);
+}
+
+/// By element: whether it lies in a block that has layers, which relaxation does not move.
+std::vector<bool> elements_in_layered_blocks(const SplitMesh& split) {
+  std::vector<bool> is_layered;
+  if (split.walls)
+    for (const int block : split.mesh.elem_block) is_layered.push_back(split.walls->has_wall(block));
+  return is_layered;
+}
+
+}  // namespace
+
+std::span<const Remedy> remedies() { return all_remedies; }
 
 BestSplit best_split(const SplitRequest& request) {
   const Progress::Part part(request.report.progress(), "attempt");
@@ -19,7 +139,7 @@ BestSplit best_split(const SplitRequest& request) {
     const SplitMesh& last = worse ? *worse : best.split;
     if (std::ranges::none_of(remedies(), [&](Remedy remedy) { return remedy(request, last, settings); })) break;
     part.advance();
-    std::optional<SplitMesh> next = sizing::unless_too_many([&] { return split(request, settings, &last); });
+    std::optional<SplitMesh> next = next_attempt(request, settings, last);
     if (!next) break;
     if (mesh::is_better(next->score, best.split.score)) {
       best.split = std::move(*next);
@@ -29,6 +149,21 @@ BestSplit best_split(const SplitRequest& request) {
     }
   }
   return best;
+}
+
+void place_vertices(const SplitRequest& request, SplitMesh& result) {
+  if (result.growth) {
+    straighten_lines(request, result);
+    for (int i = 0; i < max_corrections && correct_lines(request, result); ++i) {
+    }
+  }
+  if (request.options.relax == 0) return;
+  relax_and_report(
+      result.mesh,
+      {request.options.relax, result.settings.tolerance, elements_in_layered_blocks(result), request.report.progress()},
+      request.report);
+  result.distance = mesh::boundary_distance(result.mesh);
+  set_score(request, result);
 }
 
 }  // namespace quadrille::refine

@@ -1,10 +1,24 @@
 #pragma once
-// The loop over attempts at a mesh: each is changed by the first remedy that applies to the last one (refine/remedies),
-// and the one with the best score (mesh/mesh_score) is kept.
+// The loop over attempts at a mesh: each is changed by the first remedy that applies to the last one, and the one with
+// the best score (mesh/mesh_score) is kept. Remedies, by what the last attempt exceeds:
+//
+//   elements that are not proved valid:  1. no limit on the growth, 2. lines at equal fractions, 3. more elements on
+//                                        chords outside the chosen blocks, 4. on all chords; 3 and 4 restore 1 and 2
+//   distance from the CAD curves:        5. a stricter tolerance of divisions, whose own samples are fewer
+//   ratio of the sides of an element:    6. shorter elements there (refine/length_limits)
+
+#include <span>
 
 #include "refine/split_mesh.hpp"
 
 namespace quadrille::refine {
+
+/// Changes the settings of the next attempt; returns false if it changes nothing: because `last` does not need it, or
+/// because nothing is left to change.
+using Remedy = bool (*)(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings);
+
+/// In the order in which they are tried.
+std::span<const Remedy> remedies();
 
 /// Attempts, each of which divides all arcs and samples and measures all elements. One or two suffice on real faces; an
 /// invalid mesh with layers takes all: four placements of lines with the counts at first, and again after each
@@ -19,5 +33,17 @@ struct BestSplit {
 /// The loop ends when no remedy applies, when the next attempt would have too many elements, or after max_splits: the
 /// best mesh may exceed limits, even be invalid. Of equal ones it is the first. Throws as refine.
 BestSplit best_split(const SplitRequest& request);
+
+/// Moves the vertices of a mesh whose counts are settled: the one place for what improves their positions.
+///
+///   1. With layers, lines along the normals of walls are straightened (growth/straighten_lines) in the blocks that
+///   gain
+///      by it.
+///   2. Lines inside blocks are corrected from the intervals that the mesh has (growth/line_intervals), a few times.
+///   3. With the option `relax`, vertices are relaxed (refine/relax).
+///
+/// 1 and 2 are kept if they improve the score of the mesh; 3 never lowers its least scaled Jacobian. The elements and
+/// the score of the mesh are measured again.
+void place_vertices(const SplitRequest& request, SplitMesh& result);
 
 }  // namespace quadrille::refine

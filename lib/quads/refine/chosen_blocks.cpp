@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "base/error.hpp"
+#include "base/name_text.hpp"
+#include "base/number_text.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -20,11 +21,8 @@ std::set<int> blocks_called(const std::string& word, const std::vector<std::stri
   for (std::size_t b = 0; b < names.size(); ++b)
     if (names[b] == word) blocks.insert(static_cast<int>(b));
   if (!blocks.empty()) return blocks;
-  int number = -1;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error == std::errc() && end == word.data() + word.size() && number >= 0 &&
-      number < static_cast<int>(names.size()))
-    return {number};
+  const int number = number_of<int>(word).value_or(-1);
+  if (number >= 0 && number < std::ssize(names)) return {number};
   throw UsageError(fmt::format("--blocks: there is no block '{}'; they are numbered 0 to {}", word, names.size() - 1));
 }
 
@@ -44,19 +42,11 @@ std::vector<bool> passes_unproved(const sizing::MeasuredLayout& measured, const 
   return passes(measured, blocks);
 }
 
-bool contains(const std::vector<sizing::ChordCount>& counts, int chord) {
-  return std::any_of(counts.begin(), counts.end(), [&](const sizing::ChordCount& c) { return c.chord == chord; });
-}
-
 }  // namespace
 
 std::vector<int> parse_blocks(const std::string& list, const std::vector<std::string>& block_names) {
   std::set<int> blocks;
-  for (std::size_t start = 0; start <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', start), list.size());
-    blocks.merge(blocks_called(list.substr(start, comma - start), block_names));
-    start = comma + 1;
-  }
+  for (const std::string& word : split_at_commas(list)) blocks.merge(blocks_called(word, block_names));
   return {blocks.begin(), blocks.end()};
 }
 
@@ -87,7 +77,7 @@ bool double_counts(const sizing::MeasuredLayout& measured, const QuadMesh& mesh,
   bool is_any = false;
   for (int arc = 0; arc < measured.num_arcs(); ++arc) {
     const int chord = measured.chord_of(arc);
-    if (!is_concerned[chord] || contains(prescribed, chord)) continue;
+    if (!is_concerned[chord] || std::ranges::count(prescribed, chord, &sizing::ChordCount::chord) > 0) continue;
     counts.push_back({chord, 2 * divisions[arc].num_intervals()});
     is_concerned[chord] = false;
     is_any = true;

@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "model/quad_mesh.hpp"
-#include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
-#include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
 

@@ -4,8 +4,7 @@
 // Elements as long as the prescribed size in a block that is far thinner have sides of very different lengths. Where
 // the ratio of an element's sides exceeds
 //
-//   max( R, 3 h / e ),   R the target, h the prescribed size, e the shortest boundary between two corners
-//                        (refine/shortest_kept_edge),
+//   max( R, 3 h / e ),   R the target, h the prescribed size, e the shortest boundary between two corners,
 //
 // its chord gets shorter elements there, down to a hundredth of the prescribed size. Away from there lengths grow back
 // by the growth of the size field, or by the default growth where the size is uniform. Chords that layers divide are
@@ -14,12 +13,13 @@
 #include <vector>
 
 #include "model/quad_mesh.hpp"
-#include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
-#include "sizing/measured_layout.hpp"
-#include "sizing/size_field.hpp"
 
 namespace quadrille::refine {
+
+/// The least length of the boundary between two consecutive corners of the layout, or joints of different names
+/// (name_joints); infinity if there are none. Elements there have a side as short as that at any size.
+double shortest_kept_edge(const sizing::MeasuredLayout& measured);
 
 /// By chord.
 using LengthLimits = std::vector<std::vector<sizing::MaxLengthConstraint>>;

@@ -5,12 +5,10 @@
 
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
-#include "layers/wall_layers.hpp"
 #include "mesh/element_sizes.hpp"
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
-#include "refine/place_vertices.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/report_sizes.hpp"

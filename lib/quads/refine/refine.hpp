@@ -8,14 +8,14 @@
 //           lengths at ends (prescribe/end_grading) and the limits on lengths (refine/length_limits);
 //        b. divide the arcs so that the boundary meets its tolerance (refine/divide_arcs);
 //        c. cut layers along walls (layers/wall_layers) and limit the growth from wall to wall (growth/smooth_walls);
-//        d. make both sides of periodic pairs equal (refine/match_periodic);
+//        d. make both sides of periodic pairs equal (refine/divide_arcs);
 //        e. sample elements from the exact maps of the blocks (refine/split_isoparametric), with layers on lines that
 //           grow smoothly (growth/line_intervals) where these do not make blocks more skew;
 //        f. bound det J of each element from below (refine/validity), measure lengths and the distance from the CAD
 //           curves, and score the mesh (mesh/mesh_score).
-//   4. As long as a remedy applies (refine/remedies), attempt it again with its settings, at most 12 times in all; the
-//      best mesh is kept (refine/best_split).
-//   5. Place its vertices better: straight lines along walls, corrected lines, relaxation (refine/place_vertices).
+//   4. As long as a remedy applies, attempt it again with its settings, at most 12 times in all; the best mesh is kept
+//      (refine/best_split).
+//   5. Place its vertices better: straight lines along walls, corrected lines, relaxation (refine/best_split).
 //   6. Split every element into equal parts of its own map (mesh/nested_quads).
 //   7. Report, and refuse a mesh that is not valid or misses a prescribed quality (refine/validity).
 

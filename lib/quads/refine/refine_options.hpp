@@ -6,9 +6,6 @@
 
 #include "layers/wall_spec.hpp"
 #include "prescribe/boundary_counts.hpp"
-#include "prescribe/end_grading.hpp"
-#include "sizing/grade_chords.hpp"
-#include "sizing/size_field.hpp"
 
 namespace quadrille::refine {
 

@@ -1,12 +1,10 @@
 #include "refine/split_isoparametric.hpp"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 #include "mesh/transfinite.hpp"
 #include "model/interfaces.hpp"
-#include "refine/arc_nodes.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -145,6 +143,30 @@ std::vector<QuadBoundaryEdge> sorted_along_curves(std::vector<PlacedEdge> edges)
 }
 
 }  // namespace
+
+ArcNodes place_on_arc(const sizing::MeasuredLayout& measured, int arc, const sizing::ArcDivision& division,
+                      const layers::WallPlan* walls, QuadMesh& mesh) {
+  ArcNodes nodes{walls ? walls->nodes_on(arc, division, mesh.order) : layers::interval_nodes(division.ends, mesh.order),
+                 {measured.blocks().arcs[arc].from}};
+  for (std::size_t k = 1; k + 1 < nodes.fractions.size(); ++k) {
+    nodes.ids.push_back(static_cast<int>(mesh.nodes.size()));
+    mesh.nodes.push_back(measured.chain(arc).position(nodes.fractions[k]));
+  }
+  nodes.ids.push_back(measured.blocks().arcs[arc].to);
+  return nodes;
+}
+
+std::array<ArcNodes, 4> side_nodes(const BlockLayout& layout, int block, const std::vector<ArcNodes>& arc_nodes) {
+  std::array<ArcNodes, 4> sides;
+  for (int side = 0; side < 4; ++side) {
+    const HalfEdge directed = layout.block2arcs[block][side];
+    sides[side] = arc_nodes[directed.arc];
+    if (directed.is_backwards == (side >= 2)) continue;
+    std::ranges::reverse(sides[side].ids);
+    sizing::reverse_fractions(sides[side].fractions);
+  }
+  return sides;
+}
 
 QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, int order,
                              const layers::WallPlan* walls, const growth::LinePlan& lines) {

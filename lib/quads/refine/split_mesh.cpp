@@ -6,7 +6,6 @@
 #include "mesh/element_sizes.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/divide_arcs.hpp"
-#include "refine/match_periodic.hpp"
 #include "refine/split_isoparametric.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"

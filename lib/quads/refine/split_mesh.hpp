@@ -5,16 +5,12 @@
 #include <vector>
 
 #include "base/report.hpp"
-#include "growth/line_intervals.hpp"
 #include "growth/smooth_walls.hpp"
-#include "layers/wall_layers.hpp"
 #include "mesh/boundary_distance.hpp"
 #include "mesh/mesh_score.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
-#include "sizing/grade_chords.hpp"
-#include "sizing/measured_layout.hpp"
 
 namespace quadrille::refine {
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "mesh/element_sizes.hpp"
 #include "spectral/quad_map.hpp"
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int num_reported = 8;
 constexpr double ratio_tolerance = 1e-4;
-constexpr double same_quality = 1e-6;
 
 bool is_proved(const QuadMesh& mesh, int elem) { return mesh.elem_jacobian_bound[elem] > 0; }
 
@@ -32,7 +32,7 @@ bool is_worse(const QuadMesh& mesh, int a, int b) {
 void sort_equals(const QuadMesh& mesh, std::vector<int>& elems) {
   const auto is_equal = [&](int a, int b) {
     return is_proved(mesh, a) && is_proved(mesh, b) &&
-           mesh.elem_scaled_jacobian[b] - mesh.elem_scaled_jacobian[a] <= same_quality;
+           mesh.elem_scaled_jacobian[b] - mesh.elem_scaled_jacobian[a] <= tolerance::tied;
   };
   for (auto begin = elems.begin(); begin != elems.end();) {
     const auto end = std::find_if(begin, elems.end(), [&](int e) { return e != *begin && !is_equal(*begin, e); });
@@ -109,6 +109,12 @@ void measure_elements(QuadMesh& mesh, Progress* progress, const QuadMesh* known)
   mesh.is_valid = mesh.least_jacobian_bound > 0;
 }
 
+double least_scaled_jacobian(const QuadMesh& mesh) { return std::ranges::min(mesh.elem_scaled_jacobian); }
+
+double mean_scaled_jacobian(const QuadMesh& mesh) {
+  return std::accumulate(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end(), 0.0) / mesh.num_elems();
+}
+
 std::vector<WorstElement> worst_elements(const QuadMesh& mesh, int count) {
   std::vector<int> elems(mesh.num_elems());
   std::iota(elems.begin(), elems.end(), 0);
@@ -146,13 +152,13 @@ void require_valid_elements(const QuadMesh& mesh) {
 
 void require_quality(const QuadMesh& mesh, double min_scaled_jacobian, double max_edge_ratio) {
   const WorstElement worst = worst_elements(mesh, 1).front();
-  if (min_scaled_jacobian > 0 && worst.scaled_jacobian < min_scaled_jacobian * (1 - same_quality))
+  if (min_scaled_jacobian > 0 && worst.scaled_jacobian < min_scaled_jacobian * (1 - tolerance::tied))
     throw ComputeError(
         fmt::format("element {} at {} has the scaled Jacobian {:.4g}, below --min-scaled-jacobian {:.4g}: lower "
                     "--size, use --relax, or lower the limit",
                     worst.elem, position_text(worst.position), worst.scaled_jacobian, min_scaled_jacobian));
   const mesh::ElementSizes sizes = mesh::worst_element_sizes(mesh);
-  if (max_edge_ratio > 0 && sizes.edge_ratio > max_edge_ratio * (1 + same_quality))
+  if (max_edge_ratio > 0 && sizes.edge_ratio > max_edge_ratio * (1 + tolerance::tied))
     throw ComputeError(
         fmt::format("element {} at {} has sides whose lengths have the ratio {:.4g}, above --max-edge-ratio {:.4g}: "
                     "remove short edges from the CAD face, lower --size, or raise the limit",
@@ -163,11 +169,8 @@ void report_validity(const QuadMesh& mesh, Report& report) {
   report.set("valid", mesh.is_valid);
   report.set("unproved_elements", mesh.num_unproved());
   report.set("least_jacobian_bound", mesh.least_jacobian_bound);
-  report.set("least_scaled_jacobian",
-             *std::min_element(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end()));
-  report.set(
-      "mean_scaled_jacobian",
-      std::accumulate(mesh.elem_scaled_jacobian.begin(), mesh.elem_scaled_jacobian.end(), 0.0) / mesh.num_elems());
+  report.set("least_scaled_jacobian", least_scaled_jacobian(mesh));
+  report.set("mean_scaled_jacobian", mean_scaled_jacobian(mesh));
   report.set("least_jacobian_ratio", least_jacobian_ratio(mesh));
   const std::vector<WorstElement> worst = worst_elements(mesh, num_reported);
   for (std::size_t i = 0; i < worst.size(); ++i) {

@@ -17,6 +17,10 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
 /// a measured mesh of the same blocks, whose figures are taken where a block has the same elements.
 void measure_elements(QuadMesh& mesh, Progress* progress = nullptr, const QuadMesh* known = nullptr);
 
+/// Of the measured elements.
+double least_scaled_jacobian(const QuadMesh& mesh);
+double mean_scaled_jacobian(const QuadMesh& mesh);
+
 /// One of the worst elements, and the position of its least scaled Jacobian, in the face's own coordinates (origin
 /// included).
 struct WorstElement {

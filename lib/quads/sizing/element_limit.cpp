@@ -52,6 +52,10 @@ double num_planned(const MeasuredLayout& measured, const std::vector<ChordPlan>&
                       [&](int arc) { return static_cast<double>(plans[measured.chord_of(arc)].count); });
 }
 
+double num_divided(const BlockLayout& layout, const ArcDivisions& divisions) {
+  return num_elements(layout, [&](int arc) { return static_cast<double>(divisions[arc].num_intervals()); });
+}
+
 void require_area_within(double area, double size, const ElementLimit& limit) {
   const double num = area / (size * size);
   if (num > area_doubt * limit.max_elements) require_within(num, "some ", limit, "sizes", raised_size(num, limit));
@@ -74,12 +78,10 @@ void require_planned_within(const MeasuredLayout& measured, const std::vector<Ch
 }
 
 void require_divided_within(const BlockLayout& layout, const ArcDivisions& divisions, const ElementLimit& limit) {
-  const auto count = [&](int arc) { return static_cast<double>(divisions[arc].num_intervals()); };
-  const double num = num_elements(layout, count);
-  require_within(num, "", limit, "sizes, counts, wall layers and geometric tolerance",
-                 raised_size(num, limit) +
-                     " (or --geometry-tol, or give fewer layers, where these determine the "
-                     "number)");
+  const double num = num_divided(layout, divisions);
+  require_within(
+      num, "", limit, "sizes, counts, wall layers and geometric tolerance",
+      raised_size(num, limit) + " (or --geometry-tol, or give fewer layers, where these determine the number)");
 }
 
 }  // namespace quadrille::sizing

@@ -1,15 +1,12 @@
 #pragma once
 // The greatest number of elements, so that a mistyped size is refused before it exhausts the memory.
 
-#include <optional>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/report.hpp"
 #include "model/block_layout.hpp"
-#include "sizing/arc_division.hpp"
 #include "sizing/grade_chords.hpp"
-#include "sizing/measured_layout.hpp"
 
 namespace quadrille::sizing {
 
@@ -23,18 +20,11 @@ struct TooManyElements : ComputeError {
   using ComputeError::ComputeError;
 };
 
-/// What `make` returns; no value if it throws TooManyElements.
-template <typename Make>
-auto unless_too_many(const Make& make) -> std::optional<decltype(make())> {
-  try {
-    return make();
-  } catch (const TooManyElements&) {
-    return std::nullopt;
-  }
-}
-
 /// The number of elements of a mesh with the planned counts.
 double num_planned(const MeasuredLayout& measured, const std::vector<ChordPlan>& plans);
+
+/// The exact number, for the divisions of all arcs.
+double num_divided(const BlockLayout& layout, const ArcDivisions& divisions);
 
 /// For a face of that area, before there are blocks: only the order of magnitude, so that no more than four times the
 /// limit is refused. `size` is the greatest prescribed edge length; nothing else may determine the counts.
@@ -45,7 +35,7 @@ void require_planned_within(const MeasuredLayout& measured, const std::vector<Ch
                             const ElementLimit& limit, Report& report);
 /// For a mesh of `num_elems` of which each becomes 4^levels (mesh/nested_quads).
 void require_nested_within(int num_elems, int levels, const ElementLimit& limit);
-/// For the divisions of all arcs: the exact number. All throw TooManyElements.
+/// For the divisions of all arcs. All throw TooManyElements.
 void require_divided_within(const BlockLayout& layout, const ArcDivisions& divisions, const ElementLimit& limit);
 
 }  // namespace quadrille::sizing

@@ -47,4 +47,21 @@ Grading refine_grading(const Grading& grading, double count, const std::vector<M
 /// factor exp(slope).
 std::vector<double> limited(const std::vector<double>& u, std::vector<double> eta, double slope);
 
+/// The parts of [0, 1] between the positions at which elements must end (joints inside a side), and their intervals:
+/// each has a least number; the others are added, one by one, to the segment whose intervals are longest. Within a
+/// segment they are equal. All choices are symmetric: a chord and its mirror image are cut at mirrored positions.
+struct Segments {
+  std::vector<double> ends{0.0, 1.0};  ///< ascending, 0 and 1 included
+  std::vector<int> least_counts{1};    ///< least number of intervals of each segment
+
+  int least_count() const;
+};
+
+/// Counts of the segments that sum to `count` >= segments.least_count(). Empty if equal segments compete for the
+/// remaining intervals, so that no choice would be symmetric, unless `break_ties`: then earlier segments are preferred.
+std::vector<int> segment_counts(const Segments& segments, int count, bool break_ties);
+
+/// The count + 1 ends of the intervals, ascending from 0 to 1.
+std::vector<double> interval_ends(const Segments& segments, const std::vector<int>& counts);
+
 }  // namespace quadrille::sizing

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
@@ -13,40 +15,33 @@
 namespace quadrille::sizing {
 namespace {
 
-constexpr double same_fraction = 1e-9;
-
-/// Interpolation from the nodes of an interval to samples between them.
-struct ErrorSamples {
+/// Row i: the polynomial of an interval's nodes at sample i.
+struct Samples {
   std::vector<double> points;
   Eigen::MatrixXd from_nodes;
 
-  explicit ErrorSamples(int order) {
-    const int count = 2 * order + 2;
-    for (int i = 0; i < count; ++i) points.push_back(-std::cos((2 * i + 1) * pi / (2 * count)));
-    from_nodes = spectral::interpolation_matrix(spectral::gll_points(order), points);
-  }
+  Samples(int order, std::vector<double> at)
+      : points(std::move(at)), from_nodes(spectral::interpolation_matrix(spectral::gll_points(order), points)) {}
 };
 
-const ErrorSamples& error_samples(int order) {
-  static spectral::PerOrder<ErrorSamples> cache([](int n) { return ErrorSamples(n); });
+/// Between the nodes.
+const Samples& error_samples(int order) {
+  static spectral::PerOrder<Samples> cache([](int n) {
+    const int count = 2 * n + 2;
+    std::vector<double> points;
+    for (int i = 0; i < count; ++i) points.push_back(-std::cos((2 * i + 1) * pi / (2 * count)));
+    return Samples(n, points);
+  });
   return cache[order];
 }
 
-/// A polynomial of the order as a polygon, for the distance of points that may be far from the point of equal
-/// parameter.
-struct PolygonSamples {
-  Eigen::MatrixXd from_nodes;
-
-  explicit PolygonSamples(int order) {
-    const int count = 16 * order;
+/// As a polygon, for the distance of points that may be far from the point of equal parameter.
+const Samples& polygon_samples(int order) {
+  static spectral::PerOrder<Samples> cache([](int n) {
     std::vector<double> points;
-    for (int i = 0; i <= count; ++i) points.push_back(-1 + 2.0 * i / count);
-    from_nodes = spectral::interpolation_matrix(spectral::gll_points(order), points);
-  }
-};
-
-const PolygonSamples& polygon_samples(int order) {
-  static spectral::PerOrder<PolygonSamples> cache([](int n) { return PolygonSamples(n); });
+    for (int i = 0; i <= 16 * n; ++i) points.push_back(-1 + 2.0 * i / (16 * n));
+    return Samples(n, points);
+  });
   return cache[order];
 }
 
@@ -80,7 +75,7 @@ double bend_error(const curve::Chain& chain, double low, double high, const std:
                   int order) {
   std::vector<double> ends{low};
   for (const double f : chain.break_fractions())
-    if (f > low + same_fraction && f < high - same_fraction) ends.push_back(f);
+    if (f > low + tolerance::round_off && f < high - tolerance::round_off) ends.push_back(f);
   if (ends.size() == 1) return 0;
   ends.push_back(high);
 
@@ -119,7 +114,7 @@ double distance_from(const curve::Chain& chain, Vec2 x, double fraction) {
 }  // namespace
 
 double interval_error(const curve::CurveTable& table, const curve::Chain& chain, double low, double high, int order) {
-  const ErrorSamples& samples = error_samples(order);
+  const Samples& samples = error_samples(order);
   std::vector<curve::ChainPoint> nodes;
   for (const double xi : spectral::gll_points(order)) nodes.push_back(chain.at(between(low, high, xi)));
   const int piece = nodes[order / 2].piece;

@@ -1,7 +1,7 @@
 #pragma once
 // Distance of the side of an element of order N from its curve.
 
-#include "curve/chain.hpp"
+#include "sizing/measured_layout.hpp"
 
 namespace quadrille::sizing {
 
@@ -9,5 +9,10 @@ namespace quadrille::sizing {
 /// fractions of [low, high]: of the polynomial from the chain, and of the chain's breaks from the polynomial. `table`:
 /// the chain's own.
 double interval_error(const curve::CurveTable& table, const curve::Chain& chain, double low, double high, int order);
+
+/// That of an arc.
+inline double interval_error(const MeasuredLayout& measured, int arc, double low, double high, int order) {
+  return interval_error(measured.curves(), measured.chain(arc), low, high, order);
+}
 
 }  // namespace quadrille::sizing

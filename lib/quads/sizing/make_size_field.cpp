@@ -3,28 +3,135 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/number_text.hpp"
+#include "base/tolerance.hpp"
+#include "curve/arc_length.hpp"
+#include "curve/carrier.hpp"
 #include "curve/named_curves.hpp"
-#include "sizing/boundary_sizes.hpp"
-#include "sizing/curve_sizes.hpp"
+#include "curve/nurbs.hpp"
+#include "model/special_names.hpp"
+#include "sizing/element_limit.hpp"
 
 namespace quadrille::sizing {
 namespace {
+
+constexpr double resolution = 1e-5;
+constexpr int least_depth = 2, max_depth = 13;
+
+/// Size at a parameter, from the left or the right of it.
+using SizeAt = std::function<double(double t, bool from_left)>;
+
+struct Sample {
+  double t;
+  Vec2 position;
+  double size;
+};
+
+/// Halves a smooth part of a curve until segments are near enough.
+class Segmenter {
+ public:
+  Segmenter(const Nurbs& curve, SizeAt size, double slope) : curve_(curve), size_(std::move(size)), slope_(slope) {}
+
+  void add_span(double low, double high) { divide(sample(low, false), sample(high, true), 0); }
+  std::vector<SizeSegment> segments() { return std::move(segments_); }
+
+ private:
+  Sample sample(double t, bool from_left) const { return {t, curve::point(curve_, t), size_(t, from_left)}; }
+
+  void divide(const Sample& a, const Sample& b, int depth) {
+    const Sample middle = sample((a.t + b.t) / 2, false);
+    const double off = std::abs(middle.size - (a.size + b.size) / 2);
+    // The size at the curve, from a segment that lies the sagitta away from it, is greater by slope times that.
+    const double sagitta = distance_to_line(middle.position, a.position, b.position);
+    const double error = std::max(off, slope_ * sagitta);
+    if (depth >= max_depth || (depth >= least_depth && error <= resolution * std::min(a.size, b.size))) {
+      segments_.push_back({a.position, middle.position, a.size, middle.size});
+      segments_.push_back({middle.position, b.position, middle.size, b.size});
+      return;
+    }
+    divide(a, middle, depth + 1);
+    divide(middle, b, depth + 1);
+  }
+
+  static double distance_to_line(Vec2 x, Vec2 a, Vec2 b) {
+    const double length = distance(a, b);
+    return length > 0 ? std::abs(cross(b - a, x - a)) / length : distance(x, a);
+  }
+
+  const Nurbs& curve_;
+  SizeAt size_;
+  double slope_;
+  std::vector<SizeSegment> segments_;
+};
+
+std::vector<SizeSegment> segments_of(const Nurbs& curve, const SizeAt& size, double slope) {
+  Segmenter segmenter(curve, size, slope);
+  for (std::size_t i = 1; i < curve.knots.size(); ++i)
+    if (curve.knots[i - 1] < curve.knots[i]) segmenter.add_span(curve.knots[i - 1], curve.knots[i]);
+  return segmenter.segments();
+}
+
+bool is_straight(const Nurbs& curve) { return curve.degree == 1; }
+
+/// The halves of the spans, each less than a right angle. `size`: all along.
+std::vector<SizeSegment> arcs_of(const Nurbs& curve, const curve::Carrier& circle, double size) {
+  std::vector<SizeSegment> arcs;
+  for (std::size_t i = 1; i < curve.knots.size(); ++i) {
+    const double low = curve.knots[i - 1], high = curve.knots[i], middle = (low + high) / 2;
+    if (!(low < high)) continue;
+    for (const auto& [from, to] : {std::pair(low, middle), std::pair(middle, high)}) {
+      Vec2 a = curve::point(curve, from), b = curve::point(curve, to);
+      if (cross(a - circle.point, b - circle.point) < 0) std::swap(a, b);
+      arcs.push_back({a, b, size, size, -1, circle.radius, circle.point});
+    }
+  }
+  return arcs;
+}
+
+constexpr int closed_factor = 3;
+
+struct Run {
+  std::vector<int> curves;
+  double length = 0;
+  bool is_closed = false;
+};
+
+/// Whether every mesh has a vertex at the start of the curve.
+bool begins_run(const CadFace& face, int curve) {
+  const int before = face.previous_in_loop(curve);
+  return face.joints[curve].is_corner || (face.curve_names[before] != face.curve_names[curve] &&
+                                          (face.has_given_name(before) || face.has_given_name(curve)));
+}
+
+std::vector<Run> runs_of_loop(const CadFace& face, int loop) {
+  const int begin = face.loop_offsets[loop], end = face.loop_offsets[loop + 1];
+  int first = begin;
+  while (first < end && !begins_run(face, first)) ++first;
+  std::vector<Run> runs;
+  if (first == end) runs.push_back({{}, 0, true});
+  for (int k = 0; k < end - begin; ++k) {
+    const int curve = begin + (first - begin + k) % (end - begin);
+    if (begins_run(face, curve)) runs.emplace_back();
+    runs.back().curves.push_back(curve);
+    runs.back().length += curve::ArcLength(face.curves[curve]).total();
+  }
+  return runs;
+}
 
 constexpr double least_curvature_size = 1e-4;  // diameters
 
 /// A finite number above 0.
 std::optional<double> length_of(const std::string& text) {
-  double length = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
-  const bool is_length =
-      error == std::errc() && end == text.data() + text.size() && length > 0 && std::isfinite(length);
-  return is_length ? std::optional<double>(length) : std::nullopt;
+  const std::optional<double> length = number_of<double>(text);
+  return length && *length > 0 && std::isfinite(*length) ? length : std::nullopt;
 }
 
 /// The parts of a text before and behind the last =.
@@ -41,7 +148,100 @@ double greatest_size(const CadFace& face, const SizeSources& sources) {
   return greatest;
 }
 
+/// Times as many elements as without sizes along curves.
+constexpr double most_refined = 2;
+/// From one trial of s to the next finer one, and the halvings of that factor's logarithm.
+constexpr double coarsening = 4;
+constexpr int num_bisections = 3;
+constexpr double wake_growth = 1.05;
+
+/// Whether a boundary with sizes of its own is the wake, in any region.
+bool is_wake(const NearSize& near) { return near.boundary.substr(0, near.boundary.find('@')) == wake_name; }
+
+SizeOptions with_wake(const CadFace& face, SizeOptions options) {
+  const std::vector<int> curves = wake_curves(face);
+  if (curves.empty() || std::ranges::any_of(options.near, is_wake)) return options;
+  const SizeField sizes = make_size_field(face, options);
+  const GrowingSize ends = growing_size(face, curves, 0, 0);
+  const double left = sizes.at(ends.end), right = sizes.at(ends.other_end), least = std::min(left, right);
+  const double most = least + std::log(wake_growth) * distance(ends.end, ends.other_end);
+  options.near.push_back(left <= right ? NearSize{wake_name, least, most} : NearSize{wake_name, most, least});
+  return options;
+}
+
+/// Infinite if there are none.
+double least_size(const std::vector<SizeSegment>& segments) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SizeSegment& segment : segments) least = std::min({least, segment.size_a, segment.size_b});
+  return least;
+}
+
 }  // namespace
+
+std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope) {
+  if (const curve::Carrier carrier = curve::carrier_of(curve); carrier.kind == curve::CurveKind::arc)
+    return arcs_of(curve, carrier, size);
+  if (!is_straight(curve))
+    return segments_of(
+        curve, [size](double, bool) { return size; }, slope);
+  std::vector<SizeSegment> segments;
+  for (std::size_t i = 1; i < curve.poles.size(); ++i)
+    segments.push_back({curve.poles[i - 1], curve.poles[i], size, size});
+  return segments;
+}
+
+GrowingSize growing_size(const CadFace& face, const std::vector<int>& curves, double size, double other_size) {
+  GrowingSize growing{face.joints[curves[0]].position, face.joints[curves[0]].position, size, other_size};
+  const auto is_before = [&](Vec2 a, Vec2 b) {
+    const double tol = tolerance::same_point * face.diameter;
+    return std::abs(a.x - b.x) > tol ? a.x < b.x : a.y < b.y - tol;
+  };
+  for (const int c : curves)
+    for (const int joint : {c, face.next_in_loop(c)}) {
+      const Vec2 x = face.joints[joint].position;
+      if (is_before(x, growing.end)) growing.end = x;
+      if (is_before(growing.other_end, x)) growing.other_end = x;
+    }
+  return growing;
+}
+
+std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& size, double slope) {
+  const double whole = distance(size.end, size.other_end);
+  const auto at = [&](double t, bool) {
+    const double part = whole > 0 ? std::min(1.0, distance(curve::point(curve, t), size.end) / whole) : 0;
+    return size.size + part * (size.other_size - size.size);
+  };
+  return segments_of(curve, at, slope);
+}
+
+std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
+                                               double greatest, double slope) {
+  if (is_straight(curve)) return {};
+  const auto size = [&](double t, bool from_left) {
+    const double bend = std::abs(curve::curvature(curve, t, from_left));
+    return bend * greatest * elements_per_turn > 2 * pi ? std::max(least, 2 * pi / (elements_per_turn * bend))
+                                                        : greatest;
+  };
+  std::vector<SizeSegment> segments = segments_of(curve, size, slope);
+  std::erase_if(segments, [&](const SizeSegment& s) { return std::min(s.size_a, s.size_b) >= greatest; });
+  return segments;
+}
+
+std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, double least, double greatest,
+                                            double slope) {
+  std::vector<SizeSegment> segments;
+  for (int loop = 0; loop < face.num_loops(); ++loop)
+    for (const Run& run : runs_of_loop(face, loop)) {
+      const int number = run.is_closed ? closed_factor * per_curve : per_curve;
+      const double size = std::max({run.length / number, least, least_curve_size * face.diameter});
+      if (size >= greatest) continue;
+      for (const int curve : run.curves) {
+        const std::vector<SizeSegment> own = segments_near(face.curves[curve], size, slope);
+        segments.insert(segments.end(), own.begin(), own.end());
+      }
+    }
+  return segments;
+}
 
 void SizeOptions::validate() const {
   if (size < 0) throw UsageError("--size must not be negative");
@@ -84,11 +284,10 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
 
 int parse_per_curve(const std::string& text) {
   if (text == "auto") return SizeOptions::automatic;
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 0 || number > 10000)
+  const std::optional<int> number = number_of<int>(text);
+  if (!number || *number < 0 || *number > 10000)
     throw UsageError(fmt::format("--per-curve: '{}' is not \"auto\" or an integer from 0 to 10000", text));
-  return number;
+  return *number;
 }
 
 NearSize parse_near_size(const std::string& text) {
@@ -100,6 +299,47 @@ NearSize parse_near_size(const std::string& text) {
   if (name.empty() || !size || !other)
     throw UsageError(fmt::format("--size-near: '{}' is not NAME=H or NAME=H:H2 with lengths above 0", text));
   return {name, *size, is_one ? 0 : *other};
+}
+
+SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& options, SizeRule rule) {
+  if (options.per_curve != SizeOptions::automatic) return options;
+  SizeOptions none = options;
+  none.per_curve = 0;
+  if (options.size > 0 || options.sources.is_table) return none;
+  const CadFace& face = measured.blocks().face;
+  const auto with_least = [&](double least) {
+    SizeOptions finer = options;
+    finer.per_curve = SizeField::default_per_curve;
+    finer.least_along_curves = least;
+    return finer;
+  };
+  if (has_far_field(face)) return with_wake(face, with_least(0));
+
+  const auto num_elements = [&](const SizeOptions& sizes) {
+    return num_planned(measured, grade_chords(measured, make_size_field(face, sizes), rule, {}));
+  };
+  const double greatest = make_size_field(face, none).greatest();
+  const double shortest = least_size(segments_by_curves(face, SizeField::default_per_curve, 0, greatest, 1));
+  if (shortest >= greatest) return none;
+  const double most = most_refined * num_elements(none);
+  const auto are_few = [&](const SizeOptions& sizes) { return num_elements(sizes) <= most; };
+  // Coarse sizes, whose chords need few samples, come first.
+  const double least = std::max(shortest, least_curve_size * face.diameter);
+  SizeOptions best = none;
+  double fine = greatest, coarse = greatest;
+  while (fine > least) {
+    fine = std::max(least, fine / coarsening);
+    if (!are_few(with_least(fine))) break;
+    best = with_least(fine), coarse = fine;
+  }
+  for (int k = 0; k < num_bisections && fine < coarse; ++k) {
+    const double middle = std::sqrt(fine * coarse);
+    if (are_few(with_least(middle)))
+      best = with_least(middle), coarse = middle;
+    else
+      fine = middle;
+  }
+  return best;
 }
 
 }  // namespace quadrille::sizing

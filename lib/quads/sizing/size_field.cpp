@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "base/error.hpp"
 
@@ -37,18 +38,25 @@ Bounds bounds_of(Vec2 a, Vec2 b, double least, double radius = 0) {
           least};
 }
 
-/// With the points of the arc that have the greatest and the least x and y.
-Bounds bounds_of_arc(const SizeSegment& arc, double least) {
-  Bounds bounds = bounds_of(arc.a, arc.b, least);
+Bounds bounds_of(const SizePoint& p) { return bounds_of(p.position, p.position, p.size, p.radius); }
+Bounds bounds_of(const SizeBox& box) { return bounds_of(box.low, box.high, box.size); }
+Bounds bounds_of(const SizeTriangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  Bounds bounds = bounds_of(a, b, std::ranges::min(triangle.sizes));
+  bounds.add(bounds_of(c, c, bounds.least));
+  return bounds;
+}
+/// Of an arc with its points that have the greatest and the least x and y.
+Bounds bounds_of(const SizeSegment& segment) {
+  Bounds bounds = bounds_of(segment.a, segment.b, std::min(segment.size_a, segment.size_b));
+  if (!(segment.radius > 0)) return bounds;
   for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
-    const Vec2 end = arc.centre + arc.radius * direction;
-    if (cross(arc.a - arc.centre, direction) > 0 && cross(direction, arc.b - arc.centre) > 0)
-      bounds.add(bounds_of(end, end, least));
+    const Vec2 end = segment.centre + segment.radius * direction;
+    if (cross(segment.a - segment.centre, direction) > 0 && cross(direction, segment.b - segment.centre) > 0)
+      bounds.add(bounds_of(end, end, bounds.least));
   }
   return bounds;
 }
-
-enum class Kind { point, box, segment, arc, triangle };
 
 /// min over p on the segment of size(p) + slope |x - p|, the size linear: from the foot of x the least lies towards the
 /// smaller size.
@@ -64,14 +72,25 @@ double along_segment(Vec2 x, Vec2 a, Vec2 b, double size_a, double size_b, doubl
 }
 
 /// The distance from the arc of at most half a turn, counter-clockwise from a to b.
-double distance_to_arc(Vec2 x, Vec2 a, Vec2 b, Vec2 centre, double radius) {
-  const bool is_beside = cross(a - centre, x - centre) >= 0 && cross(x - centre, b - centre) >= 0;
-  return is_beside ? std::abs(distance(x, centre) - radius) : std::min(distance(x, a), distance(x, b));
+double distance_to_arc(Vec2 x, const SizeSegment& arc) {
+  const bool is_beside =
+      cross(arc.a - arc.centre, x - arc.centre) >= 0 && cross(x - arc.centre, arc.b - arc.centre) >= 0;
+  return is_beside ? std::abs(distance(x, arc.centre) - arc.radius) : std::min(distance(x, arc.a), distance(x, arc.b));
 }
 
+double size_from(const SizePoint& p, Vec2 x, double slope) {
+  return p.size + slope * std::max(0.0, distance(x, p.position) - p.radius);
+}
+double size_from(const SizeBox& box, Vec2 x, double slope) {
+  return box.size + slope * std::sqrt(bounds_of(box).distance2_to(x));
+}
+double size_from(const SizeSegment& s, Vec2 x, double slope) {
+  return s.radius > 0 ? s.size_a + slope * distance_to_arc(x, s)
+                      : along_segment(x, s.a, s.b, s.size_a, s.size_b, slope);
+}
 /// min over p in the triangle of size(p) + slope |x - p|: x itself, if it is inside and the size varies by less than
 /// the slope; else p is on a side, because a linear function and a distance have no other stationary points.
-double in_triangle(Vec2 x, const SizeTriangle& triangle, double slope) {
+double size_from(const SizeTriangle& triangle, Vec2 x, double slope) {
   const auto& [a, b, c] = triangle.corners;
   const auto& [size_a, size_b, size_c] = triangle.sizes;
   const double area = cross(b - a, c - a);
@@ -86,25 +105,14 @@ double in_triangle(Vec2 x, const SizeTriangle& triangle, double slope) {
                    along_segment(x, c, a, size_c, size_a, slope)});
 }
 
-/// One source of any kind: a point uses a, size_a and radius; a box bounds and size_a; a segment all of a and b; an
-/// arc a, b, size_a, centre and radius; a triangle its own member.
 struct Source {
-  Kind kind = Kind::point;
+  std::variant<SizePoint, SizeBox, SizeSegment, SizeTriangle> shape;
   Bounds bounds;
-  Vec2 a, b;
-  double size_a = 0, size_b = 0, radius = 0;
   int region = -1;
-  Vec2 centre = {};
-  SizeTriangle triangle = {};
 
   bool acts_in(int other) const { return region < 0 || other < 0 || region == other; }
-
   double at(Vec2 x, double slope) const {
-    if (kind == Kind::point) return size_a + slope * std::max(0.0, distance(x, a) - radius);
-    if (kind == Kind::box) return size_a + slope * std::sqrt(bounds.distance2_to(x));
-    if (kind == Kind::arc) return size_a + slope * distance_to_arc(x, a, b, centre, radius);
-    if (kind == Kind::triangle) return in_triangle(x, triangle, slope);
-    return along_segment(x, a, b, size_a, size_b, slope);
+    return std::visit([&](const auto& source) { return size_from(source, x, slope); }, shape);
   }
 };
 
@@ -180,28 +188,15 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
     : SizeField(greatest) {
   if (!(growth > 1)) throw UsageError("the growth of sizes must be greater than 1");
   auto tree = std::make_shared<Sources>();
-  const auto add = [&](const Source& source, double least, const char* what) {
-    require_size(least, what);
-    if (least < greatest) tree->items.push_back(source);
+  const auto add = [&](const auto& source, const char* what, int region = -1) {
+    const Bounds bounds = bounds_of(source);
+    require_size(bounds.least, what);
+    if (bounds.least < greatest) tree->items.push_back({source, bounds, region});
   };
-  for (const SizePoint& p : sources.points)
-    add({Kind::point, bounds_of(p.position, p.position, p.size, p.radius), p.position, {}, p.size, 0, p.radius}, p.size,
-        "a point");
-  for (const SizeBox& b : sources.boxes)
-    add({Kind::box, bounds_of(b.low, b.high, b.size), b.low, b.high, b.size}, b.size, "a box");
-  for (const SizeTriangle& t : sources.triangles) {
-    const double least = *std::min_element(t.sizes.begin(), t.sizes.end());
-    Bounds bounds = bounds_of(t.corners[0], t.corners[1], least);
-    bounds.add(bounds_of(t.corners[2], t.corners[2], least));
-    add({Kind::triangle, bounds, {}, {}, 0, 0, 0, -1, {}, t}, least, "a triangle");
-  }
-  for (const SizeSegment& s : segments) {
-    const double least = std::min(s.size_a, s.size_b);
-    const bool is_arc = s.radius > 0;
-    add({is_arc ? Kind::arc : Kind::segment, is_arc ? bounds_of_arc(s, least) : bounds_of(s.a, s.b, least), s.a, s.b,
-         s.size_a, s.size_b, s.radius, s.region, s.centre},
-        least, "a piece of the boundary");
-  }
+  for (const SizePoint& point : sources.points) add(point, "a point");
+  for (const SizeBox& box : sources.boxes) add(box, "a box");
+  for (const SizeTriangle& triangle : sources.triangles) add(triangle, "a triangle");
+  for (const SizeSegment& segment : segments) add(segment, "a piece of the boundary", segment.region);
   if (tree->items.empty()) return;
   tree->build();
   slope_ = std::log(growth);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "layers/index_cubic.hpp"
+#include "layers/shift_along_rows.hpp"
 
 namespace quadrille::growth {
 namespace {

@@ -7,7 +7,116 @@
 namespace quadrille::layers {
 namespace {
 
+TEST(LayeredChord, SeesAllArcsInTheChordsDirection) {
+  const wall_samples::PlannedWalls p(hand_made::cut_annulus(3), 0.3, {"side_1:first=0.01,layers=2"});
+  std::vector<ArcSpacing> spacings(p.layout.arcs.size());
+  for (std::size_t arc = 0; arc < spacings.size(); ++arc)
+    for (const int end : {0, 1}) {
+      const int node = end == 0 ? p.layout.arcs[arc].from : p.layout.arcs[arc].to;
+      if (norm(p.layout.nodes[node].position) < 0.6) spacings[arc][end] = {{0.1}, 0.05, 1.2};  // at the inner circle
+    }
+  const LayeredChord chord(p.input, p.measured.chord_of(p.arc_between({1, 0}, {0.5, 0})), spacings, arc_sizes(p.input));
+  ASSERT_EQ(chord.num_arcs(), 3);
+  const int inner = chord.at_end(0, 0).layers() > 0 ? 0 : 1;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(chord.at_end(i, inner).layers(), 1);
+    EXPECT_TRUE(chord.at_end(i, 1 - inner).is_free());
+    EXPECT_NEAR(chord.fraction(i, chord.parameter(i, 0.3)), 0.3, 1e-12);
+    EXPECT_EQ(chord.own_step(i, chord.own_step(i, 2, 7), 7), 2);
+  }
+  EXPECT_EQ(chord.growth(), 1.2);
+  EXPECT_EQ(chord.opposite_arcs().size(), 3u);
+}
+
+TEST(LayeredChord, OppositeArcsAreAsFarApartAsTheirBlockIsLong) {
+  const wall_samples::PlannedWalls p(wall_samples::row({1, 3}), 0.3, {"side_0:first=0.01,layers=2"});
+  const std::vector<ArcSpacing> free(p.layout.arcs.size());
+  const LayeredChord chord(p.input, p.measured.chord_of(p.arc_between({0, 0}, {0, 1})), free, arc_sizes(p.input));
+  ASSERT_EQ(chord.opposite_arcs().size(), 2u);
+  EXPECT_NEAR(chord.opposite_arcs()[0].distance, 1, 1e-12);
+  EXPECT_NEAR(chord.opposite_arcs()[1].distance, 3, 1e-12);
+  EXPECT_EQ(chord.growth(), 0);
+}
+
 using wall_samples::PlannedWalls;
+using wall_samples::row;
+
+/// The upright arcs of a row of blocks with a wall under the first one: positions 0 and 1 have its layers.
+struct AlignedChord {
+  explicit AlignedChord(const std::vector<double>& widths)
+      : planned(row(widths), 0.3, {"side_0:first=0.05,law=uniform,layers=2"}), spacings(planned.layout.arcs.size()) {}
+
+  int number() const { return planned.measured.chord_of(planned.arc_between({0, 0}, {0, 1})); }
+  LayeredChord chord() const { return {planned.input, number(), spacings, arc_sizes(planned.input)}; }
+
+  PlannedWalls planned;
+  std::vector<ArcSpacing> spacings;
+};
+
+sizing::ArcDivisions divisions(const std::vector<std::vector<double>>& ends) {
+  sizing::ArcDivisions result;
+  for (const std::vector<double>& e : ends) result.push_back({e});
+  return result;
+}
+
+TEST(AlignDivisions, DrawsNarrowBlocksTogetherAndLeavesWideOnes) {
+  for (const auto& [width, least_gap, greatest_gap] :
+       {std::tuple{0.05, 0.0, 0.001}, {0.5, 0.05, 0.15}, {5.0, 0.1999, 0.2}}) {
+    const AlignedChord upright({width});
+    const LayeredChord chord = upright.chord();
+    ASSERT_EQ(chord.num_arcs(), 2);
+    sizing::ArcDivisions ends = divisions({{0, 0.4, 1}, {0, 0.6, 1}});
+    for (const int i : {0, 1})
+      if (chord.own_step(i, 0, 3) != 0) ends[i].ends[1] = 1 - ends[i].ends[1];
+    align_divisions(chord, ends);
+    const double gap = std::abs(chord.parameter(1, ends[1].ends[1]) - chord.parameter(0, ends[0].ends[1]));
+    EXPECT_GE(gap, least_gap) << width;
+    EXPECT_LE(gap, greatest_gap) << width;
+  }
+}
+
+// Two opposite arcs a length apart: the gap between their divisions falls by 1 / (1 + 2 w).
+TEST(AlignDivisions, WeighsLayeredArcsAsIfTwiceAsFarApart) {
+  const auto gap = [](bool is_layered) {
+    AlignedChord upright({0.5});
+    const mesh::Chord& arcs = upright.planned.measured.chords()[upright.number()];
+    for (int i = 0; i < 2; ++i)
+      if (is_layered) upright.spacings[arcs.arcs[i]][arcs.backwards[i] ? 1 : 0] = {{0.2}, 0.2, 1.2};
+    const LayeredChord chord = upright.chord();
+    sizing::ArcDivisions ends = divisions({{0, 0.2, 0.5, 1}, {0, 0.2, 0.7, 1}});
+    for (const int i : {0, 1})
+      if (arcs.backwards[i]) {
+        for (double& f : ends[i].ends) f = 1 - f;
+        std::reverse(ends[i].ends.begin(), ends[i].ends.end());
+      }
+    align_divisions(chord, ends);
+    const auto at = [&](int i) { return chord.parameter(i, ends[i].ends[chord.own_step(i, 2, 4)]); };
+    return at(1) - at(0);
+  };
+  EXPECT_NEAR(gap(false), 0.2 / (1 + 2 * 1.0), 1e-12);
+  EXPECT_NEAR(gap(true), 0.2 / (1 + 2 / 16.0), 1e-12);
+}
+
+TEST(AlignDivisions, KeepsEqualDivisionsAndEnds) {
+  const AlignedChord upright({0.3, 0.2});
+  const LayeredChord chord = upright.chord();
+  sizing::ArcDivisions ends = divisions(std::vector<std::vector<double>>(3, {0, 0.25, 0.5, 0.75, 1}));
+  align_divisions(chord, ends);
+  for (const sizing::ArcDivision& division : ends)
+    for (int k = 0; k <= 4; ++k) EXPECT_NEAR(division.ends[k], k / 4.0, 1e-12);
+}
+
+TEST(AlignDivisions, DoesNotMixArcsWithDifferentLayers) {
+  AlignedChord upright({0.05});
+  const int layered = upright.planned.measured.chords()[upright.number()].arcs[0];
+  upright.spacings[layered][0] = {{0.2}, 0.2, 1.2};
+  const LayeredChord chord = upright.chord();
+  const auto before = divisions({{0, 0.2, 0.5, 1}, {0, 0.3, 0.6, 1}});
+  sizing::ArcDivisions ends = before;
+  align_divisions(chord, ends);
+  for (const int i : {0, 1})
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(ends[i].ends[k], before[i].ends[k], 1e-12);
+}
 
 /// The upright chord of a row of blocks, with nothing prescribed.
 struct UprightChord {

@@ -3,7 +3,7 @@
 
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
-#include "refine/place_intervals.hpp"
+#include "refine/chord_division.hpp"
 
 namespace quadrille::refine {
 

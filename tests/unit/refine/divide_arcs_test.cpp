@@ -7,12 +7,148 @@
 #include <utility>
 
 #include "../hand_made.hpp"
+#include "../support/grid_layout.hpp"
+#include "../support/refined.hpp"
 #include "base/error.hpp"
 #include "block/extract_blocks.hpp"
+#include "block/make_blocks.hpp"
+#include "chord_samples.hpp"
+#include "model/quad_mesh.hpp"
+#include "refine/chord_division.hpp"
 #include "sizing/interval_error.hpp"
 
 namespace quadrille::refine {
 namespace {
+
+ChordDivision settled(const ChordSample& sample) {
+  ChordDivision division = begin_division(sample.task);
+  settle_counts(sample.task, division);
+  return division;
+}
+
+TEST(CorrectMisses, NothingIsCorrectedWithinTheTolerance) {
+  const ChordSample sample(hand_made::elbow(), 0, 3, {4, 10});
+  ChordDivision division = settled(sample);
+  EXPECT_FALSE(find_corrections(sample.task, division, 0).is_needed);
+  EXPECT_FALSE(correct_misses(sample.task, division));
+  EXPECT_TRUE(division.anchored.required.empty());
+}
+
+TEST(CorrectMisses, AnIntervalWithABreakEndsThere) {
+  const ChordSample sample(hand_made::elbow(), 0, 1, {4, 1e-5});
+  ChordDivision division = settled(sample);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.is_needed);
+  EXPECT_EQ(corrections.anchors.size(), 1u);
+  EXPECT_EQ(corrections.worst_errors, (std::vector<double>{0})) << "the break is tried before a higher count";
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  EXPECT_FALSE(division.anchored.required.empty());
+}
+
+// Counts are those of segments before a cut: raised with it, they would go to one of the new segments, at one end.
+TEST(CorrectMisses, CountsAreNotRaisedInTheRoundThatCutsASegment) {
+  const ChordSample sample(hand_made::elbow(), 0, 3, {1, 1e-5});
+  ChordDivision division = settled(sample);
+  double worst = 0;
+  bool is_cut = false;
+  for (int i = 0; i < sample.task.num_arcs(); ++i) {
+    const Corrections corrections = find_corrections(sample.task, division, i);
+    for (const double error : corrections.worst_errors) worst = std::max(worst, error);
+    is_cut |= !corrections.anchors.empty();
+  }
+  ASSERT_TRUE(is_cut);
+  ASSERT_GT(worst, sample.options.tolerance);
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  for (const int least : division.anchored.segments.least_counts) EXPECT_EQ(least, 1);
+}
+
+TEST(CorrectMisses, ASmoothIntervalOfEqualElementsRaisesTheCountOfItsSegment) {
+  const ChordSample sample(hand_made::quarter_annulus(), 1, 2, {2, 1e-5});
+  ChordDivision division = settled(sample);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.anchors.empty());
+  EXPECT_TRUE(corrections.constraints.empty());
+  ASSERT_EQ(corrections.worst_errors.size(), 1u);
+  EXPECT_GT(corrections.worst_errors[0], sample.options.tolerance);
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  EXPECT_GT(division.anchored.segments.least_counts[0], 2);
+  EXPECT_LE(division.anchored.segments.least_counts[0], 8) << "at most four in place of one";
+}
+
+TEST(CorrectMisses, AnIntervalOfAGradedChordAloneBecomesShorter) {
+  ChordSample sample(hand_made::quarter_annulus(), 1, 4, {2, 1e-5});
+  sample.plan.grading = sizing::Grading({0, 1}, {0.02, 0.6});
+  sample.plan.slope = 1;
+  ChordDivision division = settled(sample);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.anchors.empty());
+  for (const double error : corrections.worst_errors) EXPECT_EQ(error, 0);
+  ASSERT_FALSE(corrections.constraints.empty());
+  for (const sizing::MaxLengthConstraint& c : corrections.constraints) {
+    EXPECT_GE(c.reduction, 1.05);
+    EXPECT_NEAR(c.max_length, (c.high - c.low) / c.reduction, 1e-12);
+  }
+  const double first = division.grading.parameter(0.25), before = division.planned_count;
+  EXPECT_TRUE(correct_misses(sample.task, division));
+  EXPECT_GT(division.planned_count, before);
+  EXPECT_GT(division.least_count, division.count() - 1);
+  EXPECT_LE(division.grading.parameter(0.25), first * 4) << "the short elements stay short";
+}
+
+TEST(CorrectMisses, ManyBreaksThatAreSpreadAreNoEndsBeforeTheIntervalIsShort) {
+  std::vector<double> parameters;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 20; ++k) {
+    const double x = k / 20.0;
+    parameters.push_back(x);
+    points.push_back({x, 0.05 * std::sin(2 * pi * x)});
+  }
+  const Vec2 slope{1, 0.1 * pi};
+  const std::vector<Nurbs> loop{curve::cubic_spline(parameters, points, slope, slope), curve::segment({1, 0}, {1, 1}),
+                                curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
+  const ChordSample sample(hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}}), 0, 1,
+                           {2, 1e-4});
+  const ChordDivision division = settled(sample);
+  ASSERT_GT(division.anchored.anchors.size(), 2u);
+  const Corrections corrections = find_corrections(sample.task, division, 0);
+  EXPECT_TRUE(corrections.anchors.empty());
+  EXPECT_GT(corrections.worst_errors[0], 0);
+}
+
+// The unit square, its lower side through these points, which must turn by less than a corner. The last piece is curved
+// if asked for.
+Corrections corrections_of_lower_side(const std::vector<Vec2>& points, bool is_curved = false) {
+  std::vector<Nurbs> loop;
+  std::vector<std::vector<int>> sides(1);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    sides[0].push_back(static_cast<int>(i));
+    loop.push_back(curve::segment(points[i], points[i + 1]));
+  }
+  if (is_curved)
+    loop.back() = {3, {0, 0, 0, 0, 1, 1, 1, 1}, {points.end()[-2], {0.4, 0.001}, {0.8, 0.2}, {1, 0}}, {1, 1, 1, 1}};
+  for (const auto& [from, to] : {std::pair<Vec2, Vec2>{{1, 0}, {1, 1}}, {{1, 1}, {0, 1}}, {{0, 1}, {0, 0}}}) {
+    sides.push_back({static_cast<int>(loop.size())});
+    loop.push_back(curve::segment(from, to));
+  }
+  CadFace face = hand_made::face({loop}, std::sqrt(2.0));
+  for (int i = 0; i < face.num_curves(); ++i) face.unnamed_curves.push_back(i);
+  const ChordSample sample(hand_made::one_block(std::move(face), sides), 0, 1, {2, 1e-5});
+  return find_corrections(sample.task, settled(sample), 0);
+}
+
+TEST(CorrectMisses, OfBreaksThatNearlyCoincideOneIsAnEnd) {
+  EXPECT_EQ(corrections_of_lower_side({{0, 0}, {0.4, 0.004}, {0.4001, 0.004}, {1, 0}}).anchors, (std::vector<int>{1}))
+      << "the nearer to the middle";
+  EXPECT_EQ(corrections_of_lower_side({{0, 0}, {0.3, 0.004}, {0.7, 0.004}, {1, 0}}).anchors.size(), 2u);
+}
+
+TEST(CorrectMisses, ABreakNearAnEndIsAnEndOnlyIfTheRestMeetsTheTolerance) {
+  const std::vector<Vec2> bent{{0, 0}, {0.01, 0.0001}, {1, 0}};
+  EXPECT_EQ(corrections_of_lower_side(bent).anchors, (std::vector<int>{0}));
+  const Corrections curved = corrections_of_lower_side(bent, true);
+  EXPECT_TRUE(curved.anchors.empty());
+  EXPECT_GT(curved.worst_errors[0], 0) << "more elements first";
+}
 
 struct Divided {
   BlockLayout layout;
@@ -160,6 +296,155 @@ TEST(DivideArcs, ClosedAndParallelArcsGetEnoughElements) {
 TEST(DivideArcs, ImpossibleWishesEndWithAPlace) {
   EXPECT_THROW(divided(hand_made::quarter_annulus(), {0.1, 1, 1e-14}), ComputeError);
   EXPECT_THROW(divided(hand_made::unit_square(), {1e-9, 1, 1e-6}), ComputeError);
+}
+
+using layers::parse_wall_spec;
+
+/// Two blocks on top of each other, on the left of a wave: [0, w(y)] x [0, 2]; the top is the bottom moved by (0, 2).
+SeparatrixGraph wavy_column() {
+  const Nurbs wave{2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {2.2, 0.8}, {1, 2}}, {1, 1, 1}};
+  SeparatrixGraph g = hand_made::one_block(
+      hand_made::face(
+          {{curve::segment({0, 0}, {1, 0}), wave, curve::segment({1, 2}, {0, 2}), curve::segment({0, 2}, {0, 0})}},
+          std::sqrt(8.0)),
+      {{0}, {1}, {2}, {3}});
+  g.face.periodic_pairs = {{{0, 2}, 0, {0, 2}}};
+  return g;
+}
+
+/// A sector of a ring from the angle 0 to a third turn; both straight sides are periodic.
+SeparatrixGraph sector() {
+  const double angle = 2 * pi / 3;
+  const Vec2 end = unit(angle);
+  SeparatrixGraph g =
+      hand_made::one_block(hand_made::face({{curve::segment({1, 0}, {2, 0}), curve::circular_arc({0, 0}, 2, 0, angle),
+                                             curve::segment(2 * end, end), curve::circular_arc({0, 0}, 1, angle, 0)}},
+                                           4),
+                           {{0}, {1}, {2}, {3}});
+  g.face.periodic_pairs = {{{0, 2}, angle, {0, 0}}};
+  return g;
+}
+
+/// Greatest distance of a node of the first curve, moved, from the nearest of the second, in diameters.
+double greatest_gap(const QuadMesh& mesh, const PeriodicPair& pair) {
+  std::vector<Vec2> second;
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges)
+    if (e.curve == pair.curves[1])
+      for (const int node : side_nodes(mesh, e.elem, e.side)) second.push_back(mesh.nodes[node]);
+  double greatest = 0;
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges) {
+    if (e.curve != pair.curves[0]) continue;
+    for (const int node : side_nodes(mesh, e.elem, e.side)) {
+      const Vec2 x = mesh.nodes[node], turn = unit(pair.angle);
+      const Vec2 image = Vec2{turn.x * x.x - turn.y * x.y, turn.y * x.x + turn.x * x.y} + pair.shift;
+      double nearest = 1e300;
+      for (const Vec2 y : second) nearest = std::min(nearest, distance(image, y));
+      greatest = std::max(greatest, nearest);
+    }
+  }
+  return greatest / mesh.face.diameter;
+}
+
+TEST(MatchPeriodic, BothArcsGetTheMean) {
+  std::vector<double> first{0, 0.25, 0.5, 1}, second{0, 0.5, 0.625, 1};
+  match_fractions({HalfEdge{0}, HalfEdge{1}}, first, second);
+  EXPECT_EQ(first, (std::vector<double>{0, 0.3125, 0.5, 1}));
+  EXPECT_EQ(second, (std::vector<double>{0, 0.5, 0.6875, 1}));
+  first = {0, 0.25, 1}, second = {0, 0.5, 1};
+  match_fractions({HalfEdge{0}, HalfEdge{1, true}}, first, second);
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(first[1], 0.375);
+}
+
+TEST(MatchPeriodic, ArcsOfAPairAreOneChord) {
+  const BlockLayout layout = block::extract_blocks(sector());
+  const std::vector<PeriodicArcs> pairs = matched_arcs(layout);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0], (PeriodicArcs{HalfEdge{0}, HalfEdge{2}}));
+  EXPECT_EQ(layout.arc_chord[0], layout.arc_chord[2]);
+}
+
+TEST(MatchPeriodic, NodesAreMappedOntoEachOther) {
+  for (const SeparatrixGraph& graph : {sector(), wavy_column()}) {
+    RefineOptions options{.size = 0.2, .order = 4};
+    options.size_field = sizing::SizeField(0.2, {{{{1, 0}, 0.03, 0}}, {}, 0}, {}, 1.3);
+    EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
+    options.relax = 5;
+    EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
+  }
+}
+
+TEST(MatchPeriodic, WithLayersAtOneEndToo) {
+  RefineOptions options{.size = 0.3, .order = 3};
+  options.walls = {parse_wall_spec("side_1:first=0.02,layers=3")};
+  for (const SeparatrixGraph& graph : {sector(), wavy_column()})
+    EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
+}
+
+/// [0, 3] x [0, 4], periodic upwards, in two blocks: the line between them has a bump on the left, nearer to the
+/// bottom, to which the lines from the bottom bend more than those from the top.
+SeparatrixGraph bumpy_column() {
+  SeparatrixGraph g;
+  g.face = hand_made::face({{curve::segment({0, 0}, {3, 0}), curve::segment({3, 0}, {3, 4}),
+                             curve::segment({3, 4}, {0, 4}), curve::segment({0, 4}, {0, 0})}},
+                           5);
+  g.face.periodic_pairs = {{{0, 2}, 0, {0, 4}}};
+  for (int k = 0; k < 4; ++k) hand_made::add_joint_node(g, k);
+  const int right = hand_made::add_boundary_node(g, 1, 1), left = hand_made::add_boundary_node(g, 3, 3);
+  hand_made::add_arc(g, 0, 1, true, {{0, 0, 3}});
+  hand_made::add_arc(g, 1, right, true, {{1, 0, 1}});
+  hand_made::add_arc(g, right, 2, true, {{1, 1, 4}});
+  hand_made::add_arc(g, 2, 3, true, {{2, 0, 3}});
+  hand_made::add_arc(g, 3, left, true, {{3, 0, 3}});
+  hand_made::add_arc(g, left, 0, true, {{3, 3, 4}});
+  g.splines.push_back({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 1}, {0.2, 2.6}, {0.6, 1}, {3, 1}}, {1, 1, 1, 1}});
+  hand_made::add_arc(g, left, right, false, {{4, 0, 1}});
+  return g;
+}
+
+TEST(MatchPeriodic, WhereTheBlocksBesideDiffer) {
+  const SeparatrixGraph graph = bumpy_column();
+  RefineOptions options{.size = 0.25, .order = 3};
+  EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
+  options.walls = {parse_wall_spec("side_3:first=0.02,layers=3")};
+  EXPECT_LT(greatest_gap(refined(graph, options), graph.face.periodic_pairs[0]), 1e-13);
+}
+
+/// The plate [0, 3] x [0, 2] in unit squares, periodic to the right. The blocks on the left and on the right are
+/// linked: a count on the right counts on the left.
+SeparatrixGraph periodic_grid() {
+  SeparatrixGraph g = grid_layout(3, 2);
+  g.face.periodic_pairs = {{{1, 3}, 0, {-3, 0}}};
+  return g;
+}
+
+TEST(MatchPeriodic, SizesOnOneSideActOnTheOther) {
+  const SeparatrixGraph graph = periodic_grid();
+  RefineOptions options{.size = 0.5, .order = 2};
+  options.size_field = sizing::SizeField(0.5, {{{{3, 0.5}, 0.05, 0.1}}, {}, 0}, {}, 1.3);
+  const QuadMesh mesh = refined(graph, options);
+  EXPECT_LT(greatest_gap(mesh, graph.face.periodic_pairs[0]), 1e-13);
+  EXPECT_LT(greatest_gap(mesh, {{3, 1}, 0, {3, 0}}), 1e-13) << "and as many";
+}
+
+TEST(MatchPeriodic, CutsOfAChordMatch) {
+  graph::Subdivision subdivision = block::subdivision_into_blocks(periodic_grid());
+  int right = 0;
+  while (subdivision.graph().arcs[right].pieces.front().curve != 1) ++right;
+  ASSERT_TRUE(block::split_chord(subdivision, right, std::vector<bool>(6, true)));
+  EXPECT_NO_THROW(require_periodic_arcs(subdivision.graph(), ""));
+  EXPECT_EQ(periodic_arcs(subdivision.graph()).size(), 3u);
+}
+
+TEST(MatchPeriodic, BlocksThatDoNotMatchAreRefused) {
+  SeparatrixGraph graph = periodic_grid();
+  graph.face.periodic_pairs = {{{0, 1}, 0, {0, 0}}};
+  try {
+    refined(graph, {.size = 0.5});
+    FAIL() << "accepted";
+  } catch (const ComputeError& error) {
+    EXPECT_NE(std::string(error.what()).find("has no counterpart"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

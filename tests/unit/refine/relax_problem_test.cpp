@@ -3,14 +3,231 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "../hand_made.hpp"
+#include "../support/refined.hpp"
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
 
 namespace quadrille::refine {
 namespace {
+
+TEST(ShapeEnergy, OfARectangleIsOneWhateverItsProportions) {
+  QuadMesh mesh = refined(hand_made::unit_square(), {1, 3, 1e-6});
+  for (Vec2& x : mesh.nodes) x.x *= 50;
+  EXPECT_NEAR(ShapeEnergy(mesh).value(0, mesh.nodes), 1, 1e-12);
+}
+
+TEST(ShapeEnergy, OfAParallelogramIsAPowerOfItsSine) {
+  const QuadMesh mesh = refined(hand_made::unit_square(), {1, 2, 1e-6});
+  const ShapeEnergy energy(mesh);
+  std::vector<Vec2> nodes = mesh.nodes;
+  for (Vec2& x : nodes) x = x.x * Vec2{1, 0} + x.y * unit(pi / 6);
+  EXPECT_NEAR(energy.value(0, nodes), 16, 1e-12);  // (1 / sin 30 degrees)^4
+  for (Vec2& x : nodes) x.y = -x.y;
+  EXPECT_EQ(energy.value(0, nodes), std::numeric_limits<double>::infinity());
+}
+
+TEST(ShapeEnergy, GradientIsThatOfDifferences) {
+  for (const int order : {1, 3}) {
+    const QuadMesh mesh = refined(hand_made::unit_square(), {0.25, order, 1e-3});
+    const ShapeEnergy energy(mesh);
+    std::vector<Vec2> nodes = mesh.nodes;
+    for (Vec2& x : nodes) x += 0.05 * Vec2{std::sin(3 * x.y), std::cos(5 * x.x)};
+    const BoundarySlide boundary(mesh);
+    const NodeFollow follow(mesh, boundary);
+    const int elem = 5;  // inside
+    const ElementEnergy e = energy.with_derivatives(elem, nodes);
+    EXPECT_NEAR(e.value, energy.value(elem, nodes), 1e-13);
+    for (int c = 0; c < 4; ++c)
+      for (const Vec2 d : {Vec2{1, 0}, Vec2{0, 1}}) {
+        const double h = 1e-6;
+        const auto shifted = [&](double by) {  // bilinearly, as inner nodes follow
+          std::vector<Vec2> all = nodes;
+          VertexMoves moves(follow.num_vertices());
+          const int vertex = follow.elem_vertices()[elem][c];
+          moves[vertex] = by * d;
+          const std::vector<Vec2> moved = follow.nodes(moves);
+          for (std::size_t i = 0; i < all.size(); ++i) all[i] += moved[i] - mesh.nodes[i];
+          return energy.value(elem, all);
+        };
+        const double slope = (shifted(h) - shifted(-h)) / (2 * h);
+        EXPECT_NEAR(dot(e.gradient[c], d), slope, 1e-6 * (1 + std::abs(slope))) << order;
+        EXPECT_GT(e.hessian[c][0] * e.hessian[c][2], e.hessian[c][1] * e.hessian[c][1]);
+      }
+  }
+}
+
+TEST(BoundarySlide, VerticesAtJointsAreFixedAndNoOthers) {
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.3, 3, 1e-3});
+  const BoundarySlide boundary(mesh);
+  EXPECT_EQ(boundary.vertices().size(), mesh.boundary_edges.size());
+  int num_fixed = 0;
+  for (const SlidingVertex& v : boundary.vertices()) {
+    double gap = 1e300;
+    for (const Joint& joint : mesh.face.joints) gap = std::min(gap, distance(joint.position, mesh.nodes[v.node]));
+    EXPECT_EQ(v.is_fixed, gap < 1e-9);
+    num_fixed += v.is_fixed;
+  }
+  EXPECT_EQ(num_fixed, 4);
+}
+
+TEST(BoundarySlide, StaysOnTheCircleAlsoAcrossItsSeam) {
+  const QuadMesh mesh = refined(hand_made::cut_annulus(3), {0.3, 4, 1e-4});
+  const BoundarySlide boundary(mesh);
+  for (int v = 0; v < static_cast<int>(boundary.vertices().size()); ++v) {
+    const SlidingVertex& vertex = boundary.vertices()[v];
+    EXPECT_FALSE(vertex.is_fixed) << "a circle has neither corners nor breaks";
+    const double radius = vertex.loop == 0 ? 1 : 0.5;
+    EXPECT_LT(distance(boundary.at(v, 0).position, mesh.nodes[vertex.node]), 1e-12);
+    for (const double slide : {-0.05, 0.05}) {
+      const curve::ChainPoint p = boundary.at(v, slide);
+      EXPECT_NEAR(norm(p.position), radius, 1e-12);
+      EXPECT_NEAR(distance(p.position, mesh.nodes[vertex.node]), 2 * radius * std::sin(0.025 / radius), 1e-10);
+      EXPECT_NEAR(dot(p.tangent, p.position), 0, 1e-10);
+    }
+  }
+}
+
+TEST(BoundarySlide, AClosedCurveThatIsNotSmoothAtItsStartIsFixedThere) {
+  QuadMesh mesh = refined(hand_made::cut_annulus(3), {0.3, 4, 1e-4});
+  Nurbs& circle = mesh.face.curves[0];
+  const Vec2 leg = circle.poles[1] - circle.poles[0];
+  circle.poles[1] += 1e-3 * norm(leg) * unit(angle_of(leg) + half_pi);
+  mesh.face.joints[0].interior_angle = pi - 1e-3;
+  const BoundarySlide boundary(mesh);
+  int num_at_start = 0;
+  for (const SlidingVertex& v : boundary.vertices())
+    if (distance(mesh.nodes[v.node], circle.poles[0]) < 1e-12) {
+      ++num_at_start;
+      EXPECT_TRUE(v.is_fixed);
+    }
+  EXPECT_EQ(num_at_start, 1);
+}
+
+TEST(BoundarySlide, EdgesGoFromVertexToVertexByArcLength) {
+  const QuadMesh mesh = refined(hand_made::cut_annulus(3), {0.3, 4, 1e-4});
+  const BoundarySlide boundary(mesh);
+  for (int e = 0; e < static_cast<int>(boundary.edges().size()); ++e) {
+    const SlidingEdge& edge = boundary.edges()[e];
+    const std::vector<Vec2> nodes = boundary.edge_nodes(e, -0.02, 0.03);
+    ASSERT_EQ(nodes.size(), 5u);
+    EXPECT_LT(distance(nodes.front(), boundary.at(edge.from, -0.02).position), 1e-12);
+    EXPECT_LT(distance(nodes.back(), boundary.at(edge.to, 0.03).position), 1e-12);
+    EXPECT_NEAR(distance(nodes[1], nodes[2]), distance(nodes[2], nodes[3]), 1e-10);
+    EXPECT_GT(boundary.edge_error(e, -0.02, 0.03), boundary.edge_error(e, 0, 0)) << "longer is farther away";
+    EXPECT_LT(boundary.edge_error(e, 0, 0), 1e-4 * mesh.face.diameter);
+  }
+}
+
+TEST(BoundarySlide, EdgesThatPassAJointKeepTheirEnds) {
+  // Coarse and lax: the long sides of the bend get edges that pass its joints.
+  const QuadMesh mesh = refined(hand_made::elbow(), {1.3, 4, 0.1});
+  const BoundarySlide boundary(mesh);
+  int num_passing = 0;
+  for (const SlidingEdge& edge : boundary.edges())
+    for (const Joint& joint : mesh.face.joints) {
+      const SlidingVertex &from = boundary.vertices()[edge.from], &to = boundary.vertices()[edge.to];
+      const Vec2 a = mesh.nodes[from.node], b = mesh.nodes[to.node];
+      const bool is_between = std::min(distance(a, joint.position), distance(b, joint.position)) > 1e-6 &&
+                              distance(a, joint.position) + distance(joint.position, b) < 1.1 * distance(a, b);
+      if (!is_between) continue;
+      ++num_passing;
+      EXPECT_TRUE(from.is_fixed && to.is_fixed);
+    }
+  EXPECT_GT(num_passing, 0) << "else this shows nothing";
+}
+
+/// The vertex of a mesh that is nearest to a position.
+int vertex_near(const QuadMesh& mesh, const NodeFollow& follow, Vec2 x) {
+  int nearest = 0;
+  double least = 1e300;
+  const int width = mesh.order + 1;
+  const std::array<int, 4> corner{0, mesh.order, width * width - 1, width * mesh.order};
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int c = 0; c < 4; ++c) {
+      const double d = distance(mesh.nodes[mesh.elem_nodes[elem * width * width + corner[c]]], x);
+      if (d < least) least = d, nearest = follow.elem_vertices()[elem][c];
+    }
+  return nearest;
+}
+
+TEST(NodeFollow, VerticesAreTheCornersOfElements) {
+  const QuadMesh mesh = refined(hand_made::unit_square(), {0.25, 3, 5e-7});
+  const BoundarySlide boundary(mesh);
+  const NodeFollow follow(mesh, boundary);
+  EXPECT_EQ(follow.num_vertices(), 25);
+  int num_on_boundary = 0;
+  for (int v = 0; v < follow.num_vertices(); ++v) {
+    if (follow.on_boundary(v) < 0) continue;
+    ++num_on_boundary;
+    EXPECT_EQ(follow.vertex_of(follow.on_boundary(v)), v);
+  }
+  EXPECT_EQ(num_on_boundary, 16);
+}
+
+TEST(NodeFollow, NodesOfElementsThatDoNotMoveStayBitForBit) {
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.3, 4, 1e-4});
+  const BoundarySlide boundary(mesh);
+  const NodeFollow follow(mesh, boundary);
+  EXPECT_EQ(follow.nodes(VertexMoves(follow.num_vertices())), mesh.nodes);
+  VertexMoves moves(follow.num_vertices());
+  const int moved = vertex_near(mesh, follow, 1.5 * unit(0.8));
+  ASSERT_LT(follow.on_boundary(moved), 0);
+  moves[moved] = {0.01, -0.02};
+  const std::vector<Vec2> nodes = follow.nodes(moves);
+  std::vector<bool> may_move(nodes.size(), false);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (const int v : follow.elem_vertices()[elem])
+      for (int k = 0; v == moved && k < mesh.nodes_per_elem(); ++k)
+        may_move[mesh.elem_nodes[elem * mesh.nodes_per_elem() + k]] = true;
+  int num_moved = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    num_moved += nodes[i] != mesh.nodes[i];
+    if (!may_move[i]) {
+      EXPECT_EQ(nodes[i], mesh.nodes[i]) << i;
+    }
+  }
+  EXPECT_GT(num_moved, 9);
+}
+
+TEST(NodeFollow, AnAffineMoveOfAllInnerVerticesMovesTheirElementsAffinely) {
+  const QuadMesh mesh = refined(hand_made::unit_square(), {0.2, 5, 5e-7});
+  const BoundarySlide boundary(mesh);
+  const NodeFollow follow(mesh, boundary);
+  VertexMoves moves(follow.num_vertices());
+  const Vec2 shift{0.03, 0.01};
+  for (int v = 0; v < follow.num_vertices(); ++v)
+    if (follow.on_boundary(v) < 0) moves[v] = shift;
+  const std::vector<Vec2> nodes = follow.nodes(moves);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vec2 x = mesh.nodes[i];
+    const bool is_inside = std::min({x.x, x.y, 1 - x.x, 1 - x.y}) >= 0.2 - 1e-12;
+    if (is_inside) {
+      EXPECT_LT(distance(nodes[i], x + shift), 1e-14);
+    }
+  }
+}
+
+TEST(NodeFollow, VerticesOnTheBoundarySlideAlongItWithTheNodesBetweenThem) {
+  const QuadMesh mesh = refined(hand_made::cut_annulus(3), {0.3, 4, 1e-4});
+  const BoundarySlide boundary(mesh);
+  const NodeFollow follow(mesh, boundary);
+  VertexMoves moves(follow.num_vertices());
+  for (int v = 0; v < follow.num_vertices(); ++v)
+    if (const int b = follow.on_boundary(v); b >= 0 && boundary.vertices()[b].loop == 0) moves[v] = {0.05, 0};
+  const std::vector<Vec2> nodes = follow.nodes(moves);
+  int num_moved = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (std::abs(norm(mesh.nodes[i]) - 1) < 1e-9) {
+      EXPECT_NEAR(norm(nodes[i]), 1, 1e-12) << "on the circle";
+      EXPECT_NEAR(distance(nodes[i], mesh.nodes[i]), 2 * std::sin(0.025), 1e-9);
+      ++num_moved;
+    }
+  EXPECT_GT(num_moved, 20);
+}
 
 /// The unit square in 4 x 4 elements: 25 vertices, 9 of them inside.
 QuadMesh square_mesh_of(int order) {

@@ -14,6 +14,139 @@
 namespace quadrille::refine {
 namespace {
 
+RelaxState state_of(const RelaxProblem& problem, VertexMoves moves) {
+  RelaxState state{problem.start, std::move(moves), 0};
+  state.mesh.nodes = problem.follow.nodes(state.moves);
+  state.energy = problem.total_energy(state.mesh.nodes);
+  measure_elements(state.mesh);
+  return state;
+}
+
+/// Moves of one vertex, by `move`, and of none.
+struct OneMove {
+  VertexMoves none, one;
+  int vertex = -1;
+
+  OneMove(const RelaxProblem& problem, bool on_boundary, Vec2 move)
+      : none(problem.num_vertices()), one(problem.num_vertices()) {
+    for (int v = 0; v < problem.num_vertices() && vertex < 0; ++v)
+      if (!problem.is_fixed[v] && (problem.follow.on_boundary(v) >= 0) == on_boundary) vertex = v;
+    one[vertex] = move;
+  }
+};
+
+TEST(RelaxLimits, MovesThatImproveTheWorstElementStay) {
+  // One vertex of a regular mesh was moved away: moving it back breaks no limit.
+  const QuadMesh mesh = refined(hand_made::unit_square(), {0.25, 2, 5e-7});
+  const RelaxProblem problem(mesh, {});
+  const OneMove move(problem, false, {0.03, 0.02});
+  const RelaxState state = state_of(problem, move.one);
+  RelaxState trial = state_of(problem, move.none);
+  EXPECT_FALSE(reset_forbidden_moves(problem, state, 1, trial));
+  EXPECT_EQ(trial.moves, move.none);
+}
+
+TEST(RelaxLimits, MovesThatMakeAnElementWorseThanTheWorstAreReset) {
+  const QuadMesh mesh = refined(hand_made::unit_square(), {0.25, 2, 5e-7});
+  const RelaxProblem problem(mesh, {});
+  const OneMove move(problem, false, {0.03, 0.02});
+  const RelaxState state = state_of(problem, move.none);
+  RelaxState trial = state_of(problem, move.one);
+  EXPECT_TRUE(reset_forbidden_moves(problem, state, 1, trial));
+  EXPECT_EQ(trial.moves, move.none);
+}
+
+TEST(RelaxLimits, MeasuresOfMovedElementsAreNewAndOthersAreKept) {
+  const QuadMesh mesh = refined(hand_made::unit_square(), {0.25, 2, 5e-7});
+  const RelaxProblem problem(mesh, {});
+  const OneMove move(problem, false, {0.03, 0.02});
+  RelaxState state = state_of(problem, move.none), trial = state_of(problem, move.one);
+  const std::vector<double> measured = trial.mesh.elem_scaled_jacobian;
+  std::fill(trial.mesh.elem_scaled_jacobian.begin(), trial.mesh.elem_scaled_jacobian.end(), -7);
+  reset_forbidden_moves(problem, state, 1, trial);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    EXPECT_NEAR(trial.mesh.elem_scaled_jacobian[elem], measured[elem], 1e-12) << elem;
+}
+
+TEST(RelaxLimits, MovesThatTakeTheBoundaryOutOfItsToleranceAreReset) {
+  // On a ring all elements are alike under a turn: only the boundary's tolerance can stand against the move of a ring.
+  const QuadMesh mesh = refined(hand_made::cut_annulus(3), {0.3, 2, 1e-2});
+  const RelaxProblem problem(mesh, {});
+  VertexMoves turned(problem.num_vertices());
+  for (int v = 0; v < problem.num_vertices(); ++v) {
+    const int b = problem.follow.on_boundary(v);
+    if (b >= 0) turned[v] = {problem.boundary.vertices()[b].loop == 0 ? 1e-3 : 0.0, 0};
+  }
+  const RelaxState state = state_of(problem, VertexMoves(problem.num_vertices()));
+  double error = 0;
+  for (int e = 0; e < static_cast<int>(problem.boundary.edges().size()); ++e)
+    error = std::max(error, problem.boundary.edge_error(e, 0, 0));
+  RelaxState tight = state_of(problem, turned);
+  EXPECT_TRUE(reset_forbidden_moves(problem, state, error / 2, tight));
+  EXPECT_EQ(tight.moves, state.moves);
+}
+
+/// The unit square with skewed elements inside.
+QuadMesh skew_square() {
+  QuadMesh mesh = refined(hand_made::unit_square(), {0.25, 2, 5e-7});
+  for (Vec2& x : mesh.nodes) x += 0.2 * x.x * (1 - x.x) * x.y * (1 - x.y) * Vec2{4 * x.y, 3 + x.x};
+  return mesh;
+}
+
+TEST(ConjugateDescent, ASmallStepLowersTheEnergy) {
+  const QuadMesh mesh = skew_square();
+  const RelaxProblem problem(mesh, {});
+  VertexMoves moves(problem.num_vertices());
+  ConjugateDescent descent(problem);
+  double before = problem.total_energy(mesh.nodes);
+  for (int step = 0; step < 3; ++step) {
+    const VertexMoves direction = descent.next(problem.follow.nodes(moves), moves);
+    for (std::size_t v = 0; v < moves.size(); ++v) moves[v] += 0.1 * direction[v];
+    const double after = problem.total_energy(problem.follow.nodes(moves));
+    EXPECT_LT(after, before) << step;
+    before = after;
+  }
+}
+
+TEST(ConjugateDescent, FixedVerticesAndFrozenElementsStay) {
+  const QuadMesh mesh = skew_square();
+  std::vector<bool> frozen(mesh.num_elems(), false);
+  frozen[5] = true;
+  const RelaxProblem problem(mesh, frozen);
+  const VertexMoves direction = ConjugateDescent(problem).next(mesh.nodes, VertexMoves(problem.num_vertices()));
+  int num_fixed = 0;
+  for (int v = 0; v < problem.num_vertices(); ++v)
+    if (problem.is_fixed[v]) {
+      EXPECT_EQ(direction[v], Vec2{});
+      ++num_fixed;
+    }
+  EXPECT_EQ(num_fixed, 8) << "the corners of the square and of the frozen element";
+}
+
+TEST(ConjugateDescent, NoVertexMovesByMoreThanAQuarterOfTheShortestEdge) {
+  QuadMesh mesh = skew_square();
+  const RelaxProblem problem(mesh, {});
+  double shortest = 1e300;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const int* n = &mesh.elem_nodes[elem * 9];
+    for (const auto& [a, b] : {std::pair{0, 2}, {2, 8}, {8, 6}, {6, 0}})
+      shortest = std::min(shortest, distance(mesh.nodes[n[a]], mesh.nodes[n[b]]));
+  }
+  ASSERT_LT(shortest, 0.25);
+  for (const Vec2 move : ConjugateDescent(problem).next(mesh.nodes, VertexMoves(problem.num_vertices())))
+    EXPECT_LE(norm(move), 0.25 * 0.4);
+}
+
+TEST(ConjugateDescent, VerticesOnTheBoundaryMoveAlongIt) {
+  const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.4, 2, 1e-2});
+  const RelaxProblem problem(mesh, {});
+  const VertexMoves direction = ConjugateDescent(problem).next(mesh.nodes, VertexMoves(problem.num_vertices()));
+  for (int v = 0; v < problem.num_vertices(); ++v)
+    if (problem.follow.on_boundary(v) >= 0) {
+      EXPECT_EQ(direction[v].y, 0);
+    }
+}
+
 /// The unit square, inner nodes moved by `move`.
 QuadMesh moved_square(int order, const std::function<Vec2(Vec2)>& move) {
   QuadMesh mesh = refined(hand_made::unit_square(), {0.25, order, 5e-7});

@@ -3,12 +3,39 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <utility>
 
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
 
 namespace quadrille::sizing {
 namespace {
+
+TEST(ArcParameter, IsTheIdentityByDefault) {
+  const ArcParameter p;
+  EXPECT_TRUE(p.is_identity());
+  for (const double u : {0.0, 0.3, 1.0}) {
+    EXPECT_EQ(p.fraction(u), u);
+    EXPECT_EQ(p.parameter(u), u);
+  }
+}
+
+TEST(ArcParameter, PassesThroughItsSamplesAndRises) {
+  const ArcParameter p({0, 0.05, 0.1, 0.7, 0.75, 1});
+  EXPECT_NEAR(p.fraction(0.4), 0.1, 1e-15);
+  EXPECT_NEAR(p.fraction(0.6), 0.7, 1e-15);
+  for (int k = 0; k < 1000; ++k) EXPECT_LT(p.fraction(k / 1000.0), p.fraction((k + 1) / 1000.0));
+}
+
+TEST(ArcParameter, InverseIsTheInverse) {
+  const ArcParameter p({0, 0.2, 0.3, 0.8, 1});
+  for (const double u : {0.0, 0.1, 0.25, 0.6, 0.99, 1.0}) EXPECT_NEAR(p.parameter(p.fraction(u)), u, 1e-14);
+}
+
+TEST(ArcParameter, MirroredSamplesGiveTheMirroredMap) {
+  const ArcParameter p({0, 0.2, 0.3, 0.8, 1}), q({0, 0.2, 0.7, 0.8, 1});
+  for (const double u : {0.1, 0.4, 0.77}) EXPECT_NEAR(p.fraction(u), 1 - q.fraction(1 - u), 1e-15);
+}
 
 BlockLayout layout_of(const SeparatrixGraph& graph) {
   Report report;
@@ -72,6 +99,30 @@ TEST(MeasuredLayout, CopiesShareTheCurvesAndOutliveTheOriginal) {
   EXPECT_EQ(&copy.curves(), curves);
   EXPECT_NEAR(norm(copy.chain(1).at(0.5).position), 2, 1e-12);
 }
+
+/// The joint between a line of length 1 and one of length 3, whose curves have these names; the curves of `unnamed` got
+/// theirs from their numbers.
+std::vector<double> joints(const std::string& first, const std::string& second, std::vector<int> unnamed = {}) {
+  CadFace face = hand_made::face(
+      {{curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, {4, 0}), curve::segment({4, 0}, {0, 0})}}, 4);
+  face.curve_names = {first, second, "rest"};
+  face.unnamed_curves = std::move(unnamed);
+  const std::vector<Nurbs> no_splines;
+  const curve::CurveTable table(face, no_splines);
+  return name_joints(curve::Chain(table, {{0, 0, 1}, {1, 0, 3}}), face);
+}
+
+TEST(NameJoints, LieWhereAGivenNameEnds) {
+  for (const std::vector<double>& found : {joints("wall", "inlet"), joints("curve_0", "inlet", {0}),
+                                           joints("wall", "curve_1", {1}), joints("curve_0", "curve_1", {1})}) {
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0], 0.25, 1e-12);
+  }
+}
+
+TEST(NameJoints, OneNameOnBothSidesIsNone) { EXPECT_TRUE(joints("wall", "wall").empty()); }
+
+TEST(NameJoints, NamesThatNobodyGaveAreNone) { EXPECT_TRUE(joints("curve_0", "curve_1_", {0, 1}).empty()); }
 
 }  // namespace
 }  // namespace quadrille::sizing
