@@ -1,10 +1,9 @@
-#include "page/sheet.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "../support/texts.hpp"
+#include "page/sheet.hpp"
 
 namespace quadrille::page {
 namespace {
