@@ -45,7 +45,7 @@ names() { jq -c .names fit.json; }
   for edge in closed blunt; do
     for form in selig lednicer; do
       naca0012 $edge 30 $form >$form.dat
-      run -0 --separate-stderr "$points2step" $form.dat -o $form.step
+      run -0 --separate-stderr "$points2step" -q $form.dat -o $form.step
       assert_equal "$output$stderr" ""
     done
     cmp selig.step lednicer.step
@@ -153,7 +153,8 @@ names() { jq -c .names fit.json; }
 @test "--chord scales, --unit says what 1 is, -v tells what was found" {
   naca0012 blunt 20 selig >a.dat
   run -0 "$points2step" -v a.dat --chord 0.5 --unit in -o a.step
-  assert_output "points2step: selig: 41 points, chord 0.5 in, 1 loop, 3 edges, 2 of them splines"
+  assert_line --index 0 "points2step: an aerofoil from the trailing edge around the nose and back, 41 points"
+  assert_line "points2step: selig: 41 points, chord 0.5 in, 1 loop, 3 edges, 2 of them splines"
   cad2tri a.step -o a.tri.h5 --report a.json
   jq -e '.face.length_unit == "inch" and (.face.diameter - 0.5 | fabs < 1e-4)' a.json
   for unit in m:metre mm:millimetre cm:centimetre um:micrometre ft:foot; do
@@ -189,7 +190,8 @@ names() { jq -c .names fit.json; }
   printf '0 0\n1 inf\n1 1\n' | refused "line 2: '1 inf' is not finite"
   printf '0 0\n1 0\n1 1 3\n' | refused "line 3: expected x and y, found '1 1 3'"
   printf '0 0\n1 0\n1 one\n' | refused "line 3: expected x and y, found '1 one'"
-  printf '0 0\n1 0\n1 0\n1 1\n' | refused 'line 3: repeats the point of line 2'
+  printf '0 0\n1 0\n1 0\n0 0\n' | refused 'line 1: a loop needs three different points, this one has 2'
+  printf '0 0 0\n1 0 0\n1 1 3\n' | refused "line 3: expected x and y, found '1 1 3': its third number is not 0"
   printf '0 0\n2 0\n1 0\n1 1\n' | refused 'line 2: the loop turns back on itself'
   printf '0 0\n1 0\n2 0\n' | refused 'line 3: the loop turns back on itself'
   printf '0 0\n2 0\n0 2\n2 2\n' | refused 'line 4: the loop crosses or touches itself: the segment from here meets the segment from line 2'
@@ -199,9 +201,10 @@ names() { jq -c .names fit.json; }
   printf '0 0\n4 0\n4 4\n0 4\n\n5 1\n6 1\n6 2\n' | refused 'line 6: this loop is not inside the largest one'
   { printf '0 0\n9 0\n9 9\n0 9\n\n'; circle 8 3 4 4; echo; circle 8 1 4 4; } |
     refused 'line 15: this loop lies inside the hole that begins in line 6'
-  printf 'title\n3. 3.\n0 0\n1 1\n2 0\n0 0\n1 -1\n' | refused 'line 2: expected 3 + 3 points, found 5'
+  printf 'title\n3. 3.\n0 0\n1 1\n2 0\n0 0\n1 -1\n' | refused 'line 2: expected 3 + 3 points, found 5' --format lednicer
   printf 'title\n0 0\n1 1\n2 0\n' | refused 'line 2: expected the numbers of points of the upper and lower side' --format lednicer
-  printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose is the first or the last point: one side has no points'
+  printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose is the first or the last point: one side has no points' \
+    --format selig
   run -3 "$points2step" nowhere.txt
   assert_output "points2step: nowhere.txt: cannot be read: No such file or directory"
   assert_nothing_left points
@@ -211,7 +214,8 @@ names() { jq -c .names fit.json; }
   circle 8 >points
   for arguments in "--frob" "points points" "points -o" "points --format xml" "points --unit mile" "points --chord 0" \
     "points --chord x" "points --corner-angle 181" "points --farfield circle" "points --farfield ball:3" \
-    "points --farfield circle:1" "points --farfield box:nan" "points --name a,b"; do
+    "points --farfield circle:1" "points --farfield box:nan" "points --name a,b" "points --points-format xml" \
+    "points --points-tolerance -1" "points --simplify-outline x"; do
     # shellcheck disable=SC2086
     run -2 --separate-stderr "$points2step" $arguments
     assert_regex "${stderr_lines[0]}" '^points2step: '
@@ -231,7 +235,7 @@ names() { jq -c .names fit.json; }
   assert_output "points2step: nowhere/a.step: cannot be written: there is no folder nowhere"
   if [ -c /dev/full ]; then
     run -4 "$points2step" points -o /dev/full
-    run -4 bash -c '"$1" points >/dev/full' - "$points2step"
+    run -4 bash -c '"$1" -q points >/dev/full' - "$points2step"
     assert_output "points2step: standard output: cannot be written: No space left on device"
   fi
   mkfifo pipe

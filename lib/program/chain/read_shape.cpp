@@ -35,6 +35,13 @@ std::string report_of_points(const std::string& messages) {
   return warnings.empty() ? std::string() : fmt::format("{{\"tool\": \"points2step\", \"warnings\": [{}]}}", warnings);
 }
 
+/// Prints what it tells about the points.
+void print_notes(const std::string& messages) {
+  std::istringstream lines(messages);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("points2step: warning ")) fmt::print(stderr, "{}\n", line);
+}
+
 /// Messages of points2step about its options are about those of quadmesh.
 std::string with_own_name(std::string text) {
   for (const auto& [from, to] : {std::pair{"points2step: ", "quadmesh: "}, {"points2step --help", "quadmesh --help"}})
@@ -71,6 +78,7 @@ std::string cad_file(ChainState& chain) {
     chain.runner.reports().push_back({"points2step", std::move(report)});
     print_warnings(chain, 0);
   }
+  if (!chain.options.is_quiet) print_notes(messages);
   return made;
 }
 
