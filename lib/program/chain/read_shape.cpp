@@ -71,8 +71,8 @@ std::string cad_file(ChainState& chain) {
   if (code != 0) {
     fmt::print(stderr, "{}", with_own_name(messages));
     const std::string line = messages.substr(0, messages.find('\n'));
-    throw ChainFailure{static_cast<ExitCode>(code), "points2step",
-                       line.starts_with("points2step: ") ? line.substr(13) : line};
+    const bool is_own = line.starts_with("points2step: ") || line.starts_with("quadmesh: ");
+    throw ChainFailure{static_cast<ExitCode>(code), "points2step", is_own ? line.substr(line.find(": ") + 2) : line};
   }
   if (std::string report = report_of_points(messages); !report.empty()) {
     chain.runner.reports().push_back({"points2step", std::move(report)});

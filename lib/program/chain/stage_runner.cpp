@@ -168,7 +168,7 @@ std::pair<int, std::string> StageRunner::run_helper(const std::vector<std::strin
   budget_.add_helper({end.cpu_seconds, end.wall_seconds});
   if (!end.stopped) return {end.code, errors};
   const std::string name = std::filesystem::path(words.front()).filename().string();
-  return {static_cast<int>(ExitCode::no_result), fmt::format("{}: it was {}\n", name, *end.stopped)};
+  return {static_cast<int>(ExitCode::no_result), fmt::format("quadmesh: {} was {}\n", name, *end.stopped)};
 }
 
 }  // namespace quadrille::chain

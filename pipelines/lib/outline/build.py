@@ -125,6 +125,8 @@ def simplify_form(form, tolerance):
     fixed = [{0, shape.nose or 0, shape.base or 0} for shape in form.aerofoils] or [()] * len(form.loops)
     kept = simplify.simplified(form.loops, tolerance, SAME * size, fixed)
     total = sum(len(loop.points) for loop in form.loops)
+    for loop, positions in zip(form.loops, kept):
+        loop.walls = {positions.index(a % len(loop.points)): a for a, _ in simplify.walls(loop.points, tolerance)}
     distance = max(simplify.distance_left_out(loop.points, positions) for loop, positions in zip(form.loops, kept))
     for shape, positions in zip(form.aerofoils, kept):
         shape.base = None if shape.base is None else positions.index(shape.base)
@@ -151,6 +153,9 @@ def mark_corners(form, settings):
 
 def mark_corners_of_noise(loop, settings, is_aerofoil):
     """Of the loop without points that are noise: no farther from the others than the tolerance."""
+    if settings.simplify == 0:
+        count = len(loop.points)
+        loop.walls = {i % count: a for a, b in simplify.walls(loop.points, settings.tolerance) for i in range(a, b)}
     kept = simplify.kept_points(loop.points, settings.tolerance, loop.corners | loop.joints)
     plain = simplify.part_of(loop, kept)
     if settings.corner_angle is not None:

@@ -44,15 +44,19 @@ class Spline:
         return self.poles[-1]
 
 
-def smooth_edges(points, names, joints, is_periodic):
-    """Along the points between two corners: a line if there are two, else parts of one cubic that end at `joints`."""
+def smooth_edges(points, names, joints, is_periodic, ends=(None, None)):
+    """Along the points between two corners: a line if there are two, else parts of one cubic that end at `joints`. `ends`:
+    its derivatives there, unit vectors, or None where they are free."""
     if len(points) == 2:
         return [Line(*points, names[0])]
     t = splines.chord_lengths(points)
-    derivatives = (splines.periodic_derivatives if is_periodic else splines.open_derivatives)(t, points)
-    ends = [0] + sorted(joints) + [len(points) - 1]
-    parts = [slice(a, b + 1) for a, b in zip(ends, ends[1:])]
+    derivatives = near_spline.derivatives(t, points, is_periodic, ends)
+    parts = [slice(a, b + 1) for a, b in stretches([0] + sorted(joints) + [len(points) - 1])]
     return [Spline(splines.poles(t[part], points[part], derivatives[part]), t[part], names[part.start]) for part in parts]
+
+
+def stretches(positions):
+    return list(zip(positions, positions[1:]))
 
 
 @dataclass(frozen=True)
@@ -64,7 +68,7 @@ class Nearness:
     fit: Fit = field(default_factory=Fit)  # to which the distances are added
 
 
-def near_edges(points, names, joints, is_periodic, nearness):
+def near_edges(points, names, joints, is_periodic, nearness, ends=(None, None)):
     """The same, which stay near the polygon. `names`: of the segments."""
     if len(points) == 2:
         return [Line(*points, names[0])]
@@ -75,10 +79,31 @@ def near_edges(points, names, joints, is_periodic, nearness):
         limits = [nearness.smoothing - moves] * (len(points) - 1)
     else:
         limits = [min(limit, nearness.limit) for limit in near_spline.arc_limits(points, is_periodic)]
-    fine, positions = near_spline.with_middles(points, limits, is_periodic)
-    nearness.fit.add_curve(fine, is_periodic)
-    fine_names = [name for name, a, b in zip(names, positions, positions[1:]) for _ in range(b - a)]
-    return smooth_edges(fine, fine_names, [positions[k] for k in joints], is_periodic)
+    fine, positions = near_spline.with_middles(points, limits, is_periodic, ends)
+    nearness.fit.add_curve(fine, is_periodic, ends)
+    fine_names = [name for name, (a, b) in zip(names, stretches(positions)) for _ in range(b - a)]
+    return smooth_edges(fine, fine_names, [positions[k] for k in joints], is_periodic, ends)
+
+
+def run_edges(points, names, joints, walls, nearness):
+    """Edges from corner to corner: lines along walls (as those of a Loop), and curves between, which begin and end in the
+    directions of the walls beside them."""
+    last = len(points) - 1
+    breaks = [0] + [k for k in range(1, last) if walls.get(k) != walls.get(k - 1)] + [last]
+
+    def direction(k):
+        """Of the wall that the segment k is on, if it is on one."""
+        step = points[k % last + 1] - points[k % last]
+        return step / abs(step) if k in walls else None
+
+    edges = []
+    for a, b in stretches(breaks):
+        if a in walls:
+            edges.append(Line(points[a], points[b], names[a]))
+        else:
+            inner = [k - a for k in joints if a < k < b]
+            edges += near_edges(points[a : b + 1], names[a:b], inner, False, nearness, (direction(a - 1), direction(b)))
+    return edges
 
 
 def straight_edges(loop):
@@ -91,12 +116,19 @@ def loop_edges(loop, nearness=None):
     count, nearness = len(loop.points), nearness or Nearness()
     if polygons.box_size(loop.points) <= SMALL * nearness.smoothing:
         nearness = replace(nearness, smoothing=0.0)
-    corners, edges = sorted(loop.corners) or [0], []
-    for a, b in zip(corners, corners[1:] + [corners[0] + count]):
+    begins = [i for i in loop.walls if loop.walls.get((i - 1) % count) != loop.walls[i]]
+    ends = sorted(loop.corners) or sorted(begins)[:1] or [0]
+    edges = []
+    for a, b in stretches(ends + [ends[0] + count]):
         run = [i % count for i in range(a, b + 1)]
         joints = [k for k, i in enumerate(run) if i in loop.joints and 0 < k < len(run) - 1]
         points, names = [loop.points[i] for i in run], [loop.names[i] for i in run]
-        edges += near_edges(points, names, joints, not loop.corners, nearness)
+        # Without corners, the wall at the beginning is also the one behind the end.
+        walls = {k: loop.walls[i] for k, i in enumerate(run[:-1] if loop.corners else run) if i in loop.walls}
+        if walls or loop.corners:
+            edges += run_edges(points, names, joints, walls, nearness)
+        else:
+            edges += near_edges(points, names, joints, True, nearness)
     return edges
 
 

@@ -16,10 +16,10 @@ class Fit:
             if abs(other - z) > self.moved[0]:
                 self.moved = abs(other - z), z
 
-    def add_curve(self, points, is_periodic):
+    def add_curve(self, points, is_periodic, ends=(None, None)):
         """Of the spline through the points from their polygon."""
         spacings = near_spline.spacings(points, is_periodic)
-        for poles, spacing in zip(near_spline.spline_parts(points, is_periodic), spacings):
+        for poles, spacing in zip(near_spline.spline_parts(points, is_periodic, ends), spacings):
             distance = near_spline.distance_beyond(poles, self.apart[0])
             if distance > self.apart[0]:
                 self.apart = distance, (poles[0] + poles[3]) / 2, spacing

@@ -5,17 +5,19 @@ from outline.box_tree import BoxTree
 
 class Loop:
     """Points of a closed loop; segment i runs from point i to the next. `lines`: the line of each point in its file.
-    `names`: of the segments. `corners`: points where a smooth curve ends. `joints`: points where only an edge ends."""
+    `names`: of the segments. `corners`: points where a smooth curve ends. `joints`: points where only an edge ends.
+    `walls`: segments on straight lines, into which curves beside them turn smoothly; each with the number of its line."""
 
     def __init__(self, points, lines):
         self.points, self.lines = points, lines
         self.names = [""] * len(points)
-        self.corners, self.joints = set(), set()
+        self.corners, self.joints, self.walls = set(), set(), {}
 
     def reverse(self):
         last = len(self.points) - 1
         self.points, self.lines = self.points[::-1], self.lines[::-1]
         self.names = [self.names[(last - 1 - i) % len(self.names)] for i in range(len(self.names))]
+        self.walls = {(last - 1 - i) % len(self.points): wall for i, wall in self.walls.items()}
         self.corners, self.joints = ({last - i for i in marked} for marked in (self.corners, self.joints))
 
     def remove_points(self, removed):

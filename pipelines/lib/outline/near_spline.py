@@ -31,12 +31,12 @@ def arc_limits(points, is_periodic):
             for spacing, before, behind in zip(spacings(points, is_periodic), turns, turns[1:])]
 
 
-def with_middles(points, limits, is_periodic):
+def with_middles(points, limits, is_periodic, ends=(None, None)):
     """(points, positions of the given ones among them): the points, and middles of segments from which their spline is
-    farther than the limit of the segment, again and again."""
+    farther than the limit of the segment, again and again. `ends`: as those of splines.open_derivatives."""
     positions = list(range(len(points)))
     for _ in range(MOST_DIVISIONS if len(points) > 2 else 0):
-        is_far = far_segments(points, limits, is_periodic)
+        is_far = far_segments(points, limits, is_periodic, ends)
         if not any(is_far):
             break
         moved, count = [], 0
@@ -50,18 +50,22 @@ def with_middles(points, limits, is_periodic):
     return points, positions
 
 
-def spline_parts(points, is_periodic):
+def derivatives(t, points, is_periodic, ends=(None, None)):
+    return splines.periodic_derivatives(t, points) if is_periodic else splines.open_derivatives(t, points, *ends)
+
+
+def spline_parts(points, is_periodic, ends=(None, None)):
     """The four Bezier poles of each cubic of the spline through the points."""
     t = splines.chord_lengths(points)
-    derivatives = (splines.periodic_derivatives if is_periodic else splines.open_derivatives)(t, points)
+    slopes = derivatives(t, points, is_periodic, ends)
     for i, (a, b) in enumerate(zip(points, points[1:])):
         third = (t[i + 1] - t[i]) / 3
-        yield [a, a + third * derivatives[i], b - third * derivatives[i + 1], b]
+        yield [a, a + third * slopes[i], b - third * slopes[i + 1], b]
 
 
-def far_segments(points, limits, is_periodic):
+def far_segments(points, limits, is_periodic, ends=(None, None)):
     """Which segments the spline through the points leaves by more than their limits."""
-    return [distance_beyond(poles, limit) > limit for poles, limit in zip(spline_parts(points, is_periodic), limits)]
+    return [distance_beyond(poles, limit) > limit for poles, limit in zip(spline_parts(points, is_periodic, ends), limits)]
 
 
 def distance_beyond(poles, limit):

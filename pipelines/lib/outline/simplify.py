@@ -3,7 +3,9 @@ the new polygon (Ramer, Douglas and Peucker)."""
 from outline import loops, polygons
 from outline.loops import Loop
 
-WALL = 10.0  # tolerances: straight parts of this length are kept as they are
+# A straight part is a wall, and kept as it is, if its length is so many tolerances, and so many times that of short
+# segments (a quarter of all is shorter): not between any two points of a smooth line.
+WALL, WALL_SEGMENTS = 10.0, 5.0
 STRAIGHT = 0.05  # tolerances by which the points of a straight part may be beside it
 SMALL = 4.0  # tolerances: loops that are no larger are kept as they are
 
@@ -13,7 +15,7 @@ def kept_points(points, tolerance, fixed=()):
     everything = list(range(len(points)))
     if len(points) < 4 or polygons.box_size(points) <= SMALL * tolerance:
         return everything
-    fixed = wall_ends(points, tolerance).union(fixed)
+    fixed = {end % len(points) for wall in walls(points, tolerance) for end in wall}.union(fixed)
     if len(fixed) < 2:
         start = min(fixed, default=max(range(len(points)), key=lambda i: abs(points[i] - points[0])))
         fixed = {start, max(range(len(points)), key=lambda i: abs(points[i] - points[start]))}
@@ -25,17 +27,18 @@ def kept_points(points, tolerance, fixed=()):
     return sorted(kept) if len(kept) > 2 else everything
 
 
-def wall_ends(points, tolerance):
-    """The ends of straight parts that are long."""
-    count, ends = len(points), set()
-    start = 0
+def walls(points, tolerance):
+    """(first, last point) of the straight parts of a closed polygon that are long; the last may be beyond its count."""
+    count, found, start = len(points), [], 0
     closed = points + points
+    short = sorted(abs(b - a) for a, b in zip(closed[:count], closed[1:]))[count // 4]
+    least = max(WALL * tolerance, WALL_SEGMENTS * short)
     while start < count:
         end = end_of_straight(closed, start, STRAIGHT * tolerance, start + count)
-        if abs(closed[end] - closed[start]) >= WALL * tolerance:
-            ends |= {start % count, end % count}
+        if abs(closed[end] - closed[start]) >= least:
+            found.append((start, end))
         start = end
-    return ends
+    return found
 
 
 def end_of_straight(points, start, tolerance, last):
