@@ -16,6 +16,7 @@ BASE_CORNER, TAIL_TURN = 30.0, 100.0  # degrees: turns at a corner of the base, 
 SIDE_CORNER, NOSE_CORNER = 45.0, 60.0  # degrees: sides have no such corner, and a nose no two of them
 NOSE_PART = 0.05  # chords behind the nose, where points turn by more
 BACKWARDS = 0.02  # chords that a side may run back: around a nose whose first point is not the farthest
+START_PART = 0.05  # of that diagonal: the first point is so near to the nose or to the trailing edge
 CROSSING_PART = 0.05  # of that diagonal: from the trailing edge to where its sides may cross by rounding
 CROSSING = 10  # rounding errors by which they may
 LEAST_CROSSING = 5e-4  # of that diagonal, by which they may too
@@ -28,29 +29,30 @@ class Aerofoil:
     nose: int
 
 
-def recognise(loop):
-    """The loop as an aerofoil, which begins at its trailing edge, or None. The loop has no repeated points."""
+def recognise(loop, rounding=0.0):
+    """The loop as an aerofoil, which begins at its trailing edge, or None. The loop has no repeated points; `rounding`: the
+    greatest error of a coordinate."""
     points = loop.points
     if len(points) < LEAST_POINTS:
         return None
-    angles, size = corners.turns(points), polygons.box_size(points)
+    turns = corners.turns(points), corners.turn_errors(points, rounding)
     far = max(range(len(points)), key=lambda i: abs(points[i] - points[0]))
-    found = [shape for shape in (shape_with_tail(points, angles, size, i) for i in (0, far)) if shape]
+    found = [shape for shape in (shape_with_tail(points, turns, i) for i in (0, far)) if shape]
     if not found:
         return None
     # Both ends may be sharp: the air comes from the left.
     first, base, nose = next((shape for shape in found if (points[shape[0]] - points[shape[2]]).real > 0), found[0])
-    if min(abs(points[0] - points[i]) for i in (first, base, nose)) > CROSSING_PART * size:
+    if min(abs(points[0] - points[i]) for i in (first, base, nose)) > START_PART * polygons.box_size(points):
         return None
     count = len(points)
     loop.begin_at(first)
     return Aerofoil(loop, (base - first) % count if base != first else None, (nose - first) % count)
 
 
-def shape_with_tail(points, angles, size, i):
+def shape_with_tail(points, turns, i):
     """(first point, point from which on it is the base, or first again, nose) if there is a trailing edge at the point i
     and the others are those of an aerofoil; else None."""
-    run = tail_run(points, angles, size, i)
+    run = tail_run(points, turns, i)
     if run is None:
         return None
     base, first = run
@@ -66,19 +68,21 @@ def shape_with_tail(points, angles, size, i):
     is_slim = abs(points[base] - points[first]) <= BASE_OF_THICKNESS * thickness * abs(axis) <= (
         BASE_OF_THICKNESS * THICKEST * abs(axis))
     runs_on = never_turns_back(places[: to_nose + 1]) and never_turns_back(places[to_nose:][::-1])
-    turns = [abs(angles[(first + k) % count]) for k in range(to_base + 1)]
-    if not is_slim or not runs_on or has_side_corner(places, turns) or has_flat_nose(places, turns, to_nose, thickness):
+    sharpness = [abs(turns[0][(first + k) % count]) for k in range(to_base + 1)]
+    has_corner = has_side_corner(places, sharpness) or has_flat_nose(places, sharpness, to_nose, thickness)
+    if not is_slim or not runs_on or has_corner:
         return None
     return first, base, nose
 
 
-def tail_run(points, angles, size, i):
+def tail_run(points, turns, i):
     """(last point of one side, first point of the other) of a trailing edge at the point i: twice a sharp one, or both
     corners of a blunt one; else None."""
-    count = len(points)
+    count, (angles, errors) = len(points), turns
     if abs(angles[i]) >= TAIL_TURN:
-        return (i, i) if corners.stands_out(angles, i) else None
-    before, behind = (corner_beside(points, angles, i, step, LONGEST_BASE * size) for step in (-1, 1))
+        return (i, i) if corners.stands_out(angles, errors, i) else None
+    reach = LONGEST_BASE * polygons.box_size(points)
+    before, behind = (corner_beside(points, angles, i, step, reach) for step in (-1, 1))
     ends = [(before, behind)] if abs(angles[i]) < BASE_CORNER else [(before, i), (i, behind)]
     found = [end for end in ends if None not in end and abs(angles[end[0]] + angles[end[1]]) >= TAIL_TURN]
     return min(found, key=lambda end: (end[1] - end[0]) % count, default=None)
@@ -108,7 +112,8 @@ def never_turns_back(side):
 
 
 def has_side_corner(places, turns):
-    return any(turn > SIDE_CORNER and z.real > NOSE_PART for z, turn in list(zip(places, turns))[1:-1])
+    inner = list(zip(places, turns))[1:-1]
+    return any(turn > SIDE_CORNER and z.real > NOSE_PART for z, turn in inner)
 
 
 def has_flat_nose(places, turns, nose, thickness):
@@ -159,7 +164,8 @@ def meetings_at_ends(points, heads, tails, tolerance):
     segments = list(zip(points[:heads], points[1:])) + list(zip(points[:-1 - tails:-1], points[-2::-1]))
     pairs = ((i, k - heads) for i, k in BoxTree(segments).near_pairs(tolerance) if i < heads <= k)
     is_closed = abs(points[0] - points[-1]) <= tolerance  # so that the first segment and the last one meet anyway
-    return [(i, k) for i, k in pairs if i + k >= is_closed and polygons.segments_meet(*segments[i], *segments[heads + k], tolerance)]
+    return [(i, k) for i, k in pairs if i + k >= is_closed
+            and polygons.segments_meet(*segments[i], *segments[heads + k], tolerance)]
 
 
 def depth(points, side):

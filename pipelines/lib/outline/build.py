@@ -8,6 +8,8 @@ from outline.fit import Fit
 from outline.forms import SAME
 
 BODY = "body"  # loops without a name in a far field
+# Many corners with both neighbours at such a part of the largest distance are perhaps noise.
+MANY_CORNERS, NEAR_CORNERS = 20, 0.02
 
 
 @dataclass(frozen=True)
@@ -133,8 +135,8 @@ def simplify_form(form, tolerance):
         shape.nose = None if shape.nose is None else positions.index(shape.nose)
     for loop, positions in zip(form.loops, kept):
         loop.remove_points(set(range(len(loop.points))).difference(positions))
-    form.notes.append(f"{total - sum(map(len, kept))} of {total} points are left out, which are up to {distance:.3g} beside "
-                      "the simplified outline")
+    form.notes.append(f"{total - sum(map(len, kept))} of {total} points are left out, which are up to {distance:.3g} "
+                      "beside the simplified outline")
 
 
 def mark_corners(form, settings):
@@ -149,6 +151,19 @@ def mark_corners(form, settings):
             corners.mark_corners(loop, settings.corner_angle)
         else:
             corners.mark_sharp_corners(loop, rounding, bool(form.aerofoils))
+
+
+def note_on_noise(form, settings):
+    """A sentence if many corners are close together."""
+    size = polygons.largest_distance([z for loop in form.loops for z in loop.points])
+    count = 0
+    for loop in form.loops:
+        ends = loop.points[1:] + loop.points[:1]
+        is_short = [abs(b - a) < NEAR_CORNERS * size for a, b in zip(loop.points, ends)]
+        count += sum(is_short[i] and is_short[i - 1] for i in loop.corners)
+    if count > MANY_CORNERS and not settings.is_straight:
+        form.notes.append(f"{count} corners are closer together than {100 * NEAR_CORNERS:g} % of the size: if they are "
+                          "noise, give --points-tolerance T or --simplify-outline T")
 
 
 def mark_corners_of_noise(loop, settings, is_aerofoil):
@@ -176,6 +191,7 @@ def placed(form, settings):
     if len(form.aerofoils) > 1:
         extent = extent_of_aerofoils(form.aerofoils)
     mark_corners(form, settings)
+    note_on_noise(form, settings)
     return extent or extent_of_points(form.loops)
 
 

@@ -30,16 +30,17 @@ def turn_errors(points, rounding):
     return [math.degrees(2 * rounding * (1 / before + 1 / after)) for before, after in zip(steps[-1:] + steps[:-1], steps)]
 
 
-def stands_out(angles, i, error=0.0):
+def stands_out(angles, errors, i):
     """Whether the turn at a point is far from those beside it: a smooth curve turns there about as it does at the next
-    points, or grows towards a nose as fast as from the second point beside it to the first."""
+    points, or grows towards a nose as fast as from the second point beside it to the first. `errors`: of the turns."""
     count = len(angles)
+    size = lambda k: max(abs(angles[k % count]) - errors[k % count], 0.0)
     expected = 0.0
     for step in (1, -1):
-        first, second = abs(angles[(i + step) % count]), abs(angles[(i + 2 * step) % count])
+        first, second = size(i + step), size(i + 2 * step)
         growth = min(first / second, MOST_GROWTH) if second > 0 else MOST_GROWTH
         expected = max(expected, first * max(growth, 1.0))
-    return abs(angles[i]) > max(TIMES * expected, LEAST_TURN + error)
+    return abs(angles[i]) > max(TIMES * expected, LEAST_TURN + errors[i])
 
 
 def is_of_coarse_arc(angles, i):
@@ -60,7 +61,7 @@ def mark_sharp_corners(loop, rounding, is_aerofoil=False):
     angles, errors = turns(loop.points), turn_errors(loop.points, rounding)
     for i, turn in enumerate(angles):
         is_sharp = not is_aerofoil and abs(turn) > SHARP + 1e-6 and not is_of_coarse_arc(angles, i)
-        if is_sharp or stands_out(angles, i, errors[i]):
+        if is_sharp or stands_out(angles, errors, i):
             loop.corners.add(i)
 
 

@@ -36,8 +36,9 @@ class Fit:
         distance, place, spacing = self.apart
         if distance == 0:
             return None
-        return (f"the curves are up to {distance / self.factor:.3g} away from the polygon ({100 * distance / spacing:.2g} % "
-                f"of the spacing there), near {self.place(place)}")
+        share = 100 * distance / spacing
+        return (f"the curves are up to {distance / self.factor:.3g} away from the polygon ({share:.2g} % of the spacing "
+                f"there), near {self.place(place)}")
 
     def place(self, z):
         return f"({z.real / self.factor:.9g}, {z.imag / self.factor:.9g})"

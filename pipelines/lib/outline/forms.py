@@ -96,14 +96,21 @@ def aerofoil_of(file, loop, rounding, tolerance, notes):
     if len(loop.points) < aerofoils.LEAST_POINTS:
         return None
     first_line = loop.lines[0]
-    loop, overlap = aerofoils.without_crossing(copy_of(loop), rounding)
-    _, repeated = loops.close(file, loop, tolerance)
-    shape = aerofoils.recognise(loop)
+    loop = copy_of(loop)
+    was_closed, repeated = loops.close(file, loop, tolerance)
+    if was_closed:
+        loop = loops.Loop(loop.points + loop.points[:1], loop.lines + loop.lines[:1])
+    whole = len(loop.points)
+    loop, overlap = aerofoils.without_crossing(loop, rounding)
+    is_cut = len(loop.points) < whole
+    loops.close(file, loop, tolerance)
+    shape = aerofoils.recognise(loop, rounding)
     if shape is None:
         return None
     note_repeated(notes, repeated)
-    if overlap > 0:
-        notes.append(f"the sides cross by {overlap:.2g} at the trailing edge, by rounding: both end at their middle")
+    if is_cut:
+        how = f"cross by {overlap:.2g}" if overlap > 0 else "touch"
+        notes.append(f"the sides {how} at the trailing edge, by rounding: both end at their middle")
     if loop.lines[shape.nose] == first_line or first_line not in (loop.lines[0], loop.lines[shape.base or 0]):
         notes.append(f"the points from line {first_line} on start at the nose: they are read from the trailing edge on")
     return shape

@@ -73,4 +73,5 @@ def distance_beyond(poles, limit):
     bound = max(polygons.distance_to_segment(pole, poles[0], poles[3]) for pole in poles[1:3])
     if bound <= limit:
         return bound
-    return max(polygons.distance_to_segment(splines.cubic(poles, k / SAMPLES), poles[0], poles[3]) for k in range(1, SAMPLES))
+    points = (splines.cubic(poles, k / SAMPLES) for k in range(1, SAMPLES))
+    return max(polygons.distance_to_segment(z, poles[0], poles[3]) for z in points)

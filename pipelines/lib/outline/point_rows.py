@@ -6,7 +6,7 @@ from outline.loops import Loop
 from outline.point_files import numbers_in
 
 SEPARATOR = 999.0  # in both columns: the end of an element, in files of several aerofoils
-NEAR_ORIGIN = 99.0  # coordinates of all other points, where such a row is a separator and no point
+NEAR_ORIGIN = 500.0  # coordinates of all other points, where such a row is a separator and no point
 DIGITS = 15  # decimals of numbers that are not rounded
 
 

@@ -95,7 +95,7 @@ def part_of(loop, kept):
 
 
 def farthest_between(points, kept, k):
-    """The point that is farthest from the segment k of the kept ones, among those that it replaces; none if there is none."""
+    """The point that is farthest from the segment k of the kept ones, among those that it replaces, if there are any."""
     a, b = kept[k], kept[(k + 1) % len(kept)]
     between = [i % len(points) for i in range(a + 1, b if b > a else b + len(points))]
     if not between:

@@ -43,7 +43,8 @@ class CornersTest(unittest.TestCase):
         def angles(height, nose):
             xs = [(1 - k / 20) for k in range(21)]
             side = [complex(x, height(x)) for x in xs]
-            return corners.stands_out(corners.turns(side + [z.conjugate() for z in side[-2:0:-1]]), nose)
+            turns = corners.turns(side + [z.conjugate() for z in side[-2:0:-1]])
+            return corners.stands_out(turns, [0.0] * len(turns), nose)
 
         self.assertTrue(angles(lambda x: 0.1 * min(x, 1 - x), 20))
         self.assertTrue(angles(lambda x: 0.2 * x * (1 - x), 20))
