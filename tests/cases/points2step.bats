@@ -45,7 +45,7 @@ names() { jq -c .names fit.json; }
   for edge in closed blunt; do
     for form in selig lednicer; do
       naca0012 $edge 30 $form >$form.dat
-      run -0 --separate-stderr "$points2step" $form.dat -o $form.step
+      run -0 --separate-stderr "$points2step" -q $form.dat -o $form.step
       assert_equal "$output$stderr" ""
     done
     cmp selig.step lednicer.step
@@ -153,7 +153,8 @@ names() { jq -c .names fit.json; }
 @test "--chord scales, --unit says what 1 is, -v tells what was found" {
   naca0012 blunt 20 selig >a.dat
   run -0 "$points2step" -v a.dat --chord 0.5 --unit in -o a.step
-  assert_output "points2step: selig: 41 points, chord 0.5 in, 1 loop, 3 edges, 2 of them splines"
+  assert_line --index 0 "points2step: an aerofoil from the trailing edge around the nose and back, 41 points"
+  assert_line "points2step: selig: 41 points, chord 0.5 in, 1 loop, 3 edges, 2 of them splines"
   cad2tri a.step -o a.tri.h5 --report a.json
   jq -e '.face.length_unit == "inch" and (.face.diameter - 0.5 | fabs < 1e-4)' a.json
   for unit in m:metre mm:millimetre cm:centimetre um:micrometre ft:foot; do
@@ -189,7 +190,8 @@ names() { jq -c .names fit.json; }
   printf '0 0\n1 inf\n1 1\n' | refused "line 2: '1 inf' is not finite"
   printf '0 0\n1 0\n1 1 3\n' | refused "line 3: expected x and y, found '1 1 3'"
   printf '0 0\n1 0\n1 one\n' | refused "line 3: expected x and y, found '1 one'"
-  printf '0 0\n1 0\n1 0\n1 1\n' | refused 'line 3: repeats the point of line 2'
+  printf '0 0\n1 0\n1 0\n0 0\n' | refused 'line 1: a loop needs three different points, this one has 2'
+  printf '0 0 0\n1 0 0\n1 1 3\n' | refused "line 3: expected x and y, found '1 1 3': its third number is not 0"
   printf '0 0\n2 0\n1 0\n1 1\n' | refused 'line 2: the loop turns back on itself'
   printf '0 0\n1 0\n2 0\n' | refused 'line 3: the loop turns back on itself'
   printf '0 0\n2 0\n0 2\n2 2\n' | refused 'line 4: the loop crosses or touches itself: the segment from here meets the segment from line 2'
@@ -199,9 +201,10 @@ names() { jq -c .names fit.json; }
   printf '0 0\n4 0\n4 4\n0 4\n\n5 1\n6 1\n6 2\n' | refused 'line 6: this loop is not inside the largest one'
   { printf '0 0\n9 0\n9 9\n0 9\n\n'; circle 8 3 4 4; echo; circle 8 1 4 4; } |
     refused 'line 15: this loop lies inside the hole that begins in line 6'
-  printf 'title\n3. 3.\n0 0\n1 1\n2 0\n0 0\n1 -1\n' | refused 'line 2: expected 3 + 3 points, found 5'
+  printf 'title\n3. 3.\n0 0\n1 1\n2 0\n0 0\n1 -1\n' | refused 'line 2: expected 3 + 3 points, found 5' --format lednicer
   printf 'title\n0 0\n1 1\n2 0\n' | refused 'line 2: expected the numbers of points of the upper and lower side' --format lednicer
-  printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose is the first or the last point: one side has no points'
+  printf 'title\n1 0\n0.5 0.1\n0 0\n' | refused 'line 2: the nose is the first or the last point: one side has no points' \
+    --format selig
   run -3 "$points2step" nowhere.txt
   assert_output "points2step: nowhere.txt: cannot be read: No such file or directory"
   assert_nothing_left points
@@ -211,7 +214,8 @@ names() { jq -c .names fit.json; }
   circle 8 >points
   for arguments in "--frob" "points points" "points -o" "points --format xml" "points --unit mile" "points --chord 0" \
     "points --chord x" "points --corner-angle 181" "points --farfield circle" "points --farfield ball:3" \
-    "points --farfield circle:1" "points --farfield box:nan" "points --name a,b"; do
+    "points --farfield circle:1" "points --farfield box:nan" "points --name a,b" "points --points-format xml" \
+    "points --points-tolerance -1" "points --simplify-outline x"; do
     # shellcheck disable=SC2086
     run -2 --separate-stderr "$points2step" $arguments
     assert_regex "${stderr_lines[0]}" '^points2step: '
@@ -231,7 +235,7 @@ names() { jq -c .names fit.json; }
   assert_output "points2step: nowhere/a.step: cannot be written: there is no folder nowhere"
   if [ -c /dev/full ]; then
     run -4 "$points2step" points -o /dev/full
-    run -4 bash -c '"$1" points >/dev/full' - "$points2step"
+    run -4 bash -c '"$1" -q points >/dev/full' - "$points2step"
     assert_output "points2step: standard output: cannot be written: No space left on device"
   fi
   mkfifo pipe
@@ -271,4 +275,115 @@ names() { jq -c .names fit.json; }
   # A tolerance that the fit alone misses is a warning that says what to lower.
   "$ROOT/pipelines/quadmesh" a.step -o a.msh --fit-tolerance 1e-6 --geometry-tol 1e-8 >words 2>&1
   grep -q 'W-QUA-003.*lower --fit-tolerance of cad2tri' words
+}
+
+# says FILE OPTION... : the sentences of points2step, which makes FILE.step.
+says() {
+  run -0 --separate-stderr "$points2step" "$@" -o "$1.step"
+  output=$stderr
+  mapfile -t lines <<<"$stderr"
+}
+
+# edges FILE: names of the edges of a STEP file, and how many have each.
+edges() { sed -n "s/.*EDGE_CURVE('\([^']*\)'.*/\1/p" "$1" | sort | uniq -c | awk '{ printf "%s:%d ", $2, $1 }'; }
+
+@test "no heading makes points an aerofoil, and none is needed" {
+  local heading
+  naca0012 closed 20 selig >wing
+  for heading in '' 'barn' 'x,y' '"X [m]"; "Y [m]"'; do
+    { [ -z "$heading" ] || echo "$heading"; printf '0,0\n6,0\n6,4\n3,5.5\n0,4\n'; } >barn.dat
+    says barn.dat
+    assert_line --index 0 'points2step: 1 closed loop through 5 points'
+    [ -z "$heading" ] || assert_line "points2step: line 1 is a heading: '$heading'"
+    assert_equal "$(grep -c "LINE(" barn.dat.step)" 5
+    { [ -z "$heading" ] || echo "$heading"; sed 1d wing; } >wing.dat
+    says wing.dat
+    assert_line --index 0 'points2step: an aerofoil from the trailing edge around the nose and back, 40 points'
+    assert_equal "$(edges wing.dat.step)" 'lower:1 upper:1 '
+  done
+  says wing.dat --points-format points --name shell
+  assert_line --index 0 'points2step: 1 closed loop through 40 points'
+  assert_regex "$(edges wing.dat.step)" '^shell:[0-9] $'
+  says wing.dat -q
+  assert_output ''
+}
+
+@test "columns of zeros, rows of 999, repeated points, a start at the nose, sides that cross: each with a sentence" {
+  naca0012 closed 20 selig | sed 1d >wing
+  "$points2step" -q wing -o wing.step
+  same() { # FILE SENTENCE
+    says "$1"
+    assert_line "points2step: $2"
+    diff <(sed 1,5d wing.step) <(sed 1,5d "$1.step") || fail "$1 is another shape"
+  }
+  sed 's/$/ 0.0/' wing >columns.dat
+  same columns.dat 'the third column, zeros, is left out'
+  sed '7p; 9p' wing >twice.dat
+  same twice.dat '2 repeated points are left out, line 8 the first'
+  { sed -n '21,41p' wing; sed -n '2,21p' wing; } >nose.dat
+  same nose.dat 'the points from line 1 on start at the nose: they are read from the trailing edge on'
+  { echo two; echo '-3 6 -3 3'; cat wing; echo '999.0 999.0'; awk '{ print 1.05 + $1 / 4, $2 / 4 - 0.1 }' wing; } >elements.dat
+  says elements.dat --farfield box:4 --wake auto
+  assert_line --index 0 'points2step: 2 aerofoils, each from the trailing edge around the nose and back, 80 points'
+  assert_line 'points2step: line 2 holds four numbers, the region of a grid: it is left out'
+  assert_line 'points2step: line 44, 999 in both columns, separates loops'
+  # Coordinates with four decimals, whose sides change places at the trailing edge.
+  awk 'NR == 1 { $2 = -0.0002 } NR == 41 { $2 = 0.0002 } { printf "%.4f %.4f\n", $1, $2 }' wing >crossing.dat
+  says crossing.dat
+  assert_line 'points2step: the sides cross by 0.00039 at the trailing edge, by rounding: both end at their middle'
+  assert_equal "$(edges crossing.dat.step)" 'lower:1 upper:1 '
+  # By more than that it is no rounding.
+  awk 'NR == 1 { $2 = -0.02 } NR == 41 { $2 = 0.02 } { print }' wing >crossing.dat
+  run -3 "$points2step" crossing.dat -o crossing.step
+  assert_output --partial 'the loop crosses or touches itself'
+}
+
+@test "sharp noses are corners, and straight sides beside them stay straight" {
+  # A wedge of 16 degrees with a circular back, and a hexagonal section whose corners turn by 9 degrees.
+  awk 'BEGIN { pi = atan2(0, -1); r = 2; a = pi / 12
+    for (k = 0; k <= 30; ++k) { t = a * (1 - k / 15); print (1 + sin(t) / sin(a)) / 2, r * (cos(t) - cos(a)) * 0.966 }
+    for (k = 1; k <= 25; ++k) print k / 25, 0 }' >bow.dat
+  awk 'function y(x) { return x < 0.3 ? x / 0.3 * 0.047 : x > 0.7 ? (1 - x) / 0.3 * 0.047 : 0.047 }
+    BEGIN { for (k = 0; k <= 40; ++k) { x = 1 - k / 40; printf "%.6f %.6f\n", x, y(x) }
+      for (k = 1; k <= 40; ++k) printf "%.6f %.6f\n", k / 40, -y(k / 40) }' >hexagon.dat
+  local shape name
+  for shape in 'bow lower:1 upper:1 ' 'hexagon lower:3 upper:3 '; do
+    name=${shape%% *}
+    "$ROOT/pipelines/quadmesh" $name.dat --farfield cgrid:8 --wall upper,lower:first=2e-3,growth=1.2,layers=10 \
+      -o a.msh --report a.json --workdir . 2>words
+    grep -q 'points2step: an aerofoil' words
+    assert_equal "$(edges $name.outline.step)" "farfield:4 ${shape#* }"
+    jq -e '.valid and .least_scaled_jacobian > 0.7' a.json >verdict || fail "$(jq -c '[.blocks, .least_scaled_jacobian]' a.json)"
+  done
+  # All poles of the flat side are on its line.
+  assert [ "$(grep -c "CARTESIAN_POINT('',([0-9.]*,0\.0,0.))" bow.outline.step)" -ge 26 ]
+}
+
+@test "a noisy coast with quays is smoothed or simplified within the tolerance; quays stay straight" {
+  # A basin with quays at the bottom and the sides, a jetty that is thinner than the tolerance, a coast with noise of 0.02.
+  awk 'function noise() { seed = (seed * 1103515245 + 12345) % 2147483648; return (seed / 1073741824 - 1) * 0.02 }
+    BEGIN { seed = 7; print "0 0\n2.5 0\n2.5 1\n2.53 1\n2.53 0\n5 0\n5 2\n4 2"
+      for (k = 0; k <= 60; ++k) { t = k / 60; printf "%.4f %.4f\n", 4 - 3 * t + noise(), 2 + 3 * t * (1 - t) + 0.3 * t + noise() }
+      print "0 2.3" }' >coast.xy
+  local option
+  for option in --points-tolerance --simplify-outline; do
+    "$ROOT/pipelines/quadmesh" coast.xy $option 0.08 --points-corner-angle 50 --points-unit mm --face-name water -o a.msh \
+      --report a.json --workdir . 2>words
+    jq -e '.valid and .certificate.method != "midpoint" and .least_scaled_jacobian > 0.2' a.json
+    grep -q "ADVANCED_FACE('water'" coast.outline.step
+    grep -q 'SI_UNIT(.MILLI.,.METRE.)' coast.outline.step
+    assert_equal "$(grep -c "= LINE(" coast.outline.step)" 9
+  done
+  grep -q ' points are left out, which are up to 0.0[0-9]* beside the simplified outline' words
+  run -0 "$points2step" coast.xy --simplify-outline 0.08 --straight -o straight.step
+  assert_output --regexp '[4-6][0-9] of 70 points are left out'
+  assert_equal "$(grep -c B_SPLINE straight.step)" 0
+}
+
+@test "sixty thousand points take seconds, and a budget of quadmesh stops them" {
+  circle 60000 >many.xy
+  run -0 bash -c 'ulimit -t 20; "$1" many.xy -o many.step' - "$points2step"
+  run -1 --separate-stderr "$ROOT/pipelines/quadmesh" many.xy -o many.msh --max-seconds 0.3 --report many.json
+  assert_regex "$stderr" '^quadmesh: points2step was stopped after 0\.[0-9]* s .*of all stages: --max-seconds is 0.3'
+  jq -e '.exit_code == 1 and (.error | startswith("points2step was stopped"))' many.json
 }

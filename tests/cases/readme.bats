@@ -36,8 +36,9 @@ load ../tools/common
 @test "the commands that name things and begin with points work" {
   ln -s "$ROOT/pipelines" .
   cp "$DATA/half_disc.step" .
-  { echo ellipse; awk 'BEGIN { for (k = 0; k <= 40; ++k) { a = k * atan2(0, -1) / 20
-    printf "%.9f %.9f\n", (1 + cos(a)) / 2, sin(a) / 10 } }'; } >aerofoil.dat
+  { echo section; awk 'BEGIN { for (k = 0; k <= 40; ++k) { a = k * atan2(0, -1) / 20
+    printf "%.9f %.9f\n", (1 + cos(a)) / 2, sin(a) * sin(a / 2) / 8 } }'; } >aerofoil.dat
+  printf '%s\n' '0 0' '4 0' '4 2' '3 2.04' '2 2' '1 2.04' '0 2' >coast.xy
   for section in Names "From points"; do
     sed -n "/^## $section/,/^## /p" "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
     assert [ "$(wc -l <commands)" -ge 2 ]

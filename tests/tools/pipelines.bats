@@ -15,11 +15,11 @@ passes() {
 }
 
 @test "outlines: reading points, loops, corners" {
-  passes point_files polygons loops corners
+  passes point_files point_rows forms aerofoils polygons box_tree loops corners simplify
 }
 
 @test "outlines: splines, edges, STEP files, and all together" {
-  passes splines edges near_polygon fine_loops wake wake_ends step_file build
+  passes splines near_spline smoothing fit edges near_polygon fine_loops wake wake_ends step_file build
 }
 
 @test "search for node positions" {

@@ -65,7 +65,8 @@ Used Budget::limits_of(Share share) const {
 
 std::optional<std::string> Budget::reason_of_time(Share share, const ProcessTree* run) const {
   const auto add = [](double sum, const Used& used) { return sum + used.cpu_seconds; };
-  const double cpu = std::accumulate(runs_.begin(), runs_.end(), run ? run->cpu_seconds() : 0.0, add);
+  const double present = helper_cpu_seconds_ + (run ? run->cpu_seconds() : 0.0);
+  const double cpu = std::accumulate(runs_.begin(), runs_.end(), present, add);
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   const Used most = limits_of(share);
   if (cpu <= most.cpu_seconds && elapsed <= most.wall_seconds) return std::nullopt;

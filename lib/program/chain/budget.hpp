@@ -47,6 +47,8 @@ class Budget {
   bool is_limited() const { return limits_.seconds || limits_.memory; }
   const std::vector<Used>& runs() const { return runs_; }
   void add_run(Used run) { runs_.push_back(run); }
+  /// Of a command beside the stages, such as points2step: it counts, but is not that of the triangles.
+  void add_helper(Used run) { helper_cpu_seconds_ += run.cpu_seconds; }
   /// Limits of the CPU seconds of all runs and of the seconds from the start. Needs a limit of seconds.
   Used limits_of(Share share) const;
   /// Nothing, or the reason, which follows "TOOL was": "stopped after 3.10 s of all stages: --max-seconds is 3".
@@ -59,6 +61,7 @@ class Budget {
   Limits limits_;
   Clock::time_point start_;
   std::vector<Used> runs_;
+  double helper_cpu_seconds_ = 0;
 };
 
 }  // namespace quadrille::chain

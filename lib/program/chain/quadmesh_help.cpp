@@ -17,7 +17,7 @@ quadmesh meshes a planar CAD face, or the shape that points describe, with curve
 Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input), or that of --face, and ends
 with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
 passed on to them. SHAPE.dat and SHAPE.xy are points of an outline or an aerofoil, from which points2step
-makes a STEP face (SHAPE.outline.step in --workdir); so is any SHAPE with --farfield, --wake or --chord.
+makes a STEP face (SHAPE.outline.step in --workdir); so is any SHAPE with an option for points.
 Where separatrix can only divide triangles (W-SEP-002), critpoints runs again with other nodes, by options that
 separatrix proposes, one after another: if a strip of blocks winds onto itself, up to seven that change nodes on it
 (--corner-absorb 0, --ties field, --place energy, --corner-valence A:B=V), in a far field other grids (--topology).
@@ -40,6 +40,13 @@ OPTIONS
   --wake auto|FILE          points: sides of blocks follow a curve called wake from the body to the far field: computed,
                             or through the points of FILE (see points2step --help)
   --chord C                 points: scale them so that the chord is C
+  --points-corner-angle X   points: where the polygon turns by more than X degrees is a corner
+  --points-tolerance T      points: smooth noise; curves stay within T of the polygon (unit: that of the points)
+  --simplify-outline T      points: leave out those of noisy lines, none of which is farther than T from the rest
+  --straight                points: straight edges from point to point
+  --points-format FORMAT    points: auto, points, selig or lednicer
+  --points-unit UNIT        points: their unit, m, cm, mm, um, in or ft
+  --face-name NAME          points: name of the face, from which blocks get theirs (see points2step --help for these)
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
                             of the curve nearest to a point; may be given several times (see cad2tri --help)

@@ -17,16 +17,16 @@ namespace quadrille::chain {
 
 namespace {
 
-const std::vector<std::string> own_flags{"--help", "--verbose", "--quiet", "--version", "--dry-run"};
-const std::vector<std::string> own_values{
-    "--output",  "--workdir",        "--html",           "--report", "--max-seconds",  "--max-memory",
-    "--threads", "--face",           "--boundary-names", "--name",   "--region-name",  "--periodic",
-    "--offset",  "--heal-tolerance", "--fit-tolerance",  "--blunt",  "--write-healed", "--nodes",
-    "--from",    "--until",          "--farfield",       "--wake",   "--chord",        "--stage"};
+const std::vector<std::string> own_flags{"--help", "--verbose", "--quiet", "--version", "--dry-run", "--straight"};
+const std::vector<std::string> own_values{"--output",      "--workdir",    "--html",    "--report",
+                                          "--max-seconds", "--max-memory", "--threads", "--nodes",
+                                          "--from",        "--until",      "--stage"};
 const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
                                        "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
                                        "--blunt",    "--write-healed"};
-const std::set<std::string> of_points{"--farfield", "--wake", "--chord"};
+const std::set<std::string> of_points{"--farfield",         "--wake",          "--chord",       "--simplify-outline",
+                                      "--points-tolerance", "--points-format", "--points-unit", "--points-corner-angle",
+                                      "--face-name"};
 
 /// The stages whose options are options of quadmesh.
 constexpr std::array open_stages{ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
@@ -34,6 +34,10 @@ constexpr std::array open_stages{ChainStage::critpoints, ChainStage::separatrix,
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool has_value(const std::string& flag) {
+  return of_cad2tri.contains(flag) || of_points.contains(flag) || contains(own_values, flag);
 }
 
 /// An option of stages, and the stages that have it.
@@ -94,7 +98,7 @@ class Reader {
 
   bool takes_no_value(const std::string& flag) {
     if (contains(own_flags, flag)) return true;
-    if (contains(own_values, flag)) return false;
+    if (has_value(flag)) return false;
     const auto found = shared().find(flag);
     return found != shared().end() && !found->second.takes_value;
   }
@@ -111,7 +115,7 @@ class Reader {
     const std::string flag = found == long_names.end() ? word : found->second;
     words_.erase(words_.begin());
     if (contains(own_flags, flag)) return take_flag(flag);
-    if (contains(own_values, flag)) return take_value(flag, value_of(word));
+    if (has_value(flag)) return take_value(flag, value_of(word));
     const auto option = shared().find(flag);
     if (option == shared().end()) unknown(word);
     if (!option->second.takes_value) return choose(option->second.tools, {flag});
@@ -134,6 +138,10 @@ class Reader {
     if (flag == "--verbose") options_.is_verbose = true;
     if (flag == "--quiet") options_.is_quiet = true;
     if (flag == "--dry-run") options_.is_dry_run = true;
+    if (flag == "--straight") {
+      options_.point_option = flag;
+      choose({"points2step"}, {flag});
+    }
   }
 
   void take_value(const std::string& flag, const std::string& value) {
@@ -195,6 +203,8 @@ class Reader {
 
   [[noreturn]] void unknown(const std::string& word) {
     std::vector<std::string> known = own_values;
+    known.insert(known.end(), of_cad2tri.begin(), of_cad2tri.end());
+    known.insert(known.end(), of_points.begin(), of_points.end());
     known.insert(known.end(), own_flags.begin(), own_flags.end());
     for (const auto& [flag, option] : shared()) known.push_back(flag);
     const std::string nearest = nearest_word(word, known);

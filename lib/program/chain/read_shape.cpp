@@ -36,6 +36,13 @@ std::string report_of_points(const std::string& messages) {
   return warnings.empty() ? std::string() : fmt::format("{{\"tool\": \"points2step\", \"warnings\": [{}]}}", warnings);
 }
 
+/// Prints what it tells about the points.
+void print_notes(const std::string& messages) {
+  std::istringstream lines(messages);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("points2step: warning ")) fmt::print(stderr, "{}\n", line);
+}
+
 /// Messages of points2step about its options are about those of quadmesh.
 std::string with_own_name(std::string text) {
   for (const auto& [from, to] : {std::pair{"points2step: ", "quadmesh: "}, {"points2step --help", "quadmesh --help"}})
@@ -65,13 +72,14 @@ std::string cad_file(ChainState& chain) {
   if (code != 0) {
     cli::print_message(with_own_name(messages));
     const std::string line = messages.substr(0, messages.find('\n'));
-    throw ChainFailure{static_cast<ExitCode>(code), "points2step",
-                       line.starts_with("points2step: ") ? line.substr(13) : line};
+    const bool is_own = line.starts_with("points2step: ") || line.starts_with("quadmesh: ");
+    throw ChainFailure{static_cast<ExitCode>(code), "points2step", is_own ? line.substr(line.find(": ") + 2) : line};
   }
   if (std::string report = report_of_points(messages); !report.empty()) {
     chain.runner.reports().push_back({"points2step", std::move(report)});
     print_warnings(chain, 0);
   }
+  if (!chain.options.is_quiet) print_notes(messages);
   return made;
 }
 

@@ -172,8 +172,12 @@ StageEnd StageRunner::run_in_child(const StageTask& task, Share share) {
 
 std::pair<int, std::string> StageRunner::run_helper(const std::vector<std::string>& words) {
   std::string errors;
-  const ChildEnd end = run_command(words, {STDIN_FILENO, &errors}, budget_, Share::all);
-  return {end.code, errors};
+  Budget of_helper = budget_;
+  const ChildEnd end = run_command(words, {STDIN_FILENO, &errors}, of_helper, Share::all);
+  budget_.add_helper({end.cpu_seconds, end.wall_seconds});
+  if (!end.stopped) return {end.code, errors};
+  const std::string name = std::filesystem::path(words.front()).filename().string();
+  return {static_cast<int>(ExitCode::no_result), fmt::format("quadmesh: {} was {}\n", name, *end.stopped)};
 }
 
 }  // namespace quadrille::chain

@@ -44,7 +44,8 @@ class StageRunner {
   StageEnd run(const StageTask& task, Share share);
   void print_messages(const StageEnd& end) const;
 
-  /// Runs a command that makes an input of the chain; returns its exit code and what it writes to standard error.
+  /// Runs a command that makes an input of the chain, within the budget; returns its exit code and what it writes to
+  /// standard error. A command that was stopped has the exit code 1, and the reason as its message.
   std::pair<int, std::string> run_helper(const std::vector<std::string>& words);
 
   /// Of all runs, in their order.

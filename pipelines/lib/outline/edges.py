@@ -1,7 +1,10 @@
 """Edges of a face: lines, arcs and splines between two points, each with a name."""
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, field, replace
 
-from outline import splines
+from outline import near_spline, polygons, smoothing, splines
+from outline.fit import Fit
+from outline.simplify import SMALL
 
 FAR_FIELDS = ("circle", "box", "cgrid")
 
@@ -41,15 +44,66 @@ class Spline:
         return self.poles[-1]
 
 
-def smooth_edges(points, names, joints, is_periodic):
-    """Along the points between two corners: a line if there are two, else parts of one cubic that end at `joints`."""
+def smooth_edges(points, names, joints, is_periodic, ends=(None, None)):
+    """Along the points between two corners: a line if there are two, else parts of one cubic that end at `joints`. `ends`:
+    its derivatives there, unit vectors, or None where they are free."""
     if len(points) == 2:
         return [Line(*points, names[0])]
     t = splines.chord_lengths(points)
-    derivatives = (splines.periodic_derivatives if is_periodic else splines.open_derivatives)(t, points)
-    ends = [0] + sorted(joints) + [len(points) - 1]
-    parts = [slice(a, b + 1) for a, b in zip(ends, ends[1:])]
+    derivatives = near_spline.derivatives(t, points, is_periodic, ends)
+    parts = [slice(a, b + 1) for a, b in stretches([0] + sorted(joints) + [len(points) - 1])]
     return [Spline(splines.poles(t[part], points[part], derivatives[part]), t[part], names[part.start]) for part in parts]
+
+
+def stretches(positions):
+    return list(zip(positions, positions[1:]))
+
+
+@dataclass(frozen=True)
+class Nearness:
+    """How near edges stay to the points that they are made from; lengths in the units of the points."""
+
+    smoothing: float = 0.0  # curves stay within this of the polygon, and points move; 0, and in small loops: none does
+    limit: float = math.inf  # the greatest distance of a curve from the polygon, beside near_spline.arc_limits
+    fit: Fit = field(default_factory=Fit)  # to which the distances are added
+
+
+def near_edges(points, names, joints, is_periodic, nearness, ends=(None, None)):
+    """The same, which stay near the polygon. `names`: of the segments."""
+    if len(points) == 2:
+        return [Line(*points, names[0])]
+    if nearness.smoothing > 0:
+        moves = smoothing.SHARE * nearness.smoothing
+        given, points = points, smoothing.smoothed(points, moves, is_periodic, fixed=joints)
+        nearness.fit.add_moves(given, points)
+        limits = [nearness.smoothing - moves] * (len(points) - 1)
+    else:
+        limits = [min(limit, nearness.limit) for limit in near_spline.arc_limits(points, is_periodic)]
+    fine, positions = near_spline.with_middles(points, limits, is_periodic, ends)
+    nearness.fit.add_curve(fine, is_periodic, ends)
+    fine_names = [name for name, (a, b) in zip(names, stretches(positions)) for _ in range(b - a)]
+    return smooth_edges(fine, fine_names, [positions[k] for k in joints], is_periodic, ends)
+
+
+def run_edges(points, names, joints, walls, nearness):
+    """Edges from corner to corner: lines along walls (as those of a Loop), and curves between, which begin and end in the
+    directions of the walls beside them."""
+    last = len(points) - 1
+    breaks = [0] + [k for k in range(1, last) if walls.get(k) != walls.get(k - 1)] + [last]
+
+    def direction(k):
+        """Of the wall that the segment k is on, if it is on one."""
+        step = points[k % last + 1] - points[k % last]
+        return step / abs(step) if k in walls else None
+
+    edges = []
+    for a, b in stretches(breaks):
+        if a in walls:
+            edges.append(Line(points[a], points[b], names[a]))
+        else:
+            inner = [k - a for k in joints if a < k < b]
+            edges += near_edges(points[a : b + 1], names[a:b], inner, False, nearness, (direction(a - 1), direction(b)))
+    return edges
 
 
 def straight_edges(loop):
@@ -57,15 +111,24 @@ def straight_edges(loop):
     return [Line(a, b, name) for a, b, name in zip(loop.points, ends, loop.names)]
 
 
-def loop_edges(loop):
+def loop_edges(loop, nearness=None):
     """Smooth edges from corner to corner of a loop; without corners one periodic curve from its first point."""
-    count = len(loop.points)
-    corners, edges = sorted(loop.corners) or [0], []
-    for a, b in zip(corners, corners[1:] + [corners[0] + count]):
+    count, nearness = len(loop.points), nearness or Nearness()
+    if polygons.box_size(loop.points) <= SMALL * nearness.smoothing:
+        nearness = replace(nearness, smoothing=0.0)
+    begins = [i for i in loop.walls if loop.walls.get((i - 1) % count) != loop.walls[i]]
+    ends = sorted(loop.corners) or sorted(begins)[:1] or [0]
+    edges = []
+    for a, b in stretches(ends + [ends[0] + count]):
         run = [i % count for i in range(a, b + 1)]
         joints = [k for k, i in enumerate(run) if i in loop.joints and 0 < k < len(run) - 1]
         points, names = [loop.points[i] for i in run], [loop.names[i] for i in run]
-        edges += smooth_edges(points, names, joints, is_periodic=not loop.corners)
+        # Without corners, the wall at the beginning is also the one behind the end.
+        walls = {k: loop.walls[i] for k, i in enumerate(run[:-1] if loop.corners else run) if i in loop.walls}
+        if walls or loop.corners:
+            edges += run_edges(points, names, joints, walls, nearness)
+        else:
+            edges += near_edges(points, names, joints, True, nearness)
     return edges
 
 

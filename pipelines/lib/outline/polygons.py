@@ -1,4 +1,5 @@
 """Distances, crossings and insides of polygons."""
+import math
 
 
 def cross(a, b):
@@ -26,9 +27,22 @@ def convex_hull(points):
 
 
 def largest_distance(points):
-    """Between two of the points, which are corners of their convex hull."""
+    """Between two of the points: corners of their convex hull with parallel tangents (rotating calipers)."""
     hull = convex_hull(points)
-    return max((abs(a - b) for a in hull for b in hull), default=0.0)
+    count, k, largest = len(hull), 1, 0.0
+    for i, a in enumerate(hull):
+        along = hull[(i + 1) % count] - a
+        while cross(along, hull[(k + 1) % count] - hull[k % count]) > 0:
+            largest = max(largest, abs(hull[k % count] - a))
+            k += 1
+        largest = max(largest, abs(hull[k % count] - a), abs(hull[k % count] - hull[(i + 1) % count]))
+    return largest
+
+
+def box_size(points):
+    """The diagonal of the box around them: at most 1.42 times the largest distance."""
+    across, up = [z.real for z in points], [z.imag for z in points]
+    return math.hypot(max(across) - min(across), max(up) - min(up))
 
 
 def nearest_on_segment(p, a, b):
@@ -54,11 +68,11 @@ def side(a, b, p):
     return cross(b - a, p - a)
 
 
+def is_right_of(z, a, b):
+    """Whether the ray from z to the right crosses the segment from a to b."""
+    return (a.imag > z.imag) != (b.imag > z.imag) and z.real < a.real + (z.imag - a.imag) / (b.imag - a.imag) * (b - a).real
+
+
 def is_inside(z, polygon):
     """Whether a ray from z to the right crosses the polygon an odd number of times."""
-    inside = False
-    for a, b in zip(polygon, polygon[1:] + polygon[:1]):
-        is_level = (a.imag > z.imag) != (b.imag > z.imag)
-        if is_level and z.real < a.real + (z.imag - a.imag) / (b.imag - a.imag) * (b - a).real:
-            inside = not inside
-    return inside
+    return sum(is_right_of(z, a, b) for a, b in zip(polygon, polygon[1:] + polygon[:1])) % 2 == 1

@@ -16,21 +16,31 @@ def spans_and_slopes(t, z):
     return h, [(b - a) / step for a, b, step in zip(z, z[1:], h)]
 
 
-def open_derivatives(t, z):
+def open_derivatives(t, z, start=None, end=None):
     """Derivatives at the parameters t of the C2 cubic through z that has one cubic on its first two intervals, and one
-    on its last two. Three points: of the parabola."""
+    on its last two. Three points: of the parabola. `start`, `end`: derivatives there, if they are given."""
     h, d = spans_and_slopes(t, z)
     n = len(h)
-    if n == 2:
+    if n == 2 and start is None and end is None:
         bend = (d[1] - d[0]) / (h[0] + h[1])
         return [d[0] - bend * h[0], d[0] + bend * h[0], d[1] + bend * h[1]]
     inner = range(1, n)
-    lower = [0.0] + [h[i] for i in inner] + [h[-1] + h[-2]]
-    middle = [h[1]] + [2 * (h[i - 1] + h[i]) for i in inner] + [h[-2]]
-    upper = [h[0] + h[1]] + [h[i - 1] for i in inner] + [0.0]
     right = [3 * (h[i] * d[i - 1] + h[i - 1] * d[i]) for i in inner]
-    first, last = not_a_knot(h[0], h[1], d[0], d[1]), not_a_knot(h[-1], h[-2], d[-1], d[-2])
-    return solve_tridiagonal(lower, middle, upper, [first] + right + [last])
+    first, last = end_row(h, d, start), end_row(h[::-1], d[::-1], end)
+    lower = [0.0] + [h[i] for i in inner] + [last[1]]
+    middle = [first[0]] + [2 * (h[i - 1] + h[i]) for i in inner] + [last[0]]
+    upper = [first[1]] + [h[i - 1] for i in inner] + [0.0]
+    return solve_tridiagonal(lower, middle, upper, [first[2]] + right + [last[2]])
+
+
+def end_row(h, d, derivative):
+    """Coefficients of the derivatives at an end and beside it, and the right side: the derivative itself, or a parabola on
+    the only other interval, or one cubic on two."""
+    if derivative is not None:
+        return 1.0, 0.0, derivative
+    if len(h) == 2:
+        return 1.0, 1.0, 2 * d[0]
+    return h[1], h[0] + h[1], not_a_knot(h[0], h[1], d[0], d[1])
 
 
 def not_a_knot(h0, h1, d0, d1):

@@ -2,7 +2,7 @@
 import math
 
 from command_frame import mistake
-from outline import fine_loops, loops, near_polygon, point_files, polygons, wake_ends
+from outline import fine_loops, loops, near_polygon, point_files, point_rows, polygons, wake_ends
 from outline.edges import Spline
 
 NAME = "wake"
@@ -44,7 +44,7 @@ def is_inside(shape, reach, middle, tail, z):
 def read_points(path, factor):
     """(file, lines of the points, points of the wake, scaled): they do not repeat, cross or turn back."""
     file = point_files.read_point_file(path)
-    found = point_files.point_loops(file)
+    found = point_rows.point_loops(file)
     if len(found) != 1 or len(found[0].points) < 2:
         raise file.fault(0, "expected the points of one line, at least two")
     points, lines = found[0].points, found[0].lines

@@ -74,6 +74,16 @@ TEST(Budget, names_the_limit_that_is_exceeded) {
       << reason;
 }
 
+TEST(Budget, counts_helpers_but_not_as_the_triangles) {
+  Budget budget({.seconds = 8});
+  budget.add_helper({2, 2}), budget.add_run({0.1, 0.1});
+  EXPECT_EQ(budget.limits_of(Share::most).cpu_seconds, 6.0);
+  EXPECT_EQ(budget.reason_to_stop(Share::all, nullptr), std::nullopt);
+  budget.add_helper({6, 6});
+  EXPECT_EQ(budget.reason_to_stop(Share::all, nullptr),
+            "not started after 8.10 s of CPU time of all stages: --max-seconds is 8");
+}
+
 TEST(Budget, is_limited_by_seconds_or_memory) {
   EXPECT_FALSE(Budget().is_limited());
   EXPECT_TRUE(Budget({.seconds = 1}).is_limited());

@@ -86,6 +86,27 @@ TEST(ReadCommandLine, options_go_to_all_stages_that_have_them) {
   EXPECT_FALSE(options.has("critpoints", "--unit") || options.has("padapt", "--unit"));
 }
 
+TEST(ReadCommandLine, options_for_points_go_to_points2step) {
+  const Texts words{"--points-corner-angle",
+                    "80",
+                    "--points-tolerance",
+                    "2",
+                    "--points-format",
+                    "selig",
+                    "--points-unit",
+                    "mm",
+                    "--straight",
+                    "--face-name",
+                    "water",
+                    "--simplify-outline",
+                    "0.1"};
+  const ChainOptions options = read(words);
+  EXPECT_EQ(options.words.at("points2step"), words);
+  EXPECT_EQ(options.words.size(), 1);
+  EXPECT_EQ(options.point_option, "--simplify-outline");
+  EXPECT_EQ(read({"--straight"}).point_option, "--straight");
+}
+
 TEST(ReadCommandLine, nodes_are_a_rule_or_a_file) {
   EXPECT_EQ(read({"--nodes", "fewest"}).words.at("critpoints"), (Texts{"--nodes", "fewest"}));
   EXPECT_EQ(read({"--nodes", "fewest"}).nodes_file, "");

@@ -58,3 +58,31 @@ class FarFieldTest(unittest.TestCase):
         *lines, arc = edges.far_field_edges("cgrid", 2, 0.5, 1)
         self.assertEqual(ends(lines), [(1 - 2j, 3 - 2j), (3 - 2j, 3 + 2j), (3 + 2j, 1 + 2j)])
         self.assertEqual((arc.centre, arc.radius, arc.start, arc.end), (1, 2, 1 + 2j, 1 - 2j))
+
+
+class NearEdgesTest(unittest.TestCase):
+    # A wall from 0 to 8, then an arc of a circle that touches it, and back.
+    ARC = [8 + 2j + 2 * cmath.exp(1j * (k * cmath.pi / 16 - cmath.pi / 2)) for k in range(9)]
+
+    def test_a_curve_turns_smoothly_into_a_wall(self):
+        made = loop([0, 4, *self.ARC, 10 + 9j, 9j], corners=(0, 10, 11, 12))
+        made.walls = {0: 0, 1: 0}
+        wall, curve, *_ = edges.loop_edges(made)
+        self.assertEqual(wall, Line(0, 8, "from 0"))
+        self.assertAlmostEqual((curve.poles[1] - curve.poles[0]).imag, 0, 12)
+
+    def test_without_corners_both_ends_of_a_wall_are_smooth(self):
+        half = [complex(8 + 2 * cmath.sin(a).real, 2 - 2 * cmath.cos(a).real) for a in (k * cmath.pi / 8 for k in range(9))]
+        made = loop([0, *half, *[8 + 2j - (z - 8 - 2j) - 8 for z in half][:-1]])
+        made.walls = {0: 0}
+        wall, curve = edges.loop_edges(made)
+        self.assertEqual(ends([wall, curve]), [(0, 8), (8, 0)])
+        for step in (curve.poles[1] - curve.poles[0], curve.poles[-1] - curve.poles[-2]):
+            self.assertAlmostEqual(step.imag, 0, 12)
+
+    def test_points_move_within_the_tolerance_but_not_those_of_small_loops(self):
+        noisy = [cmath.rect(5 + 0.1 * (-1) ** k, k * cmath.pi / 20) for k in range(40)]
+        (edge,) = edges.loop_edges(loop(noisy), edges.Nearness(smoothing=0.2))
+        self.assertTrue(all(4.9 < abs(z) < 5.2 for z in edge.poles))
+        (edge,) = edges.loop_edges(loop(noisy), edges.Nearness(smoothing=9))
+        self.assertFalse(all(4.9 < abs(z) < 5.2 for z in edge.poles))

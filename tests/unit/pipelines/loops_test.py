@@ -24,16 +24,17 @@ class LoopTest(unittest.TestCase):
 
     def test_a_repeated_first_point_is_removed(self):
         closed, open_ = loop(0, 1, 1j, 0), loop(0, 1, 1j)
-        self.assertTrue(loops.close(FILE, closed, 1e-9))
-        self.assertFalse(loops.close(FILE, open_, 1e-9))
+        self.assertEqual(loops.close(FILE, closed, 1e-9), (True, []))
+        self.assertEqual(loops.close(FILE, open_, 1e-9), (False, []))
         for a in (closed, open_):
             self.assertEqual((a.points, a.lines, len(a.names)), ([0, 1, 1j], [1, 2, 3], 3))
 
-    def test_small_loops_and_repeated_points_are_refused(self):
+    def test_repeated_points_are_left_out_and_loops_of_two_points_refused(self):
         with self.assertRaisesRegex(Failure, "line 1: a loop needs three different points, this one has 2"):
-            loops.close(FILE, loop(0, 1, 0), 1e-9)
-        with self.assertRaisesRegex(Failure, "line 3: repeats the point of line 2"):
-            loops.close(FILE, loop(0, 1, 1 + 1e-10j, 1j), 1e-9)
+            loops.close(FILE, loop(0, 1, 1, 0), 1e-9)
+        repeated = loop(0, 1, 1 + 1e-10j, 1j, 0, 1e-10)
+        self.assertEqual(loops.close(FILE, repeated, 1e-9), (True, [3, 5]))
+        self.assertEqual((repeated.points, repeated.lines), ([0, 1, 1j], [1, 2, 4]))
 
 
 class CrossingsTest(unittest.TestCase):

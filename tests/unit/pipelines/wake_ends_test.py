@@ -17,6 +17,7 @@ def with_wake(body, points, far_field=("cgrid", 10.0), **settings):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "wake.txt"
         path.write_text(points)
+        settings["format"] = "selig" if body.startswith("wing") else "auto"
         outline = build_outline(PointFile("points", body), Settings(far_field=far_field, wake=str(path), **settings))
     return [edge.start for edge in outline.embedded] + [outline.embedded[-1].end], outline.warnings
 

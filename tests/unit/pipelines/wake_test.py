@@ -14,8 +14,8 @@ BLUNT = "wing\n1 0.01\n0.5 0.1\n0 0\n0.5 -0.1\n1 -0.01\n"
 
 
 def wake_of(text, far_field, **settings):
-    file = PointFile("points", text)
-    return build_outline(file, Settings(far_field=far_field, wake=settings.pop("wake", "auto"), **settings)).embedded
+    settings = {"wake": "auto", "format": "selig" if text.startswith("wing") else "auto", **settings}
+    return build_outline(PointFile("points", text), Settings(far_field=far_field, **settings)).embedded
 
 
 class WakeTest(unittest.TestCase):
