@@ -326,6 +326,7 @@ keeps() {
   printf '1 0\n5 0.1\n' | tee wake.msh w/a.outline.step >wake.txt
   keeps wake.msh "$quadmesh" a.dat --farfield cgrid:4 --wake wake.msh -o wake.msh
   keeps wake.txt "$quadmesh" a.dat --farfield cgrid:4 --wake wake.txt -o a.msh --report wake.txt
+  keeps wake.txt "$ROOT/pipelines/points2step" a.dat --farfield cgrid:4 --wake wake.txt -o wake.txt
   keeps w/a.outline.step "$quadmesh" a.dat --farfield cgrid:4 --wake w/a.outline.step -o a.msh --workdir w
   echo '[{"id": "*", "name": "wall"}]' | tee d.mesh.names.json >w/half_disc.sep.json
   keeps d.mesh.names.json "$quadmesh" half_disc.step --boundary-names d.mesh.names.json -o d.mesh
