@@ -134,7 +134,7 @@ void add_part(const Entity& entity, PartLabel& part) {
 
 // Faces, and what holds faces: solids, shells, groups, instances of subfigures, surfaces that are several faces.
 void add_holder(const Entity& entity, const TopoDS_Shape& shape, OccModel& model) {
-  if (shape.IsNull() || shape.ShapeType() > TopAbs_FACE) return;
+  if (shape.IsNull() || shape.ShapeType() == TopAbs_WIRE || shape.ShapeType() == TopAbs_VERTEX) return;
   const TopoDS_TShape* key = shape.TShape().get();
   if (shape.ShapeType() == TopAbs_FACE)
     model.labels.try_emplace(key, shape, label_of(*entity));

@@ -42,10 +42,12 @@ OPTIONS
   --chord C                 points: scale them so that the chord is C
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
-                            of the curve nearest to a point; may be given several times (see cad2tri --help)
+                            of the curve nearest to a point; '*': all others of the outline and of holes, 'interface:*'
+                            those between regions; may be given several times (see cad2tri --help)
   --region-name NAME=LIST|NAME@X,Y
                             name of regions, where SHAPE has several faces in one plane, in the same way; a point lies
-                            inside the region
+                            inside the region; neighbours of one name become one region
+  --keep-joints             keep the lines between neighbours that --region-name gives one name
   --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other;
                             may be given several times (see cad2tri --help)
   --offset NAME=T           embed a curve at the distance T from the boundary NAME, which blocks end at; --wall

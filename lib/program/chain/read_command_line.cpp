@@ -17,7 +17,7 @@ namespace quadrille::chain {
 
 namespace {
 
-const std::vector<std::string> own_flags{"--help", "--verbose", "--quiet", "--version", "--dry-run"};
+const std::vector<std::string> own_flags{"--help", "--verbose", "--quiet", "--version", "--dry-run", "--keep-joints"};
 const std::vector<std::string> own_values{
     "--output",  "--workdir",        "--html",           "--report", "--max-seconds",  "--max-memory",
     "--threads", "--face",           "--boundary-names", "--name",   "--region-name",  "--periodic",
@@ -25,7 +25,7 @@ const std::vector<std::string> own_values{
     "--from",    "--until",          "--farfield",       "--wake",   "--chord",        "--stage"};
 const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
                                        "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
-                                       "--blunt",    "--write-healed"};
+                                       "--blunt",    "--write-healed",   "--keep-joints"};
 const std::set<std::string> of_points{"--farfield", "--wake", "--chord"};
 
 /// The stages whose options are options of quadmesh.
@@ -129,6 +129,7 @@ class Reader {
   }
 
   void take_flag(const std::string& flag) {
+    if (of_cad2tri.contains(flag)) options_.cad_option = flag, choose({"cad2tri"}, {flag});
     if (flag == "--help") action_ = Action::show_help;
     if (flag == "--version") action_ = Action::show_version;
     if (flag == "--verbose") options_.is_verbose = true;

@@ -17,6 +17,7 @@
 #include "cad/face_table.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
+#include "cad/merge_regions.hpp"
 #include "cad/name_options.hpp"
 #include "cad/periodic_sides.hpp"
 #include "cad/region_names.hpp"
@@ -147,16 +148,22 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
                "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the "
                "rest\"} or [{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
                false);
-  o.texts("--name", cad2tri.curve_names, "NAME=LIST|NAME@X,Y",
-          "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
-          "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
-          "in file units, which must be within a tenth of the diameter; overrides --boundary-names; stageview "
-          "--curve-labels draws the numbers");
+  o.texts(
+      "--name", cad2tri.curve_names, "NAME=LIST|NAME@X,Y",
+      "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
+      "wild cards * and ? ('wall=edge_*'); * alone: all other curves of the outline and of holes, interface:* those "
+      "between regions and inside one (boundary: and interface: also before other patterns); NAME@X,Y: the curve "
+      "nearest to this point, in file units, which must be within a tenth of the diameter; overrides "
+      "--boundary-names; stageview --curve-labels draws the numbers");
   o.texts("--region-name", cad2tri.region_names, "NAME=LIST|NAME@X,Y",
           "name of regions, as --name of curves: LIST has their numbers, in the order of the faces in SHAPE, present "
           "names or patterns; NAME@X,Y: the region around this point; the name of a single region is that of the face; "
-          "common curves without a name of their own are called after their regions, such as fluid-solid",
+          "neighbours that get one name become one region, without the lines between them; common curves without a "
+          "name of their own are called after their regions, such as fluid-solid",
           false);
+  o.flag("--keep-joints", cad2tri.keep_joints,
+         "keep the lines between neighbours that --region-name gives one name, and each a region: the names only group "
+         "them");
   o.texts("--periodic", cad2tri.periodic, "A=B[:MOTION]",
           "the sides A and B, names of one curve or of several that follow each other, repeat each other: their nodes "
           "are images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
@@ -187,8 +194,10 @@ LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options,
       {input.cad.file.digest(digest_format(cad::cad_format(bytes, name)))}};
   run.end_phase();
   if (input.names) shape.inputs.push_back(input.names->file.digest("boundary-names"));
-  cad::rename_regions(shape.face, wishes.region_names);
-  cad::rename_curves(shape.face, input.names ? input.names->model : std::vector<NameRule>(), wishes.curve_names);
+  const std::vector<int> named_regions = cad::rename_regions(shape.face, wishes.region_names);
+  if (!options.keep_joints) cad::merge_regions(shape.face, named_regions, corner_angle);
+  cad::rename_curves(shape.face, input.names ? input.names->model : std::vector<NameRule>(), wishes.curve_names,
+                     run.report());
   cad::pair_periodic_sides(shape.face, wishes.periodic);
   shape.face = offset::embed_offsets(shape.face, wishes.offsets, corner_angle, run.report());
   report_shape(shape, run);

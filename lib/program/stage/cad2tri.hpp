@@ -27,6 +27,7 @@ struct Cad2triOptions {
   std::string names_file;                    ///< path of names of boundaries, which the caller reads
   std::vector<std::string> curve_names;      ///< NAME=LIST or NAME@X,Y
   std::vector<std::string> region_names;     ///< likewise
+  bool keep_joints = false;                  ///< regions that region_names give one name stay apart
   std::vector<std::string> periodic;         ///< A=B or A=B:MOTION
   std::vector<std::string> offsets;          ///< NAME=T
 

@@ -383,6 +383,7 @@ def models():
                                          ("fluid", [circle(0.1, 0.7, 0.1 - 0.7j)])], own=True),
         "voronoi_20": sheet("voronoi_20", [(f"cell_{k}", [polygon(cell)]) for k, cell in
                                            enumerate(with_corners(voronoi()))]),
+        "finned_plate": sheet("finned_plate", finned_plate(), own=True),
         "half_disc_cut": sheet("half_disc_cut", [("upper", [upper]), ("lower", [lower])]),
         "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j, "wake")]),
         "plate_curve": sheet("plate_curve", [("plate", [plate])], [("arc", 1.5 + 0.4j, 0.9, 2.2 + 0.4j + 0.5656854249492381j,
