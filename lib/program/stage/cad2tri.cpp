@@ -165,8 +165,8 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
          "keep the lines between neighbours that --region-name gives one name, and each a region: the names only group "
          "them");
   o.texts("--periodic", cad2tri.periodic, "A=B[:MOTION]",
-          "the sides A and B, names of one curve or of several that follow each other, repeat each other: their nodes "
-          "are images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
+          "the sides A and B, names or patterns of curves, in one part or several, repeat each other: their nodes are "
+          "images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
           "A=B:rotate=DEGREES[,CX,CY], in file units; B is replaced by the exact image of A, from which it may differ "
           "by 1e-9 diameters; may be given several times");
   o.texts("--offset", cad2tri.offsets, "NAME=T",

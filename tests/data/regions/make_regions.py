@@ -337,6 +337,26 @@ def sector(holes=(1.1, 1.75)):
     return [outline] + [hole(circle(radius * cmath.exp(1j * math.pi / 12), 0.14)) for radius in holes]
 
 
+def tube_bank():
+    """A row of tubes between two that are cut in half: each side has three parts, of different lengths."""
+    def row(height, name):
+        loop, start = [], 0j + height
+        for k, (x, radius) in enumerate(((2, 0.4), (4.5, 0.7))):
+            a, b = x - radius + height, x + radius + height
+            loop += [("line", start, a, f"{name}_{k}"), ("arc", x + height, radius, a, b, 1 if height else -1, "tube")]
+            start = b
+        return loop + [("line", start, 6 + height, f"{name}_2")]
+    below, above = row(0j, "below"), row(2j, "above")
+    return [below + [("line", 6 + 0j, 6 + 2j, "outlet")] + hole(above) + [("line", 2j, 0j, "inlet")],
+            hole(circle(3.2 + 1j, 0.3, "tube"))]
+
+
+def finned_plate():
+    """A base with three fins on its upper side, and a chip below it."""
+    fins = [(f"fin {k}", [rectangle(x + 1j, x + 0.5 + 2.5j)]) for k, x in enumerate((1, 3, 5))]
+    return [("base", [rectangle(0j, 6 + 1j)]), *fins, ("chip", [rectangle(2 - 0.5j, 4 + 0j)])]
+
+
 def periodic_models():
     box, ring = periodic_box()
     blade_outline, blade = blade_passage()
@@ -354,6 +374,7 @@ def periodic_models():
         "periodic_sector": sheet("periodic_sector", [("disc", sector())]),
         "periodic_layers": sheet("periodic_layers", layers),
         "periodic_pin": sheet("periodic_pin", [("fluid", [box, hole(ring)]), ("pin", [ring])]),
+        "periodic_bank": sheet("periodic_bank", [("fluid", tube_bank())]),
         "bad/periodic_unequal": sheet("periodic_unequal", [("plate", [unequal])]),
     }
 
