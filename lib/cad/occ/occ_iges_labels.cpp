@@ -129,11 +129,12 @@ void add_part(const Entity& entity, PartLabel& part) {
   if (!layer.empty()) part.layer = layer;
 }
 
-// Faces, and what holds faces: solids, shells, groups, instances of subfigures, surfaces that are several faces.
+// Faces, curves of no face, and what holds faces: solids, shells, groups, instances of subfigures, surfaces that are
+// several faces.
 void add_holder(const Entity& entity, const TopoDS_Shape& shape, OccModel& model) {
   if (shape.IsNull() || shape.ShapeType() == TopAbs_WIRE || shape.ShapeType() == TopAbs_VERTEX) return;
   const TopoDS_TShape* key = shape.TShape().get();
-  if (shape.ShapeType() == TopAbs_FACE)
+  if (shape.ShapeType() == TopAbs_FACE || shape.ShapeType() == TopAbs_EDGE)
     model.labels.try_emplace(key, shape, label_of(*entity));
   else
     add_part(entity, model.parts[key]);

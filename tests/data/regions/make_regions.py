@@ -86,6 +86,11 @@ class Sheet(Step):
             a, b = args[2:4]
         self.free.append(self.add(f"TRIMMED_CURVE('{name}',{basis},({self.point(a)}),({self.point(b)}),.T.,.CARTESIAN.)"))
 
+    def wireframe(self, name):
+        """The curves alone, without a face."""
+        self.representation(name, "GEOMETRICALLY_BOUNDED_WIREFRAME",
+                            self.add(f"GEOMETRIC_CURVE_SET('',({','.join(self.free)}))"))
+
     def product(self, name, _=None):
         super().product(name, ",".join(self.faces))
         if not self.free:
@@ -481,10 +486,38 @@ def iges_disc():
     return iges.text("disc_in_square")
 
 
+def link(gap=0.0):
+    """A chain link without a face: its curves in no order, and drawn in either direction."""
+    return [("line", -2 + 1j, 2 + 1j, "flank"), ("circle", -2 + 0j, 0.5),
+            ("arc", 2 + 0j, 1, 2 - 1j, 2 + 1j, 1, "head"), ("circle", 2 + 0j, 0.5),
+            ("arc", -2 + 0j, 1, -2 + 1j, -2 - 1j, 1, "head"), ("line", 2 - 1j, -2 + gap - 1j, "flank")]
+
+
+def loose(name, curves):
+    """Curves that lie beside no face."""
+    step = Sheet()
+    for curve in curves:
+        step.curve(*curve)
+    step.wireframe(name)
+    return step.text(name)
+
+
+def iges_loose():
+    """Three sides of a square in no order, the fourth a half circle."""
+    iges = Iges()
+    iges.add(110, 3.0, 0.0, 0.0, 3.0, 2.0, 0.0, level=3)
+    iges.add(110, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0)
+    iges.add(100, 0.0, 0.0, 1.0, 0.0, 2.0, 0.0, 0.0)
+    iges.add(110, 3.0, 2.0, 0.0, 0.0, 2.0, 0.0)
+    return iges.text("loose_curves")
+
+
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(os.path.join(folder, "bad"), exist_ok=True)
     for name, text in {**models(), "slit": slit(), "bad/two_planes": two_planes(),
+                       "loose_curves": loose("loose_curves", link()), "bad/loose_gap": loose("loose_gap", link(0.001)),
+                       "bad/loose_branch": loose("loose_branch", [*link(), ("line", 2 + 1j, 3 + 2j)]),
                        "inner_curve": doubled("inner_curve", [(0.5 + 0.5j, 1 + 0.5j)], True),
                        "open_inner_wire": doubled("open_inner_wire", [(0.5 + 0.5j, 1 + 0.5j), (1 + 0.5j, 1.2 + 0.7j)],
                                                   False)}.items():
@@ -492,6 +525,8 @@ def main():
             file.write(text)
     with open(os.path.join(folder, "disc_in_square.iges"), "w", encoding="ascii") as file:
         file.write(iges_disc())
+    with open(os.path.join(folder, "loose_curves.iges"), "w", encoding="ascii") as file:
+        file.write(iges_loose())
 
 
 if __name__ == "__main__":
