@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
 #include "curve/pole_box.hpp"
 #include "heal/blunt_cusps.hpp"
 #include "heal/touching_loops.hpp"
@@ -64,6 +65,15 @@ Vec2 first_contact(const std::vector<Loop>& loops) {
     for (size_t i = 0; i < loops[l].size(); ++i)
       if (contacts[l][i]) return loops[l][i].curve.poles.front();
   return {};
+}
+
+void warn_of_common_lines(const heal::RawFace& raw, const std::vector<heal::CommonLine>& common, Report& report) {
+  for (const heal::CommonLine& line : common)
+    report.warn(warning::tip_cut_off,
+                fmt::format("{}: edges {} and {} run along each other from {} to {}, {:.3g} long, with no width of the "
+                            "face between them, and were cut off there; --blunt 0 refuses such faces",
+                            raw.file, line.edge_a, line.edge_b, rounded_position_text(line.start),
+                            rounded_position_text(line.end), line.length));
 }
 
 // The outline first, the other loops in the order of the file; each with the face on its left.
@@ -136,7 +146,11 @@ AssembledLoops assembled_loops(const heal::RawFace& raw, const AssembleOptions& 
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
   loops = sorted_loops(std::move(loops));
   require_width(raw, curves_of(loops.front()), size);
-  loops = chosen_piece(raw, heal::separated_loops(loops, {joint_share * size, contact_share * size}), options.piece);
+  std::vector<heal::CommonLine> common;
+  loops = heal::separated_loops(loops, {joint_share * size, contact_share * size},
+                                options.blunt_width == 0 ? nullptr : &common);
+  warn_of_common_lines(raw, common, report);
+  loops = chosen_piece(raw, loops, options.piece);
   const heal::BluntOptions blunt{raw.file, diameter(curves_of(loops.front())), options.blunt_width};
   heal::blunt_cusps(loops, blunt, repairs, report);
   heal::refuse_contacts(loops, blunt);

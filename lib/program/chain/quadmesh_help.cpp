@@ -56,8 +56,9 @@ OPTIONS
   --heal-tolerance X        the most that edges which do not meet are moved, in diameters (see cad2tri --help)
   --fit-tolerance X         the most that splines with many knots are moved to need fewer, in diameters (see
                             cad2tri --help)
-  --blunt WIDTH             cut off the tips of cusps, of corners below 0.2 degrees and of corners in which the
-                            boundary touches itself: straight edges of this length, in file units
+  --blunt auto|WIDTH        cut off the tips of cusps, of corners below 0.2 degrees and of corners in which the
+                            boundary touches itself: straight edges of this length, in file units; auto, the default:
+                            1e-3 diameters, with a warning; 0: cusps and contacts are refused (see cad2tri --help)
   --write-healed FILE       also write the healed face as a CAD file: x.step or x.brep
   --workdir DIR             keep the files of all stages in DIR (default: a temporary folder)
   --until STAGE             end after this stage; needs --workdir; -o is then not written and may be left out
