@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "base/angle.hpp"
+#include "base/bracketed_root.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
-#include "heal/cusp_cut.hpp"
 #include "heal/heal_rules.hpp"
 #include "heal/interior_angle.hpp"
 #include "heal/report_repair.hpp"
@@ -23,6 +23,56 @@
 
 namespace quadrille::heal {
 namespace {
+
+/// The two curves of a cusp, `in` ending at its tip and `out` starting there, and how much may be cut off each of them,
+/// a length. The pointers must outlive the object.
+struct Cusp {
+  const Nurbs* in = nullptr;
+  const Nurbs* out = nullptr;
+  double reach = 0;
+};
+
+// The width of a cusp by the length cut off each of its curves.
+class CuspWidth {
+ public:
+  explicit CuspWidth(const Cusp& cusp) : cusp_(cusp), length_in_(*cusp.in), length_out_(*cusp.out) {}
+
+  double at(double cut) const {
+    const Vec2 a = curve::point(*cusp_.in, length_in_.parameter(length_in_.total() - cut));
+    return distance(a, curve::point(*cusp_.out, length_out_.parameter(cut)));
+  }
+
+  // The length of step `i` of those in which the reach is searched.
+  double step(int i) const { return cusp_.reach * i / blunt_rules.search_steps; }
+
+ private:
+  Cusp cusp_;
+  curve::ArcLength length_in_, length_out_;
+};
+
+/// `has_cusps_at_both_ends`: of one of the curves; then only half of the shorter curve may be cut off.
+Cusp cusp_between(const Nurbs& in, const Nurbs& out, bool has_cusps_at_both_ends) {
+  const double shorter = std::min(curve::ArcLength(in).total(), curve::ArcLength(out).total());
+  return {&in, &out, blunt_rules.edge_fraction * (has_cusps_at_both_ends ? 0.5 : 1) * shorter};
+}
+
+/// The least length to cut off both curves such that the distance of their new ends is `width`; std::nullopt if the
+/// cusp is nowhere as wide within its reach.
+std::optional<double> cut_length(const Cusp& cusp, double width) {
+  const CuspWidth widths(cusp);
+  for (int i = 1; i <= blunt_rules.search_steps; ++i)
+    if (widths.at(widths.step(i)) >= width)
+      return bisect([&](double cut) { return widths.at(cut) - width; }, widths.step(i - 1), widths.step(i));
+  return std::nullopt;
+}
+
+/// The greatest width at which the cusp can be cut.
+double widest_cut(const Cusp& cusp) {
+  const CuspWidth widths(cusp);
+  double widest = 0;
+  for (int i = 1; i <= blunt_rules.search_steps; ++i) widest = std::max(widest, widths.at(widths.step(i)));
+  return widest;
+}
 
 using Flags = std::vector<std::vector<bool>>;
 
