@@ -32,6 +32,17 @@ accepted() {
   accepted sector --periodic from=to
 }
 
+@test "sides in several parts are paired by the motion, and named by patterns" {
+  accepted bank --periodic 'below*=above_?'
+  assert_line --regexp '^ok +periodic nodes'
+  cad2tri "$DATA/regions/periodic_bank.step" --periodic 'below*=above*:translate=0,2' -o a.tri.h5 --report a.json
+  assert_equal "$(jq .face.periodic_pairs a.json)" 3
+  run -2 cad2tri "$DATA/regions/periodic_bank.step" --periodic 'below*=above_1' -o x.tri.h5
+  assert_line --partial "'below*' has 3 parts and 'above_1' has 1 part"
+  run -3 cad2tri "$DATA/regions/periodic_bank.step" --periodic 'below*=above*:translate=0,2.1' -o x.tri.h5
+  assert_line --partial "the ends of the sides give translate=0,2"
+}
+
 @test "periodic sides of two regions have nodes in the same places" {
   accepted layers --periodic left=right
   accepted pin --periodic left=right --periodic bottom=top
@@ -67,7 +78,9 @@ accepted() {
   run -3 cad2tri "$DATA/regions/periodic_box.step" --periodic left=right:translate=4,1 -o x.tri.h5
   assert_line --partial "the ends of the sides give translate=4,0"
   run -2 cad2tri "$DATA/regions/periodic_box.step" --name sides=left --name sides=right --periodic sides=top -o x.tri.h5
-  assert_line --partial "do not follow each other: one part ends at (4, 3), another one begins at (0, 3)"
+  assert_line --partial "'sides' has 2 parts and 'top' has 1 part that do not follow each other ((4, 0) to (4, 3), (0, 3) to (0, 0); (4, 3) to (0, 3))"
+  run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic 'l*=*t' -o x.tri.h5
+  assert_line --partial "'left' is on both sides"
   run -2 cad2tri "$DATA/regions/periodic_box.step" --periodic left=right --periodic right=left -o x.tri.h5
   assert_line --partial "'right' is already a side of another periodic pair"
   assert_file_not_exists x.tri.h5

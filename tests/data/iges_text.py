@@ -23,9 +23,10 @@ class Iges:
         head = ("1H,,1H;," + ",".join(map(word, (name, name + ".iges", "test", "1", 32, 38, 6, 308, 15, name)))
                 + ",1.0,2,2HMM,1,0.01,15H20000101.000000,1.0E-7,2.0,4Hnone,4Hnone,11,0,15H20000101.000000;")
         directory, data = [], []
+        has_surface = any(entity[0] == 144 for entity in self.entities)
         for kind, parameters, form, level, colour in self.entities:
-            # In two lines: nine numbers, and nine more; subordinate but for trimmed surfaces, which are the roots.
-            status = "00000000" if kind == 144 else "00010000"
+            # In two lines: nine numbers, and nine more; subordinate but for the roots: trimmed surfaces, or loose curves.
+            status = "00000000" if kind == 144 or not has_surface else "00010000"
             lines = pieces(",".join(map(word, (kind, *parameters))) + ";", 64)
             first = (kind, len(data) + 1, 0, 0, level, 0, 0, 0)
             second = (kind, 0, colour, len(lines), form, "", "", "", 0)

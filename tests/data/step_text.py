@@ -137,7 +137,9 @@ class Step:
 
     def product(self, name, face):
         shell = self.add(f"OPEN_SHELL('',({face}))")
-        model = self.add(f"SHELL_BASED_SURFACE_MODEL('',({shell}))")
+        self.representation(name, "MANIFOLD_SURFACE", self.add(f"SHELL_BASED_SURFACE_MODEL('',({shell}))"))
+
+    def representation(self, name, kind, model):
         length = self.add("( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )")
         angle = self.add("( NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.) )")
         solid = self.add("( NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT() )")
@@ -147,7 +149,7 @@ class Step:
                            f"GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({accuracy})) "
                            f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid})) "
                            "REPRESENTATION_CONTEXT('','3D') )")
-        shape = self.add(f"MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',({self.origin()},{model}),{context})")
+        shape = self.add(f"{kind}_SHAPE_REPRESENTATION('',({self.origin()},{model}),{context})")
         application = self.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')")
         self.add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})")
         field = self.add(f"PRODUCT_CONTEXT('',{application},'mechanical')")

@@ -261,9 +261,16 @@ loop = [("line", 0j, 1 + 0j), ("line", 1 + 0j, 1 + 0.4j), ("line", 1 + 0.4j, top
 print(step_text("cusp", [loop]))'
 }
 
-@test "--blunt cuts the tip of a cusp off, which is refused without it" {
+@test "--blunt cuts the tip of a cusp off, by itself with a warning; --blunt 0 refuses it" {
   cusp > cusp.step
-  run cad2tri cusp.step -o a.tri.h5
+  run cad2tri cusp.step -o a.tri.h5 --report a.json
+  assert_success
+  assert_output --regexp 'W-CAD-011: cusp.step: .* meet in a cusp at \(0, 0\), 0.046 long and 0.0011 wide: give --blunt WIDTH'
+  assert_equal "$(jq -c '[.heal.repairs, .heal.repair["0"].kind, .face.curves]' a.json)" '[1,"cusp",5]'
+  run stagecheck a.tri.h5
+  assert_success
+  rm a.tri.h5 a.json
+  run cad2tri cusp.step -o a.tri.h5 --blunt 0
   assert_failure 3
   assert_output --regexp 'cusp.step: edges 3 and 0 meet in a cusp at \(0, 0\), an angle of zero, .* give --blunt 0.001 to'
   run cad2tri cusp.step -o a.tri.h5 --blunt 0.001 --report a.json --write-healed blunt.step
@@ -296,7 +303,7 @@ print(step_text("crescent", [[("arc", 0j, 1, -1 + 0j, 1 + 0j, 1), ("arc", centre
 
 @test "a face too narrow to be meshed is refused with its width, and --blunt cuts its sharp corners off" {
   crescent 0.05 > narrow.step
-  run cad2tri narrow.step -o a.tri.h5
+  run cad2tri narrow.step -o a.tri.h5 --blunt 0
   assert_failure 1
   assert_output --regexp 'takes more than 10000 element edges: it is .* diameters\) wide at .*: the corner of 0.05 degrees at .* is sharp: cut its tip off with --blunt'
   cad2tri narrow.step --blunt 3e-4 -o a.tri.h5 --report a.json -q
@@ -328,7 +335,7 @@ print(step_text("touching", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1.5 + 0j, 1 + 
   run cad2tri two.step --face 0.2 -o c.tri.h5
   assert_failure 3
   touching 2 > one.step
-  run cad2tri one.step -o c.tri.h5
+  run cad2tri one.step -o c.tri.h5 --blunt 0
   assert_failure 3
   assert_output --partial 'at (1.5, 0), where edges 0 and 4 meet: the face has a width of zero there: give --blunt 0.005 to'
   run cad2tri one.step --face 0.1 -o c.tri.h5
@@ -336,7 +343,24 @@ print(step_text("touching", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1.5 + 0j, 1 + 
   assert_output --partial 'the face has one piece, number 0'
   cad2tri one.step --face 0.0 --blunt 0.005 -o c.tri.h5 --report c.json
   assert_equal "$(jq -c '[.face.loops, .heal.repairs]' c.json)" '[1,2]'
+  cad2tri -q one.step -o c.tri.h5 --report c.json
+  assert_equal "$(jq -c '[.face.loops, .heal.repairs, .warnings[0].code]' c.json)" '[1,2,"W-CAD-011"]'
   assert_nothing_left two.step one.step a.tri.h5 b.tri.h5 c.tri.h5 a.json b.json c.json
+}
+
+@test "a hole with a side on the outline becomes a notch, with a warning; --blunt 0 refuses it" {
+  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+from step_text import step_text
+sides = lambda *p: [("line", a, b) for a, b in zip(p, p[1:] + p[:1])]
+print(step_text("beside", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1 + 0j, 1 + 1j, 2 + 1j, 2 + 0j)]))' >beside.step
+  run cad2tri beside.step -o a.tri.h5 --report a.json
+  assert_success
+  assert_output --partial 'W-CAD-011: beside.step: edges 0 and 7 run along each other from (1, 0) to (2, 0), 1 long,'
+  assert_equal "$(jq -c '[.face.loops, .face.curves, (.face.area | round)]' a.json)" '[1,8,11]'
+  run cad2tri beside.step -o b.tri.h5 --blunt 0
+  assert_failure 3
+  assert_output --partial 'the boundary touches itself at (1, 0)'
+  assert_nothing_left beside.step a.tri.h5 a.json
 }
 
 @test "--write-healed writes a face that needs no healing" {

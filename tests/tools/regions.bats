@@ -116,6 +116,59 @@ names() {
   refused 2 x 'expected NAME=LIST'
 }
 
+@test "regions that --region-name gives one name are one, unless --keep-joints" {
+  parts=(--region-name metal=0-3 --region-name chip=4)
+  run cad2tri "$DATA/regions/finned_plate.step" "${parts[@]}" --name 'air=*' --report a.json -o a.tri.h5
+  assert_success
+  assert_output ""
+  assert_equal "$(jq -c '[.regions.count, .face.curves]' a.json)" '[2,22]'
+  assert_equal "$(names region_names a.tri.h5 | tr '\n' ' ')" '"metal" "chip" '
+  assert_equal "$(names curve_names a.tri.h5 | sort | uniq -c | sed 's/^ *//' | tr '\n' ' ')" '20 "air" 2 "metal-chip" '
+  run stagecheck a.tri.h5
+  assert_success
+  assert_equal "$(figures .regions.count finned_plate.step "${parts[@]}" --keep-joints)" '[5]'
+  assert_equal "$(figures .regions.count finned_plate.step --region-name 'all=*')" '[1]'
+  assert_equal "$(figures .regions.count finned_plate.step --region-name metal=0)" '[5]'
+}
+
+@test "--name '*' names no interface, interface:* nothing else, and one name for both is a warning" {
+  cad2tri -q "$DATA/regions/finned_plate.step" --name 'air=*' --name 'joint=interface:*' -o a.tri.h5
+  assert_equal "$(names curve_names a.tri.h5 | sort | uniq -c | sed 's/^ *//' | tr '\n' ' ')" '20 "air" 8 "joint" '
+  printf '{"*": "air", "interface:*": "joint"}' >names.json
+  cad2tri -q "$DATA/regions/finned_plate.step" --boundary-names names.json -o b.tri.h5
+  assert_equal "$(names curve_names b.tri.h5)" "$(names curve_names a.tri.h5)"
+  run cad2tri "$DATA/regions/finned_plate.step" --name 'air=*e*' -o a.tri.h5
+  assert_success
+  assert_output --partial 'W-CAD-010: --name air=*e* names'
+  run cad2tri "$DATA/regions/plate_crack.step" --name 'edge=*' -o a.tri.h5
+  assert_output ""
+  assert_equal "$(names curve_names a.tri.h5 | grep -c crack)" 2
+  run -3 cad2tri "$DATA/square.step" --name 'x=interface:*' -o b.tri.h5
+  assert_output --partial 'the face has no interface'
+}
+
+@test "curves without a face are its boundary if they close, with a warning; else the gap is named" {
+  run cad2tri "$DATA/regions/loose_curves.step" -o a.tri.h5 --report a.json
+  assert_success
+  assert_output --partial 'W-CAD-012: '
+  assert_output --partial 'the file holds no face: 6 curves that close, in 3 loops, were taken as the boundary of one'
+  assert_equal "$(jq -c '[.face.loops, .face.curves, (.face.area * 1000 | round)]' a.json)" '[3,6,9571]'
+  assert_equal "$(names curve_names a.tri.h5 | sort | uniq -c | sed 's/^ *//' | tr '\n' ' ')" \
+    '1 "curve_4" 1 "curve_5" 2 "flank" 2 "head" '
+  run stagecheck a.tri.h5
+  assert_success
+  assert_equal "$(figures '.face.loops, .face.curves' loose_curves.iges)" '[1,4]'
+  assert_equal "$(names curve_names a.tri.h5 | grep -c level_3)" 1
+  refuse() { # NAME MESSAGE
+    run cad2tri "$DATA/regions/bad/$1.step" -o x.tri.h5
+    assert_failure 3
+    assert_output --regexp "$2"
+  }
+  refuse loose_gap "its curves leave 1 gap: edge 4 ends at \(-2, -1\), 0.001 from edge 5 at \(-1.999, -1\) .*: give --heal-tolerance 0.00017"
+  refuse loose_branch "its curves bound none: 3 curves end at \(2, 1\), such as edges 0 and"
+  assert_equal "$(figures .face.loops bad/loose_gap.step --heal-tolerance 0.00017)" '[3]'
+}
+
 @test "cad2tri gives the same bytes with any number of threads" {
   cad2tri "$DATA/regions/voronoi_20.step" -o a.tri.h5 --threads 1
   cad2tri "$DATA/regions/voronoi_20.step" -o b.tri.h5 --threads 4

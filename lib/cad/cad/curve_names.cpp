@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "base/assign_names.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "base/warning_codes.hpp"
 #include "curve/face_position.hpp"
 #include "curve/project.hpp"
 
@@ -70,13 +72,28 @@ std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
   return curves;
 }
 
+bool is_in_part(const CadFace& face, int curve, NameRule::Part part) {
+  return part == NameRule::Part::any || face.is_interface(curve) == (part == NameRule::Part::interface);
+}
+
 std::vector<int> curves_of_pattern(const CadFace& face, const NameRule& rule) {
   std::vector<int> curves;
   for (int c = 0; c < face.num_curves(); ++c)
-    if (matches_wildcard(face.curve_names[c], rule.text)) curves.push_back(c);
+    if (is_in_part(face, c, rule.part) && matches_wildcard(face.curve_names[c], rule.text)) curves.push_back(c);
   if (curves.empty())
-    throw FormatError(
-        fmt::format("{}: no boundary curve has the name {}{}", rule.where, rule.text, known_curves(face, rule.text)));
+    throw FormatError(fmt::format("{}: no {} has the name {}{}", rule.where,
+                                  rule.part == NameRule::Part::interface ? "interface" : "boundary curve", rule.text,
+                                  known_curves(face, rule.part == NameRule::Part::any ? rule.text : "")));
+  return curves;
+}
+
+/// All that a rule for the rest may name.
+std::vector<int> curves_of_rest(const CadFace& face, const NameRule& rule) {
+  std::vector<int> curves;
+  const NameRule::Part part = rule.part == NameRule::Part::any ? NameRule::Part::boundary : rule.part;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (is_in_part(face, c, part)) curves.push_back(c);
+  if (curves.empty()) throw FormatError(rule.where + ": the face has no interface, nor a curve inside it");
   return curves;
 }
 
@@ -93,6 +110,7 @@ std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
   if (rule.kind == NameRule::Kind::position) return nearest_curve(face, rule);
   if (rule.kind == NameRule::Kind::pattern) return curves_of_pattern(face, rule);
   if (rule.kind == NameRule::Kind::range) return curves_of_range(face, rule);
+  if (rule.kind == NameRule::Kind::rest) return curves_of_rest(face, rule);
   std::vector<int> curves;
   if (rule.kind == NameRule::Kind::key || rule.kind == NameRule::Kind::old_name)
     curves = curves_of_name(face, rule.text);
@@ -112,12 +130,23 @@ std::vector<int> with_partners(const CadFace& face, std::vector<int> curves) {
   return curves;
 }
 
-std::vector<GivenName> given_names(const CadFace& face, const std::vector<NameRule>& rules) {
+/// A condition on a boundary is none on an interface, so that one name for both is likely to be a mistake.
+void warn_of_both_kinds(const CadFace& face, const NameRule& rule, const std::vector<int>& curves, Report& report) {
+  const auto num_sides = std::count_if(curves.begin(), curves.end(), [&](int c) { return face.is_interface(c); });
+  const auto num_outer = static_cast<std::ptrdiff_t>(curves.size()) - num_sides;
+  if (num_sides == 0 || num_outer == 0) return;
+  report.warn(warning::name_of_both_kinds,
+              fmt::format("{} names {} of the boundary and {} inside the face, between regions or in one: write "
+                          "boundary:PATTERN or interface:PATTERN in --name for one of these kinds",
+                          rule.where, counted(num_outer, "curve"), counted(num_sides / 2, "curve")));
+}
+
+std::vector<GivenName> given_names(const CadFace& face, const std::vector<NameRule>& rules, Report& report) {
   std::vector<GivenName> given;
   for (const NameRule& rule : rules) {
-    const bool is_for_rest = rule.kind == NameRule::Kind::rest;
-    given.push_back({rule.name, is_for_rest ? std::vector<int>() : with_partners(face, curves_of(face, rule)),
-                     is_for_rest, rule.where});
+    const std::vector<int> curves = with_partners(face, curves_of(face, rule));
+    warn_of_both_kinds(face, rule, curves, report);
+    given.push_back({rule.name, curves, rule.kind == NameRule::Kind::rest, rule.where});
   }
   return given;
 }
@@ -146,8 +175,8 @@ void yield(std::vector<GivenName>& given, const std::vector<GivenName>& overridi
     const auto is_taken = [&](int target) {
       return std::find(winner.targets.begin(), winner.targets.end(), target) != winner.targets.end();
     };
-    for (GivenName& g : given) std::erase_if(g.targets, is_taken);
-    if (winner.is_for_rest) std::erase_if(given, [](const GivenName& g) { return g.is_for_rest; });
+    for (GivenName& g : given)
+      if (g.is_for_rest || !winner.is_for_rest) std::erase_if(g.targets, is_taken);
   }
 }
 
@@ -165,13 +194,12 @@ void choose_names(heal::RawFace& raw) {
   if (raw.name.empty() && !is_part_layer) raw.name = raw.layer;
 }
 
-void rename_curves(CadFace& face, const std::vector<NameRule>& rules) { rename_curves(face, rules, {}); }
-
-void rename_curves(CadFace& face, const std::vector<NameRule>& rules, const std::vector<NameRule>& overriding) {
-  std::vector<GivenName> given = given_names(face, rules);
+void rename_curves(CadFace& face, const std::vector<NameRule>& rules, const std::vector<NameRule>& overriding,
+                   Report& report) {
+  std::vector<GivenName> given = given_names(face, rules, report);
   std::vector<std::string> names = face.curve_names;
   assign_names(names, given, "curve");  // refuses contradictions of the first set, also where the second one decides
-  const std::vector<GivenName> winners = merged_by_name(given_names(face, overriding));
+  const std::vector<GivenName> winners = merged_by_name(given_names(face, overriding, report));
   yield(given, winners);
   given.insert(given.end(), winners.begin(), winners.end());
   const std::vector<int> named = assign_names(face.curve_names, given, "curve");

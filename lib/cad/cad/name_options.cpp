@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
@@ -43,13 +45,17 @@ std::optional<std::pair<int, int>> range_of(const std::string& item) {
 NameRule rule_of_item(const std::string& item, const std::string& where) {
   NameRule rule;
   if (item.empty()) throw UsageError(where + ": an item of the list is empty");
-  if (item == "*") return rule;
+  std::string_view pattern = item;
+  for (const auto& [prefix, part] : {std::pair{std::string_view("boundary:"), NameRule::Part::boundary},
+                                     std::pair{std::string_view("interface:"), NameRule::Part::interface}})
+    if (pattern.starts_with(prefix)) rule.part = part, pattern.remove_prefix(prefix.size());
+  if (pattern == "*") return rule;
   if (const auto range = range_of(item)) {
     rule.kind = NameRule::Kind::range;
     rule.number = range->first, rule.last_number = range->second;
   } else {
     rule.kind = NameRule::Kind::pattern;
-    rule.text = item;
+    rule.text = pattern;
   }
   return rule;
 }

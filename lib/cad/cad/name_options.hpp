@@ -14,8 +14,8 @@ namespace quadrille::cad {
 constexpr double max_option_distance = 0.1;
 
 /// One rule for each item of "NAME=LIST", a list of numbers, ranges a-b, names and patterns (base/name_text), or for
-/// "NAME@X,Y[,Z]". The list "*" is the rest. Throws UsageError, with the option, for anything else. `option_name`:
-/// for messages.
+/// "NAME@X,Y[,Z]". The item "*" is the rest; "boundary:" and "interface:" before a pattern or "*" are its part. Throws
+/// UsageError, with the option, for anything else. `option_name`: for messages.
 std::vector<NameRule> name_option_rules(const std::vector<std::string>& options,
                                         const std::string& option_name = "--name");
 

@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "base/position_text.hpp"
-#include "cad/split_curve.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "model/periodic.hpp"
@@ -25,11 +26,47 @@ constexpr double angle_tol = 1e-9;      // radians: an angle nearer to a whole f
 constexpr int max_fraction = 720;       // of a turn
 constexpr int samples_per_span = 8;
 
-/// Curves that follow each other along the boundary of the whole, in its direction.
-struct Side {
-  std::string name;
+/// A part of a side: curves that follow each other along the boundary of the whole, in its direction.
+struct Part {
+  std::string name;  ///< of the side
   std::vector<int> curves;
 };
+
+using Side = std::vector<Part>;
+
+// From its own start on.
+Nurbs from_zero(Nurbs curve) {
+  const double begin = curve.begin();
+  for (double& knot : curve.knots) knot -= begin;
+  return curve;
+}
+
+/// Divides a curve of the boundary at the parameter t inside it, where its tangent is continuous: later curves are
+/// renumbered. Both parts have its name and its edge.
+void split_curve(CadFace& face, int curve, double t) {
+  const Nurbs whole = face.curves[curve];
+  const int added = curve + 1;
+  const double tangent = angle_of(curve::tangent(whole, t));
+  const auto renumber = [added](int& c) { c += c >= added; };
+  face.curves[curve] = curve::trimmed(whole, whole.begin(), t);
+  Nurbs rest = from_zero(curve::trimmed(whole, t, whole.end()));
+  rest.poles.front() = face.curves[curve].poles.back();
+  face.joints.insert(face.joints.begin() + added, {rest.poles.front(), tangent, tangent, pi, false});
+  face.curves.insert(face.curves.begin() + added, std::move(rest));
+  face.curve_names.insert(face.curve_names.begin() + added, std::string(face.curve_names[curve]));
+  face.curve_cad_edges.insert(face.curve_cad_edges.begin() + added, int(face.curve_cad_edges[curve]));
+  const bool is_unnamed = !face.has_given_name(curve);
+  for (int& c : face.unnamed_curves) renumber(c);
+  if (is_unnamed)
+    face.unnamed_curves.insert(std::upper_bound(face.unnamed_curves.begin(), face.unnamed_curves.end(), curve), added);
+  for (int& offset : face.loop_offsets) offset += offset > curve;
+  if (!face.partners.empty()) {
+    for (int& partner : face.partners) renumber(partner);
+    face.partners.insert(face.partners.begin() + added, -1);
+  }
+  for (PeriodicPair& pair : face.periodic_pairs)
+    for (int& c : pair.curves) renumber(c);
+}
 
 class PeriodicPairing {
  public:
@@ -37,13 +74,20 @@ class PeriodicPairing {
       : face_(face), request_(request), same_(relative_same * face.diameter) {}
 
   void pair() {
-    Side a = side(request_.first), b = side(request_.second);
-    const GivenMotion given = request_.motion ? *request_.motion : motion_between(a, b);
+    const Side first = side(request_.first), second = side(request_.second);
+    require_two_sides(first, second);
+    const GivenMotion given = request_.motion ? *request_.motion : motion_between(first, second);
     const PeriodicMotion motion(given.angle, given.shift, face_.origin);
-    require_fit(a, b, motion);
-    split_at_joints(b.name, images_of_joints(a, motion, true));
-    split_at_joints(a.name, images_of_joints(side(b.name), motion, false));
-    a = side(a.name), b = side(b.name);
+    const Side images = images_of(first, second, motion);
+    for (std::size_t k = 0; k < first.size(); ++k) require_fit(first[k], images[k], motion);
+    split_at_joints(request_.second, images_of_joints(first, motion, true));
+    split_at_joints(request_.first, images_of_joints(side(request_.second), motion, false));
+    const Side from = side(request_.first), to = images_of(from, side(request_.second), motion);
+    for (std::size_t k = 0; k < from.size(); ++k) pair_parts(from[k], to[k], given, motion);
+  }
+
+ private:
+  void pair_parts(const Part& a, const Part& b, const GivenMotion& given, const PeriodicMotion& motion) {
     if (a.curves.size() != b.curves.size()) throw Defect("periodic sides with different numbers of curves");
     for (std::size_t k = 0; k < a.curves.size(); ++k) {
       const int from = a.curves[k], to = b.curves[b.curves.size() - 1 - k];
@@ -52,16 +96,18 @@ class PeriodicPairing {
     }
   }
 
- private:
   Vec2 start(int curve) const { return face_.curves[curve].poles.front(); }
   Vec2 end(int curve) const { return face_.curves[curve].poles.back(); }
+  Vec2 start(const Part& part) const { return start(part.curves.front()); }
+  Vec2 end(const Part& part) const { return end(part.curves.back()); }
   bool are_same(Vec2 a, Vec2 b) const { return distance(a, b) <= same_; }
   std::string place(Vec2 x) const { return position_text(x + face_.origin); }
 
+  /// `name` may be a pattern.
   std::vector<int> curves_named(const std::string& name) const {
     std::vector<int> curves;
     for (int c = 0; c < face_.num_curves(); ++c)
-      if (face_.curve_names[c] == name) curves.push_back(c);
+      if (matches_wildcard(face_.curve_names[c], name)) curves.push_back(c);
     if (curves.empty())
       throw UsageError(fmt::format("{}: no curve is named '{}'; the names are: {}", request_.where, name,
                                    fmt::join(std::set(face_.curve_names.begin(), face_.curve_names.end()), ", ")));
@@ -78,38 +124,85 @@ class PeriodicPairing {
     return curves;
   }
 
-  // The curves of a name in the order of the boundary; also of several regions, whose loops they belong to.
+  /// The parts of a side, each in the order of the boundary, also of several regions, whose loops it belongs to.
   Side side(const std::string& name) const {
     std::vector<int> rest = curves_named(name);
-    const auto follows_another = [&](int c) {
-      return std::any_of(rest.begin(), rest.end(), [&](int o) { return are_same(end(o), start(c)); });
-    };
-    const auto first = std::find_if_not(rest.begin(), rest.end(), follows_another);
-    if (first == rest.end())
-      throw UsageError(fmt::format(
-          "{}: the curves '{}' at {} are closed: no motion in the plane maps a closed side onto another from outside; "
-          "cut the shape along two lines that repeat each other, and name these",
-          request_.where, name, place(start(rest.front()))));
-    Side side{name, {*first}};
-    rest.erase(first);
+    Side side;
     while (!rest.empty()) {
-      const auto next =
-          std::find_if(rest.begin(), rest.end(), [&](int c) { return are_same(end(side.curves.back()), start(c)); });
+      const auto follows_another = [&](int c) {
+        return std::any_of(rest.begin(), rest.end(), [&](int o) { return are_same(end(o), start(c)); });
+      };
+      auto next = std::find_if_not(rest.begin(), rest.end(), follows_another);
       if (next == rest.end())
         throw UsageError(
-            fmt::format("{}: the curves '{}' do not follow each other: one part ends at {}, another one "
-                        "begins at {}; give the parts names of their own (--name)",
-                        request_.where, name, place(end(side.curves.back())), place(start(rest.front()))));
-      side.curves.push_back(*next);
-      rest.erase(next);
+            fmt::format("{}: the curves '{}' at {} are closed: no motion in the plane maps a closed side onto another "
+                        "from outside; "
+                        "cut the shape along two lines that repeat each other, and name these",
+                        request_.where, name, place(start(rest.front()))));
+      side.push_back({name, {}});
+      for (; next != rest.end();
+           next = std::find_if(rest.begin(), rest.end(), [&](int c) { return are_same(end(side.back()), start(c)); })) {
+        side.back().curves.push_back(*next);
+        rest.erase(next);
+      }
     }
     return side;
   }
 
-  // The motion that maps the line between the ends of the first side onto that of the second one.
+  void require_two_sides(const Side& a, const Side& b) const {
+    for (const Part& part : a)
+      for (const Part& other : b)
+        for (const int c : part.curves)
+          if (std::find(other.curves.begin(), other.curves.end(), c) != other.curves.end())
+            throw UsageError(fmt::format("{}: '{}' is on both sides", request_.where, face_.curve_names[c]));
+    if (a.size() != b.size())
+      throw UsageError(fmt::format(
+          "{}: '{}' has {} and '{}' has {} that do not follow each other ({}; {}): each part needs an image",
+          request_.where, request_.first, counted(a.size(), "part"), request_.second, counted(b.size(), "part"),
+          places(a), places(b)));
+  }
+
+  /// "(0, 0) to (1, 0), (2, 0) to (3, 0)"
+  std::string places(const Side& side) const {
+    std::vector<std::string> texts;
+    for (const Part& part : side) texts.push_back(place(start(part)) + " to " + place(end(part)));
+    return fmt::format("{}", fmt::join(texts, ", "));
+  }
+
+  /// How far the ends of the second part are from the images of those of the first one.
+  double distance_of_ends(const Part& a, const Part& b, const PeriodicMotion& motion) const {
+    return std::max(distance(motion.image(start(a)), end(b)), distance(motion.image(end(a)), start(b)));
+  }
+
+  /// The parts of b in the order of those of a whose images they are, by their ends.
+  Side images_of(const Side& a, Side b, const PeriodicMotion& motion) const {
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const auto is_nearer = [&](const Part& x, const Part& y) {
+        return distance_of_ends(a[k], x, motion) < distance_of_ends(a[k], y, motion);
+      };
+      std::iter_swap(b.begin() + k, std::min_element(b.begin() + k, b.end(), is_nearer));
+    }
+    return b;
+  }
+
+  /// The motion of the first part onto one of the second side with which the ends of all parts fit best.
   GivenMotion motion_between(const Side& a, const Side& b) const {
-    const Vec2 a0 = start(a.curves.front()), a1 = end(a.curves.back());
-    const Vec2 b0 = start(b.curves.front()), b1 = end(b.curves.back());
+    GivenMotion best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Part& image : b) {
+      const GivenMotion given = motion_between(a.front(), image);
+      const PeriodicMotion motion(given.angle, given.shift, face_.origin);
+      const Side images = images_of(a, b, motion);
+      double worst = 0;
+      for (std::size_t k = 0; k < a.size(); ++k) worst = std::max(worst, distance_of_ends(a[k], images[k], motion));
+      if (worst < least - same_) least = worst, best = given;
+    }
+    return best;
+  }
+
+  // The motion that maps the line between the ends of the first part onto that of the second one.
+  GivenMotion motion_between(const Part& a, const Part& b) const {
+    const Vec2 a0 = start(a), a1 = end(a), b0 = start(b), b1 = end(b);
     const Vec2 from = (a0 + a1) / 2 + face_.origin, to = (b0 + b1) / 2 + face_.origin;
     double angle = wrap_pi(angle_of(b0 - b1) - angle_of(a1 - a0));
     for (int n = 1; n <= max_fraction; ++n)
@@ -126,7 +219,7 @@ class PeriodicPairing {
     return curve::CurveTree(curves, [this](int c) -> const Nurbs& { return face_.curves[c]; });
   }
 
-  std::vector<Vec2> samples(const Side& side) const {
+  std::vector<Vec2> samples(const Part& side) const {
     std::vector<Vec2> points;
     for (const int c : side.curves) {
       const Nurbs& curve = face_.curves[c];
@@ -145,13 +238,13 @@ class PeriodicPairing {
     bool is_on_first = true;
   };
 
-  void require_fit(const Side& a, const Side& b, const PeriodicMotion& motion) const {
+  void require_fit(const Part& a, const Part& b, const PeriodicMotion& motion) const {
     Worst worst;
     const auto compare = [&](Vec2 x, double d, bool is_on_first) {
       if (!(d <= worst.distance)) worst = {x, d, is_on_first};
     };
-    compare(start(a.curves.front()), distance(motion.image(start(a.curves.front())), end(b.curves.back())), true);
-    compare(end(a.curves.back()), distance(motion.image(end(a.curves.back())), start(b.curves.front())), true);
+    compare(start(a), distance(motion.image(start(a)), end(b)), true);
+    compare(end(a), distance(motion.image(end(a)), start(b)), true);
     const curve::CurveTree first = tree_of(a.curves), second = tree_of(b.curves);
     for (const Vec2 x : samples(a)) compare(x, second.nearest(motion.image(x)).distance, true);
     for (const Vec2 x : samples(b)) compare(x, first.nearest(motion.original(x)).distance, false);
@@ -169,17 +262,20 @@ class PeriodicPairing {
         request_.motion ? ", or leave out the motion" : ""));
   }
 
-  // Of the joints inside a side.
+  // Of the joints inside parts.
   std::vector<Vec2> images_of_joints(const Side& side, const PeriodicMotion& motion, bool is_first) const {
     std::vector<Vec2> images;
-    for (std::size_t k = 1; k < side.curves.size(); ++k)
-      images.push_back(is_first ? motion.image(start(side.curves[k])) : motion.original(start(side.curves[k])));
+    for (const Part& part : side)
+      for (std::size_t k = 1; k < part.curves.size(); ++k) {
+        const Vec2 joint = start(part.curves[k]);
+        images.push_back(is_first ? motion.image(joint) : motion.original(joint));
+      }
     return images;
   }
 
   void split_at_joints(const std::string& name, const std::vector<Vec2>& joints) {
     for (const Vec2 x : joints) {
-      const std::vector<int> curves = side(name).curves;
+      const std::vector<int> curves = curves_named(name);
       if (std::any_of(curves.begin(), curves.end(), [&](int c) { return are_same(start(c), x); })) continue;
       const curve::NearestPoint foot = tree_of(curves).nearest(x);
       split_curve(face_, curves[foot.curve], foot.t);

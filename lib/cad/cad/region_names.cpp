@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/assign_names.hpp"
 #include "base/error.hpp"
@@ -50,12 +51,16 @@ std::vector<int> region_around(const CadFace& face, const NameRule& rule) {
 }
 
 std::vector<int> regions_of(const CadFace& face, const NameRule& rule) {
+  if (rule.part != NameRule::Part::any)
+    throw UsageError(rule.where + ": boundary: and interface: are for names of curves: leave them out");
   const std::vector<std::string> names = names_of(face);
   const int count = static_cast<int>(names.size());
   std::vector<int> regions;
   switch (rule.kind) {
     case NameRule::Kind::rest:
-      return {};
+      regions.resize(count);
+      std::iota(regions.begin(), regions.end(), 0);
+      return regions;
     case NameRule::Kind::position:
       return region_around(face, rule);
     case NameRule::Kind::range:
@@ -88,18 +93,19 @@ void name_interfaces(CadFace& face) {
   }
 }
 
-void rename_regions(CadFace& face, const std::vector<NameRule>& rules) {
-  if (rules.empty()) return;
+std::vector<int> rename_regions(CadFace& face, const std::vector<NameRule>& rules) {
+  if (rules.empty()) return {};
   std::vector<GivenName> given;
   for (const NameRule& rule : rules)
     given.push_back({rule.name, regions_of(face, rule), rule.kind == NameRule::Kind::rest, rule.where});
   std::vector<std::string> names = names_of(face);
-  assign_names(names, given, "region");
+  std::vector<int> named = assign_names(names, given, "region");
   if (face.region_names.empty())
     face.name = names.front();
   else
     face.region_names = names;
   name_interfaces(face);
+  return named;
 }
 
 }  // namespace quadrille::cad

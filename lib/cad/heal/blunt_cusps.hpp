@@ -1,5 +1,5 @@
 #pragma once
-// Cusps of the boundary, and corners in which it touches itself: cut off at a given width, or refused.
+// Cusps of the boundary, and corners in which it touches itself: cut off at a width, or refused.
 
 #include <vector>
 
@@ -12,14 +12,18 @@ namespace quadrille::heal {
 struct BluntOptions {
   std::string file;     ///< for messages
   double diameter = 1;  ///< of the face, a length
-  double width = 0;     ///< of the straight edges that replace tips, a length; 0: tips stay
+  double width = 0;     ///< of the straight edges that replace tips, a length; 0: tips stay; below 0: automatic_width
 };
+
+/// As BluntOptions::width: a thousandth of the diameter (in a far field, of the box around the bodies), or half of what
+/// the edges of a tip allow if that is less.
+inline constexpr double automatic_width = -1;
 
 /// Cuts off the tip of each cusp and sharp corner of the loops, which have the face on their left, and each convex
 /// corner at a point of contact (touching_loops.hpp): both curves lose the same length, the least at which their new
 /// ends are `width` apart, and a straight edge without name joins these ends. Adds a repair for each, also to the
-/// report. Throws FormatError, with place and remedy, if the curves of a tip are too short or the width is below that
-/// of short edges.
+/// report, and a warning with their places, lengths and widths if the width is automatic. Throws FormatError, with
+/// place and remedy, if the curves of a tip are too short or the width is below that of short edges.
 void blunt_cusps(std::vector<Loop>& loops, const BluntOptions& options, std::vector<Repair>& repairs, Report& report);
 
 /// Throws FormatError, with place and a width that would do, if the loops touch themselves or each other.

@@ -39,7 +39,7 @@ struct BluntRules {
   double sharp_angle = blunted_angle;  ///< radians: corners below are cut off like cusps if a width is given
   double largest_cusp = 1e-6;          ///< radians: an interior angle up to here is zero
   double least_width = 1e-5;           ///< diameters: shorter edges are removed by healing
-  double proposed_width = 1e-3;        ///< diameters: what a refusal proposes, or half of what the cusp allows
+  double automatic_width = 1e-3;       ///< diameters: that of --blunt auto, or half of what the cusp allows
   double edge_fraction = 0.95;         ///< of an edge's length: the most that is cut off it
   int search_steps = 64;               ///< of the length that may be cut off, to find the first place as wide as asked
 };

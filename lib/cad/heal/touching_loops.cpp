@@ -84,9 +84,8 @@ Chain chain_of(const std::vector<Loop>& loops) {
   return chain;
 }
 
-std::vector<Loop> loops_of(const Chain& chain) {
+std::vector<Loop> loops_of(const Chain& chain, std::vector<bool> is_done) {
   std::vector<Loop> loops;
-  std::vector<bool> is_done(chain.curves.size(), false);
   for (size_t first = 0; first < chain.curves.size(); ++first) {
     if (is_done[first]) continue;
     loops.emplace_back();
@@ -189,15 +188,66 @@ void separate(const Contact& contact, Chain& chain) {
   }
 }
 
+// ---- Curves that lie upon each other
+
+bool lie_upon_each_other(const Nurbs& a, const Nurbs& b, double tol) {
+  if (a.poles.front() != b.poles.back() || a.poles.back() != b.poles.front()) return false;
+  constexpr int num_samples = 16;
+  for (int i = 1; i < num_samples; ++i)
+    if (curve::project(b, curve::point(a, a.begin() + (a.end() - a.begin()) * i / num_samples)).distance > tol)
+      return false;
+  return true;
+}
+
+/// For each curve the one that lies upon it in the opposite direction, or -1. Both start at points of contact.
+std::vector<int> twins_of(const Chain& chain, const std::vector<Contact>& contacts, double tol) {
+  std::vector<int> twins(chain.curves.size(), -1), starts;
+  for (const Contact& contact : contacts) starts.insert(starts.end(), contact.begin(), contact.end());
+  for (size_t m = 0; m < starts.size(); ++m)
+    for (size_t n = m + 1; n < starts.size(); ++n) {
+      const int a = starts[m], b = starts[n];
+      if (twins[a] >= 0 || twins[b] >= 0) continue;
+      if (lie_upon_each_other(chain.curves[a].curve, chain.curves[b].curve, tol)) twins[a] = b, twins[b] = a;
+    }
+  return twins;
+}
+
+/// Where a curve with a twin follows, the boundary goes on behind its twin.
+void leave_out(const std::vector<int>& twins, Chain& chain, std::vector<CommonLine>& common) {
+  const std::vector<int> next = chain.next;
+  for (int i = 0; i < static_cast<int>(twins.size()); ++i) {
+    if (twins[i] >= 0) {
+      const LoopCurve &a = chain.curves[i], &b = chain.curves[twins[i]];
+      if (i < twins[i])
+        common.push_back(
+            {a.cad_edge, b.cad_edge, a.curve.poles.front(), a.curve.poles.back(), curve::ArcLength(a.curve).total()});
+      continue;
+    }
+    int n = next[i];
+    while (twins[n] >= 0) n = next[twins[n]];
+    chain.next[i] = n, chain.previous[n] = i;
+  }
+}
+
 }  // namespace
 
-std::vector<Loop> separated_loops(const std::vector<Loop>& loops, const ContactTolerance& tol) {
+std::vector<Loop> separated_loops(const std::vector<Loop>& loops, const ContactTolerance& tol,
+                                  std::vector<CommonLine>* common) {
   Chain chain = chain_of(split_at_joints(loops, tol));
-  const std::vector<Contact> contacts = contacts_of(chain, tol.of_joints);
+  std::vector<Contact> contacts = contacts_of(chain, tol.of_joints);
   if (contacts.empty()) return loops;
   for (const Contact& contact : contacts) give_one_position(contact, chain);
+  std::vector<bool> is_left_out(chain.curves.size(), false);
+  const std::vector<int> twins = twins_of(chain, contacts, tol.of_joints);
+  const bool has_others = std::find(twins.begin(), twins.end(), -1) != twins.end();  // else nothing would be left
+  if (common != nullptr && has_others) {
+    leave_out(twins, chain, *common);
+    for (size_t i = 0; i < twins.size(); ++i) is_left_out[i] = twins[i] >= 0;
+    for (Contact& contact : contacts) std::erase_if(contact, [&](int i) { return is_left_out[i]; });
+    std::erase_if(contacts, [](const Contact& contact) { return contact.size() < 2; });
+  }
   for (const Contact& contact : contacts) separate(contact, chain);
-  return loops_of(chain);
+  return loops_of(chain, is_left_out);
 }
 
 std::vector<std::vector<bool>> contacts_at_starts(const std::vector<Loop>& loops) {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomLib_IsPlanarSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -244,22 +247,57 @@ void require_unscaled(const TopoDS_Face& face, const std::string& file) {
   }
 }
 
-heal::RawFace raw_face(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, const std::string& file,
-                       Report& report) {
-  require_unscaled(face, file);
+/// Without edges.
+heal::RawFace blank_face(const OccModel& model, const PlaneFrame& frame, const std::string& file) {
   heal::RawFace raw;
   raw.file = file;
-  const ShapeLabel label = model.label_of(face);
-  raw.name = label.name, raw.layer = label.layer;
   raw.length_unit = model.length_unit;
   raw.metres_per_unit = model.metres_per_unit;
   raw.tolerance = model.tolerance;
-  raw.shape_tolerance = BRep_Tool::Tolerance(face);
   raw.plane_origin = frame.origin;
   raw.plane_x = frame.e_x;
   raw.plane_y = frame.e_y;
+  return raw;
+}
+
+heal::RawFace raw_face(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, const std::string& file,
+                       Report& report) {
+  require_unscaled(face, file);
+  heal::RawFace raw = blank_face(model, frame, file);
+  const ShapeLabel label = model.label_of(face);
+  raw.name = label.name, raw.layer = label.layer;
+  raw.shape_tolerance = BRep_Tool::Tolerance(face);
   FaceReader(model, face, frame, raw, report).read();
   return raw;
+}
+
+/// Of each finite edge.
+std::vector<gp_Pnt> samples_of(const std::vector<TopoDS_Shape>& edges) {
+  std::vector<gp_Pnt> samples;
+  for (const TopoDS_Shape& edge : edges) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edge));
+    const double first = curve.FirstParameter(), last = curve.LastParameter();
+    if (Precision::IsInfinite(first) || Precision::IsInfinite(last)) continue;
+    for (int i = 0; i <= 8; ++i) samples.push_back(curve.Value(first + (last - first) * i / 8));
+  }
+  return samples;
+}
+
+/// Through the first point, the one farthest from it, and the one farthest from their line.
+gp_Pln plane_through(const std::vector<gp_Pnt>& points, const std::string& file) {
+  if (points.empty()) throw FormatError(file + ": the file holds no face; expected one planar face");
+  const gp_Pnt origin = points.front();
+  const auto farthest = [&](const auto& distance) {
+    return *std::max_element(points.begin(), points.end(),
+                             [&](const gp_Pnt& a, const gp_Pnt& b) { return distance(a) < distance(b); });
+  };
+  const gp_Vec along(origin, farthest([&](const gp_Pnt& p) { return origin.Distance(p); }));
+  const gp_Vec across(origin,
+                      farthest([&](const gp_Pnt& p) { return along.Crossed(gp_Vec(origin, p)).SquareMagnitude(); }));
+  const gp_Vec normal = along.Crossed(across);
+  if (!(normal.Magnitude() > 1e-9 * along.SquareMagnitude()))
+    throw FormatError(file + ": the file holds no face, and its curves lie on one line");
+  return {origin, gp_Dir(normal)};
 }
 
 }  // namespace
@@ -287,6 +325,18 @@ FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& fa
   if (with_free_edges) result.free_edges = free_edges(model, edges, frame, result.faces.front(), report);
   result.num_ignored_curves = static_cast<int>(edges.size() - result.free_edges.size());
   result.num_points = static_cast<int>(parts_beside(model.shape, TopAbs_VERTEX, TopAbs_EDGE, faces).size());
+  return result;
+}
+
+FacesAndEdges face_of_curves(const OccModel& model, const std::string& file, Report& report) {
+  const auto edges = parts_beside(model.shape, TopAbs_EDGE, TopAbs_FACE, {});
+  const PlaneFrame frame = frame_of(plane_through(samples_of(edges), file));
+  heal::RawFace raw = blank_face(model, frame, file);
+  FacesAndEdges result;
+  raw.wires = {free_edges(model, edges, frame, raw, report)};
+  result.num_ignored_curves = static_cast<int>(edges.size() - raw.wires.front().size());
+  result.num_points = static_cast<int>(parts_beside(model.shape, TopAbs_VERTEX, TopAbs_EDGE, {}).size());
+  result.faces = {std::move(raw)};
   return result;
 }
 

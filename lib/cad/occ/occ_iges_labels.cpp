@@ -12,7 +12,6 @@
 #include <IGESGeom_Line.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESGraph_Color.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -25,7 +24,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/name_text.hpp"
 #include "occ/occ_labels.hpp"
 
 namespace quadrille::occ {
@@ -36,7 +34,7 @@ using Entity = Handle(IGESData_IGESEntity);
 std::string name_of(const IGESData_IGESEntity& entity) {
   if (entity.NbTypedProperties(STANDARD_TYPE(IGESBasic_Name)) != 1) return {};
   const auto name = Handle(IGESBasic_Name)::DownCast(entity.TypedProperty(STANDARD_TYPE(IGESBasic_Name)));
-  return name.IsNull() || name->Value().IsNull() ? std::string() : clean_name(name->Value()->ToCString());
+  return name.IsNull() ? std::string() : given_name(name->Value());
 }
 
 // An instance of a subfigure without a name of its own has that of the subfigure.
@@ -44,8 +42,7 @@ std::string part_name(const Entity& entity) {
   const auto instance = Handle(IGESBasic_SingularSubfigure)::DownCast(entity);
   std::string own = name_of(*entity);
   if (!own.empty() || instance.IsNull() || instance->Subfigure().IsNull()) return own;
-  const Handle(TCollection_HAsciiString) name = instance->Subfigure()->Name();
-  return name.IsNull() ? std::string() : clean_name(name->ToCString());
+  return given_name(instance->Subfigure()->Name());
 }
 
 // One of the eight colour numbers of IGES 5.3, table 4, or a colour entity with components in percent.
@@ -132,11 +129,12 @@ void add_part(const Entity& entity, PartLabel& part) {
   if (!layer.empty()) part.layer = layer;
 }
 
-// Faces, and what holds faces: solids, shells, groups, instances of subfigures, surfaces that are several faces.
+// Faces, curves of no face, and what holds faces: solids, shells, groups, instances of subfigures, surfaces that are
+// several faces.
 void add_holder(const Entity& entity, const TopoDS_Shape& shape, OccModel& model) {
-  if (shape.IsNull() || shape.ShapeType() > TopAbs_FACE) return;
+  if (shape.IsNull() || shape.ShapeType() == TopAbs_WIRE || shape.ShapeType() == TopAbs_VERTEX) return;
   const TopoDS_TShape* key = shape.TShape().get();
-  if (shape.ShapeType() == TopAbs_FACE)
+  if (shape.ShapeType() == TopAbs_FACE || shape.ShapeType() == TopAbs_EDGE)
     model.labels.try_emplace(key, shape, label_of(*entity));
   else
     add_part(entity, model.parts[key]);

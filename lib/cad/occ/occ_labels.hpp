@@ -5,11 +5,17 @@
 
 #include <IGESData_IGESModel.hxx>
 #include <StepData_StepModel.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <Transfer_TransientProcess.hxx>
+#include <string>
 
 #include "occ/occ_model.hpp"
 
 namespace quadrille::occ {
+
+/// The name that a string entity states, cleaned. Empty for what programs write where nobody gave a name: NONE, and
+/// OpenCASCADE's names for products and references ("Open CASCADE STEP translator 7.6 4.1", "=>[0:1:1:2]").
+std::string given_name(const Handle(TCollection_HAsciiString) & text);
 
 /// Fills model.labels from `file`; `process` is the transfer of the file to shapes. The name of a
 /// label is read from FACE_SURFACE or EDGE_CURVE, its layer from the first PRESENTATION_LAYER_ASSIGNMENT that lists the

@@ -23,24 +23,16 @@
 #include <StepVisual_PresentationStyleSelect.hxx>
 #include <StepVisual_StyledItem.hxx>
 #include <StepVisual_StyledItemTarget.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TransferBRep.hxx>
 #include <algorithm>
 #include <cmath>
 
-#include "base/name_text.hpp"
 #include "occ/occ_labels.hpp"
 
 namespace quadrille::occ {
 namespace {
 
 using Entity = Handle(Standard_Transient);
-
-// The text of a string entity; placeholders that simple writers use for a missing name count as empty.
-std::string text_of(const Handle(TCollection_HAsciiString) & s) {
-  const std::string name = s.IsNull() ? std::string() : clean_name(s->ToCString());
-  return name == "NONE" || name == "none" ? std::string() : name;
-}
 
 // The colour as "ff0000"; empty unless it is given by components or is one of the eight predefined colours of ISO
 // 10303-46.
@@ -53,7 +45,7 @@ std::string hex_of(const Handle(StepVisual_Colour) & colour) {
   }
   const auto known = Handle(StepVisual_PreDefinedColour)::DownCast(colour);
   if (known.IsNull() || known->GetPreDefinedItem().IsNull()) return {};
-  const std::string name = text_of(known->GetPreDefinedItem()->Name());
+  const std::string name = given_name(known->GetPreDefinedItem()->Name());
   for (const auto& [word, hex] : {std::pair{"red", "ff0000"},
                                   {"green", "00ff00"},
                                   {"blue", "0000ff"},
@@ -116,7 +108,7 @@ class Marks {
   };
 
   void add_layer(const StepVisual_PresentationLayerAssignment& layer) {
-    const std::string name = text_of(layer.Name());
+    const std::string name = given_name(layer.Name());
     if (name.empty() || layer.AssignedItems().IsNull()) return;
     for (int k = 1; k <= layer.NbAssignedItems(); ++k) {
       const Entity entity = meant(meant(layer.AssignedItemsValue(k).Value()));
@@ -150,8 +142,8 @@ void complete_from_curve(ShapeLabel& label, const StepShape_EdgeCurve& edge, con
 std::string product_name(const StepBasic_ProductDefinition& definition) {
   if (definition.Formation().IsNull() || definition.Formation()->OfProduct().IsNull()) return {};
   const Handle(StepBasic_Product) product = definition.Formation()->OfProduct();
-  const std::string name = text_of(product->Name());
-  return name.empty() ? text_of(product->Id()) : name;
+  const std::string name = given_name(product->Name());
+  return name.empty() ? given_name(product->Id()) : name;
 }
 
 enum class PartKind { product, model, shell, none };  // outermost first
@@ -165,7 +157,7 @@ PartKind part_kind(const Entity& entity) {
 
 std::string part_name(const Entity& entity) {
   const auto product = Handle(StepBasic_ProductDefinition)::DownCast(entity);
-  return product.IsNull() ? text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name())
+  return product.IsNull() ? given_name(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name())
                           : product_name(*product);
 }
 
@@ -198,7 +190,7 @@ void add_step_labels(const StepData_StepModel& file, const Handle(Transfer_Trans
     // A curve has a shape only if it belongs to no edge, in a set of curves.
     const bool is_curve = entity->IsKind(STANDARD_TYPE(StepGeom_Curve));
     if (edge.IsNull() && !is_curve && !entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) continue;
-    ShapeLabel label{text_of(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name()), {}, {}};
+    ShapeLabel label{given_name(Handle(StepRepr_RepresentationItem)::DownCast(entity)->Name()), {}, {}};
     marks.complete(label, entity);
     if (!edge.IsNull()) complete_from_curve(label, *edge, marks);
     if (label.name.empty() && label.layer.empty() && label.colour.empty()) continue;

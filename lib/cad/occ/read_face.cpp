@@ -1,12 +1,18 @@
 #include "occ/read_face.hpp"
 
+#include <fmt/format.h>
+
 #include <Standard_Failure.hxx>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/warning_codes.hpp"
 #include "cad/curve_names.hpp"
 #include "cad/face_bytes.hpp"
 #include "cad/region_names.hpp"
+#include "heal/close_wires.hpp"
 #include "heal/heal_face.hpp"
+#include "heal/heal_scale.hpp"
 #include "occ/occ_face.hpp"
 #include "occ/occ_load.hpp"
 #include "outline/assemble_face.hpp"
@@ -37,6 +43,18 @@ void choose_names_of(std::vector<heal::RawEdge>& edges) {
   edges = std::move(raw.inner_edges);
 }
 
+/// The face that the curves of a file without faces bound.
+FacesAndEdges closed_curves(const OccModel& model, double tolerance, const std::string& name, Report& report) {
+  FacesAndEdges found = face_of_curves(model, name, report);
+  heal::RawFace& raw = found.faces.front();
+  const auto num_edges = raw.wires.front().size();
+  heal::close_wires(raw, heal::heal_scale(raw, tolerance, outline::raw_diameter(raw)));
+  report.warn(warning::face_of_curves,
+              fmt::format("{}: the file holds no face: {} that close, in {}, were taken as the boundary of one", name,
+                          counted(num_edges, "curve"), counted(raw.wires.size(), "loop")));
+  return found;
+}
+
 }  // namespace
 
 cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
@@ -44,8 +62,11 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
   report.set("input.format", cad::format_name(format.format));
   return of_file(format, name, [&] {
     const OccModel model = occ_load(format, bytes, name);
-    const std::vector<FaceChoice> choices = choose_faces(model, options.face, name);
-    FacesAndEdges found = occ_faces(model, choices, options.face.empty(), name, report);
+    const bool has_no_face = model.num_faces == 0 && options.face.empty();
+    const std::vector<FaceChoice> choices =
+        has_no_face ? std::vector<FaceChoice>(1) : choose_faces(model, options.face, name);
+    FacesAndEdges found = has_no_face ? closed_curves(model, options.heal_tolerance, name, report)
+                                      : occ_faces(model, choices, options.face.empty(), name, report);
     for (size_t f = 0; f < choices.size(); ++f) {
       cad::choose_names(found.faces[f]);
       if (found.faces[f].name.empty()) found.faces[f].name = choices[f].part;

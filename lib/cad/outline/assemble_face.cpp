@@ -7,10 +7,11 @@
 
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/warning_codes.hpp"
+#include "curve/arc_length.hpp"
 #include "curve/pole_box.hpp"
 #include "heal/blunt_cusps.hpp"
 #include "heal/touching_loops.hpp"
-#include "outline/contact_text.hpp"
 #include "outline/extent.hpp"
 #include "outline/face_of_loops.hpp"
 #include "outline/face_pieces.hpp"
@@ -66,6 +67,15 @@ Vec2 first_contact(const std::vector<Loop>& loops) {
   return {};
 }
 
+void warn_of_common_lines(const heal::RawFace& raw, const std::vector<heal::CommonLine>& common, Report& report) {
+  for (const heal::CommonLine& line : common)
+    report.warn(warning::tip_cut_off,
+                fmt::format("{}: edges {} and {} run along each other from {} to {}, {:.3g} long, with no width of the "
+                            "face between them, and were cut off there; --blunt 0 refuses such faces",
+                            raw.file, line.edge_a, line.edge_b, rounded_position_text(line.start),
+                            rounded_position_text(line.end), line.length));
+}
+
 // The outline first, the other loops in the order of the file; each with the face on its left.
 std::vector<Loop> sorted_loops(std::vector<Loop> loops) {
   std::vector<double> areas;
@@ -77,6 +87,36 @@ std::vector<Loop> sorted_loops(std::vector<Loop> loops) {
   for (size_t l = 0; l < loops.size(); ++l)
     if (l != outer) sorted.push_back(areas[l] < 0 ? std::move(loops[l]) : reversed(loops[l]));
   return sorted;
+}
+
+double distance_to_end(const Nurbs& curve, double t) {
+  const curve::ArcLength length(curve);
+  return std::min(length.at(t), length.total() - length.at(t));
+}
+
+std::string size_text(double size, double diameter) {
+  return fmt::format("{:.3g} ({:.2g} diameters)", size, size / diameter);
+}
+
+/// "the outline" or "hole 1".
+std::string loop_name(size_t loop) { return loop == 0 ? "the outline" : fmt::format("hole {}", loop); }
+
+/// Edges and place of a contact, its size, and what to do. The size is how far the place lies from the nearest end of
+/// the two edges, or, if an edge meets itself, the length of the edge between both passes.
+std::string contact_text(const std::vector<heal::Loop>& loops, const Contact& c, double diameter) {
+  const heal::LoopCurve &a = loops[c.loop_a][c.curve_a], &b = loops[c.loop_b][c.curve_b];
+  const std::string place = rounded_position_text(c.position);
+  const std::string of_loop = c.loop_a == c.loop_b ? " of " + loop_name(c.loop_a) : "";
+  if (&a == &b) {
+    const double length = std::abs(curve::ArcLength(a.curve).between(c.t_a, c.t_b));
+    return fmt::format("edge {}{} at {}, with {} of its length in between: draw it anew", a.cad_edge, of_loop, place,
+                       size_text(length, diameter));
+  }
+  const double size = std::min(distance_to_end(a.curve, c.t_a), distance_to_end(b.curve, c.t_b));
+  const std::string edges = a.cad_edge == b.cad_edge ? fmt::format("parts of edge {}", a.cad_edge)
+                                                     : fmt::format("edges {} and {}", a.cad_edge, b.cad_edge);
+  return fmt::format("{}{} at {}, {} from the nearest of their ends: trim them, or draw them apart", edges, of_loop,
+                     place, size_text(size, diameter));
 }
 
 void require_no_contact(const heal::RawFace& raw, const std::vector<Loop>& loops, double size, double diameter) {
@@ -136,7 +176,11 @@ AssembledLoops assembled_loops(const heal::RawFace& raw, const AssembleOptions& 
   for (const auto& wire : raw.wires) loops.push_back(wire_loop(raw, wire, tol, report));
   loops = sorted_loops(std::move(loops));
   require_width(raw, curves_of(loops.front()), size);
-  loops = chosen_piece(raw, heal::separated_loops(loops, {joint_share * size, contact_share * size}), options.piece);
+  std::vector<heal::CommonLine> common;
+  loops = heal::separated_loops(loops, {joint_share * size, contact_share * size},
+                                options.blunt_width == 0 ? nullptr : &common);
+  warn_of_common_lines(raw, common, report);
+  loops = chosen_piece(raw, loops, options.piece);
   const heal::BluntOptions blunt{raw.file, diameter(curves_of(loops.front())), options.blunt_width};
   heal::blunt_cusps(loops, blunt, repairs, report);
   heal::refuse_contacts(loops, blunt);

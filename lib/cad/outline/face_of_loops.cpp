@@ -25,20 +25,6 @@ Vec2 chosen_origin(const curve::PoleBox& box, double diameter) {
   return {unit * std::round(centre.x / unit), unit * std::round(centre.y / unit)};
 }
 
-std::vector<Joint> joints_of(const CadFace& face, double corner_angle) {
-  std::vector<Joint> joints;
-  for (int i = 0; i < face.num_curves(); ++i) {
-    const Nurbs &in = face.curves[face.previous_in_loop(i)], &out = face.curves[i];
-    const Vec2 a = curve::tangent(in, in.end(), true), b = curve::tangent(out, out.begin());
-    Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), heal::interior_angle(in, out), false};
-    // The factor ensures that angles equal to the limit up to rounding are treated alike at all corners of a symmetric
-    // face.
-    joint.is_corner = std::abs(pi - joint.interior_angle) > corner_angle * (1 + 1e-6);
-    joints.push_back(joint);
-  }
-  return joints;
-}
-
 std::vector<std::string> names_of(const std::vector<Loop>& loops) {
   std::vector<std::string> names;
   for (const Loop& loop : loops)
@@ -47,6 +33,15 @@ std::vector<std::string> names_of(const std::vector<Loop>& loops) {
 }
 
 }  // namespace
+
+Joint joint_between(const Nurbs& in, const Nurbs& out, double corner_angle) {
+  const Vec2 a = curve::tangent(in, in.end(), true), b = curve::tangent(out, out.begin());
+  Joint joint{out.poles.front(), wrap_pi(angle_of(a)), wrap_pi(angle_of(b)), heal::interior_angle(in, out), false};
+  // The factor ensures that angles equal to the limit up to rounding are treated alike at all corners of a symmetric
+  // face.
+  joint.is_corner = std::abs(pi - joint.interior_angle) > corner_angle * (1 + 1e-6);
+  return joint;
+}
 
 CadFace face_of_loops(const heal::RawFace& raw, const std::vector<Loop>& loops, const std::vector<Nurbs>& outline,
                       double corner_angle) {
@@ -69,7 +64,8 @@ CadFace face_of_loops(const heal::RawFace& raw, const std::vector<Loop>& loops, 
   }
   face.curve_names = names_of(loops);
   face.unnamed_curves = replace_empty_names(face.curve_names, "curve");
-  face.joints = joints_of(face, corner_angle);
+  for (int i = 0; i < face.num_curves(); ++i)
+    face.joints.push_back(joint_between(face.curves[face.previous_in_loop(i)], face.curves[i], corner_angle));
   return face;
 }
 

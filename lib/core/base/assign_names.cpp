@@ -11,7 +11,7 @@ namespace quadrille {
 std::vector<int> assign_names(std::vector<std::string>& names, const std::vector<GivenName>& given,
                               const std::string& kind) {
   std::vector<const GivenName*> by_target(names.size(), nullptr);
-  const GivenName* rest = nullptr;
+  std::vector<const GivenName*> rest(names.size(), nullptr);
   const auto claim = [](const GivenName*& owner, const GivenName& claimant, const std::string& what) {
     if (owner != nullptr)
       throw FormatError(fmt::format("{} names {}, as {} does: \"{}\" or \"{}\"?", claimant.where, what, owner->where,
@@ -19,12 +19,15 @@ std::vector<int> assign_names(std::vector<std::string>& names, const std::vector
     owner = &claimant;
   };
   for (const GivenName& g : given) {
-    if (g.is_for_rest) claim(rest, g, fmt::format("every other {}", kind));
-    for (const int target : g.targets) claim(by_target[target], g, fmt::format("{} {}", kind, target));
+    for (const int target : g.targets)
+      if (g.is_for_rest)
+        claim(rest[target], g, fmt::format("every other {}", kind));
+      else
+        claim(by_target[target], g, fmt::format("{} {}", kind, target));
   }
   std::vector<int> named;
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (const GivenName* owner = by_target[i] != nullptr ? by_target[i] : rest) {
+    if (const GivenName* owner = by_target[i] != nullptr ? by_target[i] : rest[i]) {
       names[i] = owner->name;
       named.push_back(static_cast<int>(i));
     }

@@ -15,6 +15,9 @@ inline constexpr const char* large_repair = "W-CAD-006";        ///< healing mov
 inline constexpr const char* faces_not_built = "W-CAD-007";     ///< faces that --list cannot show
 inline constexpr const char* open_wire_embedded = "W-CAD-008";  ///< an inner wire that is not closed
 inline constexpr const char* offset_compressed = "W-CAD-009";   ///< a curve nearer to its wall than prescribed
+inline constexpr const char* name_of_both_kinds = "W-CAD-010";  ///< boundary curves and interfaces
+inline constexpr const char* tip_cut_off = "W-CAD-011";         ///< a cusp, by --blunt auto
+inline constexpr const char* face_of_curves = "W-CAD-012";      ///< the curves of a file without faces
 inline constexpr const char* curve_tolerance_missed = "W-TRI-001";
 
 // fieldsolve, padapt

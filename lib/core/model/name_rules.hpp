@@ -16,8 +16,10 @@ struct NameRule {
     position,  ///< the curve nearest to the position `position`, or the block around it
     range,     ///< the numbers from `number` to `last_number`
     pattern,   ///< all curves whose name fits `text`, with the wild cards * and ? (base/name_text)
-    rest,      ///< all that no other rule names
+    rest,      ///< all that no other rule names; of curves those of the boundary, unless `part` is interface
   };
+  /// Of the curves: the outline and holes of the whole face, or those that two regions share or that lie inside one.
+  enum class Part { any, boundary, interface };
   Kind kind = Kind::rest;
   std::string text{};
   int number = -1;
@@ -26,6 +28,7 @@ struct NameRule {
   std::string where{};             ///< the file and the entry, or the option, for messages
   int last_number = -1;            ///< of a range
   double max_distance = 1;         ///< of a position from the curve, in diameters
+  Part part = Part::any;           ///< of a pattern, or of the rest: what else fits is not meant
 };
 
 }  // namespace quadrille

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "base/error.hpp"
@@ -47,10 +48,20 @@ std::string new_name(const Json& value, const std::string& where) {
   return name;
 }
 
+/// "*", or of boundary curves "interface:*".
+std::optional<NameRule> rule_of_rest(const std::string& key, const Dialect& dialect) {
+  NameRule rule;
+  if (key == "interface:*" && dialect.has_old_names)
+    rule.part = NameRule::Part::interface;
+  else if (key != "*")
+    return std::nullopt;
+  return rule;
+}
+
 NameRule rule_of_key(const std::string& key, const Dialect& dialect, const std::string& where) {
+  if (const auto rest = rule_of_rest(key, dialect)) return *rest;
   NameRule rule;
   rule.text = key;
-  if (key == "*") return rule;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), rule.number);
   const bool is_number = error == std::errc() && end == key.data() + key.size();
   if (!is_number) rule.number = -1;
@@ -59,9 +70,10 @@ NameRule rule_of_key(const std::string& key, const Dialect& dialect, const std::
   return rule;
 }
 
-NameRule rule_of_id(const Json& id, const std::string& where) {
+NameRule rule_of_id(const Json& id, const Dialect& dialect, const std::string& where) {
+  if (id.is_string())
+    if (const auto rest = rule_of_rest(id.get<std::string>(), dialect)) return *rest;
   NameRule rule;
-  if (id == "*") return rule;
   if (!id.is_number_integer()) throw FormatError(where + ": \"id\" must be an integer, or \"*\" for all others");
   rule.kind = NameRule::Kind::number;
   rule.number = id.is_number_unsigned() && id.get<std::uint64_t>() <= 0x7FFFFFFF ? id.get<int>() : -1;
@@ -93,7 +105,7 @@ NameRule rule_of_entry(const Json& entry, const Dialect& dialect, const std::str
   for (const auto& [key, value] : entry.items()) {
     if (key == "name") continue;
     if (key == "id") {
-      rule = rule_of_id(value, where);
+      rule = rule_of_id(value, dialect, where);
     } else if (key == dialect.position_key) {
       rule = rule_of_position(value, dialect.position_key, where);
     } else if (dialect.has_old_names && key == "old_name" && value.is_string()) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/angle.hpp"
 #include "base/assign_names.hpp"
@@ -158,11 +159,13 @@ void name_blocks(BlockLayout& layout, const std::vector<NameRule>& rules) {
     layout.block_names.assign(layout.num_blocks(), layout.face.name);
     layout.unnamed_blocks.clear();
   }
+  std::vector<int> all_blocks(layout.num_blocks());
+  std::iota(all_blocks.begin(), all_blocks.end(), 0);
   std::vector<GivenName> given;
   for (const NameRule& rule : rules) {
     const bool is_for_rest = rule.kind == NameRule::Kind::rest;
-    given.push_back({rule.name, is_for_rest ? std::vector<int>() : std::vector<int>{block_of(layout, rule)},
-                     is_for_rest, rule.where});
+    given.push_back(
+        {rule.name, is_for_rest ? all_blocks : std::vector<int>{block_of(layout, rule)}, is_for_rest, rule.where});
   }
   const std::vector<int> named = assign_names(layout.block_names, given, "block");
   std::erase_if(layout.unnamed_blocks, [&](int b) { return std::binary_search(named.begin(), named.end(), b); });

@@ -49,10 +49,12 @@ OPTIONS
   --face-name NAME          points: name of the face, from which blocks get theirs (see points2step --help for these)
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
-                            of the curve nearest to a point; may be given several times (see cad2tri --help)
+                            of the curve nearest to a point; '*': all others of the outline and of holes, 'interface:*'
+                            those between regions; may be given several times (see cad2tri --help)
   --region-name NAME=LIST|NAME@X,Y
                             name of regions, where SHAPE has several faces in one plane, in the same way; a point lies
-                            inside the region
+                            inside the region; neighbours of one name become one region
+  --keep-joints             keep the lines between neighbours that --region-name gives one name
   --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other;
                             may be given several times (see cad2tri --help)
   --offset NAME=T           embed a curve at the distance T from the boundary NAME, which blocks end at; --wall
@@ -61,8 +63,9 @@ OPTIONS
   --heal-tolerance X        the most that edges which do not meet are moved, in diameters (see cad2tri --help)
   --fit-tolerance X         the most that splines with many knots are moved to need fewer, in diameters (see
                             cad2tri --help)
-  --blunt WIDTH             cut off the tips of cusps, of corners below 0.2 degrees and of corners in which the
-                            boundary touches itself: straight edges of this length, in file units
+  --blunt auto|WIDTH        cut off the tips of cusps, of corners below 0.2 degrees and of corners in which the
+                            boundary touches itself: straight edges of this length, in file units; auto, the default:
+                            1e-3 diameters, with a warning; 0: cusps and contacts are refused (see cad2tri --help)
   --write-healed FILE       also write the healed face as a CAD file: x.step or x.brep
   --workdir DIR             keep the files of all stages in DIR (default: a temporary folder)
   --until STAGE             end after this stage; needs --workdir; -o is then not written and may be left out

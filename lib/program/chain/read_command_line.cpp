@@ -17,13 +17,14 @@ namespace quadrille::chain {
 
 namespace {
 
-const std::vector<std::string> own_flags{"--help", "--verbose", "--quiet", "--version", "--dry-run", "--straight"};
+const std::vector<std::string> own_flags{"--help",    "--verbose",  "--quiet",      "--version",
+                                         "--dry-run", "--straight", "--keep-joints"};
 const std::vector<std::string> own_values{"--output",      "--workdir",    "--html",    "--report",
                                           "--max-seconds", "--max-memory", "--threads", "--nodes",
                                           "--from",        "--until",      "--stage"};
 const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
                                        "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
-                                       "--blunt",    "--write-healed"};
+                                       "--blunt",    "--write-healed",   "--keep-joints"};
 const std::set<std::string> of_points{"--farfield",         "--wake",          "--chord",       "--simplify-outline",
                                       "--points-tolerance", "--points-format", "--points-unit", "--points-corner-angle",
                                       "--face-name"};
@@ -37,7 +38,8 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
 }
 
 bool has_value(const std::string& flag) {
-  return of_cad2tri.contains(flag) || of_points.contains(flag) || contains(own_values, flag);
+  return !contains(own_flags, flag) &&
+         (of_cad2tri.contains(flag) || of_points.contains(flag) || contains(own_values, flag));
 }
 
 /// An option of stages, and the stages that have it.
@@ -133,6 +135,7 @@ class Reader {
   }
 
   void take_flag(const std::string& flag) {
+    if (of_cad2tri.contains(flag)) options_.cad_option = flag, choose({"cad2tri"}, {flag});
     if (flag == "--help") action_ = Action::show_help;
     if (flag == "--version") action_ = Action::show_version;
     if (flag == "--verbose") options_.is_verbose = true;

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -17,9 +19,11 @@
 #include "cad/face_table.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
+#include "cad/merge_regions.hpp"
 #include "cad/name_options.hpp"
 #include "cad/periodic_sides.hpp"
 #include "cad/region_names.hpp"
+#include "heal/blunt_cusps.hpp"
 #include "offset/embed_offsets.hpp"
 #include "stage/triangulate_face.hpp"
 
@@ -27,16 +31,28 @@ namespace quadrille::stage {
 
 namespace {
 
+/// As heal::BluntOptions::width.
+double blunt_width(const std::string& text) {
+  if (text == "auto") return heal::automatic_width;
+  double width = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), width);
+  if (error != std::errc() || end != text.data() + text.size() || !(width >= 0) || !std::isfinite(width))
+    throw UsageError(fmt::format("--blunt {}: expected \"auto\" or a width in file units, 0 or above", text));
+  return width;
+}
+
 /// The texts of the options as what they mean.
 struct Wishes {
   std::vector<NameRule> curve_names, region_names;
   std::vector<offset::OffsetRequest> offsets;
   std::vector<cad::PeriodicRequest> periodic;
+  double blunt_width = 0;
 };
 
 Wishes parsed(const Cad2triOptions& options) {
   return {cad::name_option_rules(options.curve_names), cad::name_option_rules(options.region_names, "--region-name"),
-          offset::offset_requests(options.offsets), cad::periodic_options(options.periodic)};
+          offset::offset_requests(options.offsets), cad::periodic_options(options.periodic),
+          blunt_width(options.blunt)};
 }
 
 // The format that the ending of the name determines.
@@ -129,10 +145,11 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
            "the most that edges and vertices which do not meet, or leave the plane, are moved (lines as near as that "
            "slide to their crossing, by up to four times as much); edges shorter than this are removed; 0: no healing; "
            "-1: 1e-5, or the tolerances of the shape if they are larger");
-  o.number("--blunt", cad2tri.blunt, 0, unlimited, "file units",
-           "cut off the tips of cusps (edges that meet at an angle of zero), of corners below 0.2 degrees and of "
-           "corners in which the boundary touches itself: straight edges of this length take their place; 0: cusps and "
-           "contacts are refused");
+  o.text("--blunt", cad2tri.blunt, "auto|WIDTH",
+         "cut off the tips of cusps (edges that meet at an angle of zero), of corners below 0.2 degrees and of corners "
+         "in which the boundary touches itself: straight edges of this length, in file units, take their place; auto: "
+         "1e-3 diameters (with curves called farfield, of the box around the others), or half of what fits, with a "
+         "warning; 0: cusps and contacts are refused");
   o.number("--fit-tolerance", cad2tri.fit_tolerance, 0, 1e-3, "diameters",
            "a spline with 32 breaks or more, such as one through many points, is replaced by one with at most half as "
            "many that is nowhere further away than this; its ends and its tangents there stay; 0: all splines stay");
@@ -147,19 +164,25 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
                "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the "
                "rest\"} or [{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
                false);
-  o.texts("--name", cad2tri.curve_names, "NAME=LIST|NAME@X,Y",
-          "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
-          "wild cards * and ? ('wall=edge_*'); * alone: all other curves; NAME@X,Y: the curve nearest to this point, "
-          "in file units, which must be within a tenth of the diameter; overrides --boundary-names; stageview "
-          "--curve-labels draws the numbers");
+  o.texts(
+      "--name", cad2tri.curve_names, "NAME=LIST|NAME@X,Y",
+      "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
+      "wild cards * and ? ('wall=edge_*'); * alone: all other curves of the outline and of holes, interface:* those "
+      "between regions and inside one (boundary: and interface: also before other patterns); NAME@X,Y: the curve "
+      "nearest to this point, in file units, which must be within a tenth of the diameter; overrides "
+      "--boundary-names; stageview --curve-labels draws the numbers");
   o.texts("--region-name", cad2tri.region_names, "NAME=LIST|NAME@X,Y",
           "name of regions, as --name of curves: LIST has their numbers, in the order of the faces in SHAPE, present "
           "names or patterns; NAME@X,Y: the region around this point; the name of a single region is that of the face; "
-          "common curves without a name of their own are called after their regions, such as fluid-solid",
+          "neighbours that get one name become one region, without the lines between them; common curves without a "
+          "name of their own are called after their regions, such as fluid-solid",
           false);
+  o.flag("--keep-joints", cad2tri.keep_joints,
+         "keep the lines between neighbours that --region-name gives one name, and each a region: the names only group "
+         "them");
   o.texts("--periodic", cad2tri.periodic, "A=B[:MOTION]",
-          "the sides A and B, names of one curve or of several that follow each other, repeat each other: their nodes "
-          "are images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
+          "the sides A and B, names or patterns of curves, in one part or several, repeat each other: their nodes are "
+          "images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
           "A=B:rotate=DEGREES[,CX,CY], in file units; B is replaced by the exact image of A, from which it may differ "
           "by 1e-9 diameters; may be given several times");
   o.texts("--offset", cad2tri.offsets, "NAME=T",
@@ -181,14 +204,16 @@ LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options,
   const double corner_angle = radians(options.corner_angle);
   run.begin_phase("load");
   LoadedShape shape{
-      cad::load_face_guarded(bytes, name,
-                             {corner_angle, options.heal_tolerance, options.face, options.blunt, options.fit_tolerance},
-                             run.report()),
+      cad::load_face_guarded(
+          bytes, name, {corner_angle, options.heal_tolerance, options.face, wishes.blunt_width, options.fit_tolerance},
+          run.report()),
       {input.cad.file.digest(digest_format(cad::cad_format(bytes, name)))}};
   run.end_phase();
   if (input.names) shape.inputs.push_back(input.names->file.digest("boundary-names"));
-  cad::rename_regions(shape.face, wishes.region_names);
-  cad::rename_curves(shape.face, input.names ? input.names->model : std::vector<NameRule>(), wishes.curve_names);
+  const std::vector<int> named_regions = cad::rename_regions(shape.face, wishes.region_names);
+  if (!options.keep_joints) cad::merge_regions(shape.face, named_regions, corner_angle);
+  cad::rename_curves(shape.face, input.names ? input.names->model : std::vector<NameRule>(), wishes.curve_names,
+                     run.report());
   cad::pair_periodic_sides(shape.face, wishes.periodic);
   shape.face = offset::embed_offsets(shape.face, wishes.offsets, corner_angle, run.report());
   report_shape(shape, run);

@@ -20,13 +20,14 @@ struct Cad2triOptions {
   std::string face;                          ///< number or name of the one face to read; empty: the only one, or all
   double corner_angle = 1;                   ///< degrees; greater tangent jumps are corners of the layout
   double heal_tolerance = -1;                ///< diameters; -1: 1e-5, or the tolerances of the shape if larger
-  double blunt = 0;                          ///< length of the edge at a blunted cusp; 0: cusps are refused
+  std::string blunt = "auto";                ///< length of the edge at a blunted cusp; 0: cusps are refused
   double fit_tolerance = 1e-8;               ///< diameters, for splines with many breaks; 0: they stay
   std::string healed_file;                   ///< path of the healed face, which the caller writes: cad_file_of
   triangulate::TriangulateOptions elements;  ///< order, size and grading
   std::string names_file;                    ///< path of names of boundaries, which the caller reads
   std::vector<std::string> curve_names;      ///< NAME=LIST or NAME@X,Y
   std::vector<std::string> region_names;     ///< likewise
+  bool keep_joints = false;                  ///< regions that region_names give one name stay apart
   std::vector<std::string> periodic;         ///< A=B or A=B:MOTION
   std::vector<std::string> offsets;          ///< NAME=T
 

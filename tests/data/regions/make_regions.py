@@ -86,6 +86,11 @@ class Sheet(Step):
             a, b = args[2:4]
         self.free.append(self.add(f"TRIMMED_CURVE('{name}',{basis},({self.point(a)}),({self.point(b)}),.T.,.CARTESIAN.)"))
 
+    def wireframe(self, name):
+        """The curves alone, without a face."""
+        self.representation(name, "GEOMETRICALLY_BOUNDED_WIREFRAME",
+                            self.add(f"GEOMETRIC_CURVE_SET('',({','.join(self.free)}))"))
+
     def product(self, name, _=None):
         super().product(name, ",".join(self.faces))
         if not self.free:
@@ -337,6 +342,26 @@ def sector(holes=(1.1, 1.75)):
     return [outline] + [hole(circle(radius * cmath.exp(1j * math.pi / 12), 0.14)) for radius in holes]
 
 
+def tube_bank():
+    """A row of tubes between two that are cut in half: each side has three parts, of different lengths."""
+    def row(height, name):
+        loop, start = [], 0j + height
+        for k, (x, radius) in enumerate(((2, 0.4), (4.5, 0.7))):
+            a, b = x - radius + height, x + radius + height
+            loop += [("line", start, a, f"{name}_{k}"), ("arc", x + height, radius, a, b, 1 if height else -1, "tube")]
+            start = b
+        return loop + [("line", start, 6 + height, f"{name}_2")]
+    below, above = row(0j, "below"), row(2j, "above")
+    return [below + [("line", 6 + 0j, 6 + 2j, "outlet")] + hole(above) + [("line", 2j, 0j, "inlet")],
+            hole(circle(3.2 + 1j, 0.3, "tube"))]
+
+
+def finned_plate():
+    """A base with three fins on its upper side, and a chip below it."""
+    fins = [(f"fin {k}", [rectangle(x + 1j, x + 0.5 + 2.5j)]) for k, x in enumerate((1, 3, 5))]
+    return [("base", [rectangle(0j, 6 + 1j)]), *fins, ("chip", [rectangle(2 - 0.5j, 4 + 0j)])]
+
+
 def periodic_models():
     box, ring = periodic_box()
     blade_outline, blade = blade_passage()
@@ -354,6 +379,7 @@ def periodic_models():
         "periodic_sector": sheet("periodic_sector", [("disc", sector())]),
         "periodic_layers": sheet("periodic_layers", layers),
         "periodic_pin": sheet("periodic_pin", [("fluid", [box, hole(ring)]), ("pin", [ring])]),
+        "periodic_bank": sheet("periodic_bank", [("fluid", tube_bank())]),
         "bad/periodic_unequal": sheet("periodic_unequal", [("plate", [unequal])]),
     }
 
@@ -383,6 +409,7 @@ def models():
                                          ("fluid", [circle(0.1, 0.7, 0.1 - 0.7j)])], own=True),
         "voronoi_20": sheet("voronoi_20", [(f"cell_{k}", [polygon(cell)]) for k, cell in
                                            enumerate(with_corners(voronoi()))]),
+        "finned_plate": sheet("finned_plate", finned_plate(), own=True),
         "half_disc_cut": sheet("half_disc_cut", [("upper", [upper]), ("lower", [lower])]),
         "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j, "wake")]),
         "plate_curve": sheet("plate_curve", [("plate", [plate])], [("arc", 1.5 + 0.4j, 0.9, 2.2 + 0.4j + 0.5656854249492381j,
@@ -459,10 +486,38 @@ def iges_disc():
     return iges.text("disc_in_square")
 
 
+def link(gap=0.0):
+    """A chain link without a face: its curves in no order, and drawn in either direction."""
+    return [("line", -2 + 1j, 2 + 1j, "flank"), ("circle", -2 + 0j, 0.5),
+            ("arc", 2 + 0j, 1, 2 - 1j, 2 + 1j, 1, "head"), ("circle", 2 + 0j, 0.5),
+            ("arc", -2 + 0j, 1, -2 + 1j, -2 - 1j, 1, "head"), ("line", 2 - 1j, -2 + gap - 1j, "flank")]
+
+
+def loose(name, curves):
+    """Curves that lie beside no face."""
+    step = Sheet()
+    for curve in curves:
+        step.curve(*curve)
+    step.wireframe(name)
+    return step.text(name)
+
+
+def iges_loose():
+    """Three sides of a square in no order, the fourth a half circle."""
+    iges = Iges()
+    iges.add(110, 3.0, 0.0, 0.0, 3.0, 2.0, 0.0, level=3)
+    iges.add(110, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0)
+    iges.add(100, 0.0, 0.0, 1.0, 0.0, 2.0, 0.0, 0.0)
+    iges.add(110, 3.0, 2.0, 0.0, 0.0, 2.0, 0.0)
+    return iges.text("loose_curves")
+
+
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(os.path.join(folder, "bad"), exist_ok=True)
     for name, text in {**models(), "slit": slit(), "bad/two_planes": two_planes(),
+                       "loose_curves": loose("loose_curves", link()), "bad/loose_gap": loose("loose_gap", link(0.001)),
+                       "bad/loose_branch": loose("loose_branch", [*link(), ("line", 2 + 1j, 3 + 2j)]),
                        "inner_curve": doubled("inner_curve", [(0.5 + 0.5j, 1 + 0.5j)], True),
                        "open_inner_wire": doubled("open_inner_wire", [(0.5 + 0.5j, 1 + 0.5j), (1 + 0.5j, 1.2 + 0.7j)],
                                                   False)}.items():
@@ -470,6 +525,8 @@ def main():
             file.write(text)
     with open(os.path.join(folder, "disc_in_square.iges"), "w", encoding="ascii") as file:
         file.write(iges_disc())
+    with open(os.path.join(folder, "loose_curves.iges"), "w", encoding="ascii") as file:
+        file.write(iges_loose())
 
 
 if __name__ == "__main__":

@@ -18,16 +18,23 @@ std::string refusal(const std::vector<GivenName>& given) {
 
 TEST(AssignNames, EachTargetAndThenTheRest) {
   Names names{"a", "b", "c", "d"};
-  EXPECT_EQ(assign_names(names, {{"rest", {}, true}, {"x", {2, 0}}}, "curve"), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(assign_names(names, {{"rest", {0, 1, 2, 3}, true}, {"x", {2, 0}}}, "curve"), (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(names, (Names{"x", "rest", "x", "rest"}));
   EXPECT_EQ(assign_names(names, {{"y", {1}}}, "curve"), (std::vector<int>{1}));
   EXPECT_EQ(names, (Names{"x", "y", "x", "rest"}));
 }
 
+TEST(AssignNames, TwoRestsOfDifferentEntities) {
+  Names names{"a", "b", "c", "d"};
+  EXPECT_EQ(assign_names(names, {{"outer", {0, 1}, true}, {"inner", {3}, true}, {"x", {1}}}, "curve"),
+            (std::vector<int>{0, 1, 3}));
+  EXPECT_EQ(names, (Names{"outer", "x", "c", "inner"}));
+}
+
 TEST(AssignNames, TwoForOneAreRefusedWithBoth) {
   EXPECT_EQ(refusal({{"x", {1}, false, "n: entry 0"}, {"y", {0, 1}, false, "n: entry 1"}}),
             "n: entry 1 names curve 1, as n: entry 0 does: \"y\" or \"x\"?");
-  EXPECT_EQ(refusal({{"x", {}, true, "n: entry 0"}, {"x", {}, true, "n: entry 1"}}),
+  EXPECT_EQ(refusal({{"x", {0, 1}, true, "n: entry 0"}, {"x", {1}, true, "n: entry 1"}}),
             "n: entry 1 names every other curve, as n: entry 0 does: \"x\" or \"x\"?");
 }
 

@@ -31,9 +31,14 @@ NameRule rule(Kind kind, const std::string& text, int number, std::vector<double
   return {kind, text, number, std::move(position), "new", "n: entry 0"};
 }
 
+void rename(CadFace& face, const std::vector<NameRule>& rules, const std::vector<NameRule>& overriding = {}) {
+  Report unused;
+  rename_curves(face, rules, overriding, unused);
+}
+
 Names renamed(const NameRule& r) {
   CadFace face = half_disc();
-  rename_curves(face, {r});
+  rename(face, {r});
   return face.curve_names;
 }
 
@@ -44,7 +49,7 @@ std::string refusal(const NameRule& r) {
 TEST(RenameCurves, RenamedCurvesHaveGivenNames) {
   CadFace face = half_disc();
   face.unnamed_curves = {0, 1, 2};
-  rename_curves(face, {rule(Kind::number, "", 1)});
+  rename(face, {rule(Kind::number, "", 1)});
   EXPECT_EQ(face.unnamed_curves, (std::vector<int>{0, 2}));
 }
 
@@ -63,13 +68,13 @@ TEST(RenameCurves, ByNameAndNumber) {
 TEST(RenameCurves, ANameThatIsANumberGoesBeforeTheNumber) {
   CadFace face = half_disc();
   face.curve_names = {"1", "b", "c"};
-  rename_curves(face, {rule(Kind::key, "1", 1)});
+  rename(face, {rule(Kind::key, "1", 1)});
   EXPECT_EQ(face.curve_names, (Names{"new", "b", "c"}));
 }
 
 TEST(RenameCurves, OldNamesAreThoseBeforeTheFirstChange) {
   CadFace face = half_disc();
-  rename_curves(face, {{Kind::key, "axis", -1, {}, "arc", "n: 0"}, {Kind::key, "arc", -1, {}, "axis", "n: 1"}});
+  rename(face, {{Kind::key, "axis", -1, {}, "arc", "n: 0"}, {Kind::key, "arc", -1, {}, "axis", "n: 1"}});
   EXPECT_EQ(face.curve_names, (Names{"arc", "axis", "axis"}));
 }
 
@@ -92,7 +97,7 @@ TEST(RenameCurves, PlacesThatDoNotTellAreRefused) {
 TEST(RenameCurves, TwoRulesForOneCurveAreRefused) {
   CadFace face = half_disc();
   try {
-    rename_curves(face, {{Kind::key, "arc", -1, {}, "wall", "n: entry 0"}, rule(Kind::position, "", -1, {100.6, 0.7})});
+    rename(face, {{Kind::key, "arc", -1, {}, "wall", "n: entry 0"}, rule(Kind::position, "", -1, {100.6, 0.7})});
     FAIL() << "";
   } catch (const FormatError& e) {
     EXPECT_NE(std::string(e.what()).find("names curve 1, as n: entry 0 does"), std::string::npos) << e.what();
@@ -103,7 +108,7 @@ TEST(RenameCurves, TwoRulesForOneCurveAreRefused) {
 /// Names by --name in a half disc, whose names a file may have changed by `rules`.
 Names named(const std::vector<std::string>& options, const std::vector<NameRule>& rules = {}) {
   CadFace face = half_disc();
-  rename_curves(face, rules, name_option_rules(options));
+  rename(face, rules, name_option_rules(options));
   return face.curve_names;
 }
 
@@ -136,6 +141,65 @@ TEST(RenameCurves, OptionsWithoutAMatchListWhatExists) {
               named({"x=1", "y=arc"});
             }),
             "--name y=arc names curve 1, as --name x=1 does: \"y\" or \"x\"?");
+}
+
+/// Two half discs on each other, whose common diameter is the curves 0 and 3, and a curve inside the upper one.
+CadFace divided_disc() {
+  CadFace face = half_disc();
+  face.curves.push_back(curve::segment({1, 0}, {-1, 0}));
+  face.curves.push_back(curve::circular_arc({0, 0}, 1, pi, 2 * pi));
+  face.curves.push_back(curve::segment({-0.1, 0.3}, {0.1, 0.3}));
+  face.curves.push_back(curve::segment({0.1, 0.3}, {-0.1, 0.3}));
+  face.curve_names = {"axis", "arc", "arc", "axis", "bow", "crack", "crack"};
+  face.partners = {3, -1, -1, 0, -1, 6, 5};
+  return face;
+}
+
+struct Renamed {
+  Names names;
+  std::vector<Report::Warning> warnings;
+};
+
+Renamed divided(const std::vector<std::string>& options, const std::vector<NameRule>& rules = {}) {
+  CadFace face = divided_disc();
+  Report report;
+  rename_curves(face, rules, name_option_rules(options), report);
+  return {face.curve_names, report.warnings()};
+}
+
+TEST(RenameCurves, TheRestIsOfTheBoundaryAndInterfacesAreNamedApart) {
+  EXPECT_EQ(divided({"wall=*"}).names, (Names{"axis", "wall", "wall", "axis", "wall", "crack", "crack"}));
+  EXPECT_EQ(divided({"joint=interface:*"}).names, (Names{"joint", "arc", "arc", "joint", "bow", "joint", "joint"}));
+  EXPECT_EQ(divided({"top=bow", "wall=*", "bond=0", "joint=interface:*"}).names,
+            (Names{"bond", "wall", "wall", "bond", "top", "joint", "joint"}));
+  EXPECT_EQ(divided({"x=interface:a*"}).names, (Names{"x", "arc", "arc", "x", "bow", "crack", "crack"}));
+  EXPECT_EQ(divided({"x=boundary:a*,boundary:bow"}).names, (Names{"axis", "x", "x", "axis", "x", "crack", "crack"}));
+  EXPECT_EQ(message_of<FormatError>([] { named({"x=interface:*"}); }),
+            "--name x=interface:*: the face has no interface, nor a curve inside it");
+  EXPECT_NE(message_of<FormatError>([] { divided({"x=interface:bow"}); }).find("no interface has the name bow;"),
+            std::string::npos);
+}
+
+TEST(RenameCurves, OptionsForOneRestLeaveTheOtherToTheFile) {
+  const NameRule rest{Kind::rest, "", -1, {}, "other", "n: 1"};
+  NameRule joints{Kind::rest, "", -1, {}, "seam", "n: 2"};
+  joints.part = NameRule::Part::interface;
+  EXPECT_EQ(divided({"wall=*"}, {rest, joints}).names, (Names{"seam", "wall", "wall", "seam", "wall", "seam", "seam"}));
+  EXPECT_EQ(divided({"bond=interface:*"}, {rest, joints}).names,
+            (Names{"bond", "other", "other", "bond", "other", "bond", "bond"}));
+}
+
+TEST(RenameCurves, OneNameForBothKindsIsAWarning) {
+  for (const std::string option : {"x=a*", "x=0-1", "x=a*,crack"}) {
+    const Renamed result = divided({option});
+    ASSERT_EQ(result.warnings.size(), 1u) << option;
+    EXPECT_EQ(result.warnings[0].code, "W-CAD-010");
+  }
+  EXPECT_EQ(divided({"x=a*"}).warnings[0].message.find("--name x=a* names 2 curves of the boundary and 1 curve inside"),
+            0u);
+  EXPECT_EQ(divided({"x=a*"}).names, (Names{"x", "x", "x", "x", "bow", "crack", "crack"})) << "named all the same";
+  for (const std::string option : {"x=arc", "x=crack", "x=1-2", "x=*", "x=interface:*", "x=boundary:a*", "x=0"})
+    EXPECT_TRUE(divided({option}).warnings.empty()) << option;
 }
 
 heal::RawEdge edge(const std::string& name, const std::string& layer, const std::string& colour) {

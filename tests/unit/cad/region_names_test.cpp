@@ -68,7 +68,8 @@ TEST(RegionNames, AreGivenByNumberNamePatternPointAndForTheRest) {
 TEST(RegionNames, InterfacesFollowUnlessTheirNameIsGiven) {
   EXPECT_EQ(renamed({"fluid=1"}).curve_names[7], "left-fluid");
   CadFace face = two_squares();
-  rename_curves(face, name_option_rules({"bond=7"}));
+  Report unused;
+  rename_curves(face, {}, name_option_rules({"bond=7"}), unused);
   EXPECT_EQ(face.curve_names[1], "bond") << "both sides";
   EXPECT_FALSE(std::binary_search(face.unnamed_curves.begin(), face.unnamed_curves.end(), 1));
   rename_regions(face, name_option_rules({"fluid=1"}, "--region-name"));
@@ -77,7 +78,8 @@ TEST(RegionNames, InterfacesFollowUnlessTheirNameIsGiven) {
 
 TEST(RegionNames, APointOnAnInterfaceIsNearestToItsBothSides) {
   CadFace face = two_squares();
-  rename_curves(face, name_option_rules({"bond@1,0.5"}));
+  Report unused;
+  rename_curves(face, {}, name_option_rules({"bond@1,0.5"}), unused);
   EXPECT_EQ(face.curve_names[1], "bond");
   EXPECT_EQ(face.curve_names[7], "bond");
 }
@@ -91,12 +93,20 @@ TEST(RegionNames, ASingleRegionIsTheFace) {
   EXPECT_TRUE(face.region_names.empty());
 }
 
+TEST(RegionNames, TheNamedRegionsAreReturned) {
+  CadFace face = two_squares();
+  EXPECT_EQ(rename_regions(face, name_option_rules({"x=1"}, "--region-name")), std::vector<int>{1});
+  EXPECT_EQ(rename_regions(face, name_option_rules({"x=*"}, "--region-name")), (std::vector<int>{0, 1}));
+}
+
 TEST(RegionNames, RulesWithoutARegionAreRefused) {
   EXPECT_EQ(refusal("x=2"),
             "--region-name x=2: no region has the number 2; the regions are 0 \"left\", 1 \"region_1\"");
   EXPECT_NE(refusal("x=lift").find("no region has the name lift"), std::string::npos);
   EXPECT_NE(refusal("x@3,3").find("(3, 3) is in no region"), std::string::npos);
   EXPECT_NE(refusal("x@1,0.5").find("on the boundary of a region"), std::string::npos);
+  EXPECT_NE(message_of<UsageError>([] { renamed({"x=interface:*"}); }).find("are for names of curves"),
+            std::string::npos);
 }
 
 }  // namespace

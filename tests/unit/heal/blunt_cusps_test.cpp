@@ -128,11 +128,57 @@ TEST(BluntCusps, RefusalsOfCuspsProposeAWidth) {
                   "0.001 to cut its tip off at that width");
 }
 
+Loop wedge(double angle, double size = 1) {
+  return loop_of({curve::segment({0, 0}, {size, 0}), curve::segment({size, 0}, size * unit(angle)),
+                  curve::segment(size * unit(angle), {})});
+}
+
+TEST(BluntCusps, AutomaticCutsAreAThousandthWideAndWarn) {
+  Loop loop = line_and_arc();
+  Report report;
+  EXPECT_EQ(blunt(loop, automatic_width, report).size(), 1U);
+  EXPECT_NEAR(curve::ArcLength(loop[3].curve).total(), 1e-3, 1e-12);
+  ASSERT_EQ(report.warnings().size(), 1U);
+  EXPECT_EQ(report.warnings()[0].code, "W-CAD-011");
+  EXPECT_EQ(report.warnings()[0].message,
+            "f.step: no quad fits into a tip, which is cut off: edges 2 and 0 meet in a cusp at (0, 0), 0.045 long and "
+            "0.001 wide: give --blunt WIDTH for another width, --blunt 0 to refuse such faces");
+  Report of_many;
+  Loop many = arbelos();
+  EXPECT_EQ(blunt(many, automatic_width, of_many).size(), 3U);
+  expect_contains(of_many.warnings().at(0).message, "3 tips, which are cut off: ");
+  Report asked;
+  Loop other = line_and_arc();
+  blunt(other, 1e-3, asked);
+  EXPECT_TRUE(asked.warnings().empty());
+}
+
+TEST(BluntCusps, AutomaticCutsOfShortEdgesAreHalfOfWhatFits) {
+  Loop loop = wedge(radians(0.1));
+  blunt(loop, automatic_width);
+  const double most = 0.95 * std::sin(radians(0.1));
+  EXPECT_NEAR(curve::ArcLength(loop[3].curve).total(), most / 2, 1e-3 * most);
+  Loop tiny = wedge(radians(0.1), 1e-3);
+  EXPECT_TRUE(blunt(tiny, automatic_width).empty()) << "as narrow as edges that healing removes: it stays";
+  EXPECT_EQ(tiny.size(), 3U);
+}
+
+TEST(BluntCusps, InAFarFieldTheBodiesAreTheMeasure) {
+  Loop outline = loop_of({curve::circular_arc({0, 0}, 50, 0, 2 * pi)}), body = two_arcs();
+  outline.front().name = "farfield";
+  const double across = std::hypot(std::cos(pi / 6), 1);
+  for (const bool is_far : {true, false}) {
+    if (!is_far) outline.front().name = "wall";
+    std::vector<Loop> loops{outline, body};
+    std::vector<Repair> repairs;
+    Report report;
+    blunt_cusps(loops, {"f.step", 100, automatic_width}, repairs, report);
+    ASSERT_EQ(loops[1].size(), 4U);
+    EXPECT_NEAR(curve::ArcLength(loops[1][3].curve).total(), is_far ? 1e-3 * across : 0.1, 1e-6);
+  }
+}
+
 TEST(BluntCusps, SharpCornersAreCutOffButNotRefused) {
-  const auto wedge = [](double angle) {
-    return loop_of(
-        {curve::segment({0, 0}, {1, 0}), curve::segment({1, 0}, unit(angle)), curve::segment(unit(angle), {})});
-  };
   Loop sharp = wedge(radians(0.19)), wide = wedge(radians(0.21));
   EXPECT_EQ(refusal(sharp, 0), "");
   EXPECT_EQ(blunt(sharp, 1e-3).size(), 1U);

@@ -98,5 +98,35 @@ TEST(TouchingLoops, EdgesUponEachOtherStay) {
   EXPECT_EQ(result.size(), 2U);
 }
 
+TEST(TouchingLoops, EdgesUponEachOtherAreLeftOutIfAsked) {
+  std::vector<CommonLine> common;
+  const auto result = separated_loops({plate, polygon({{1, 0}, {1, 2}, {3, 2}, {3, 0}}, 4)}, tol, &common);
+  ASSERT_EQ(result.size(), 1U) << "the hole is a notch";
+  EXPECT_EQ(edges_of(result[0]), (std::vector<int>{0, 4, 5, 6, 0, 1, 2, 3}));
+  expect_closed(result);
+  EXPECT_EQ(num_contacts(result), 0);
+  ASSERT_EQ(common.size(), 1U);
+  EXPECT_EQ(common[0].edge_a, 0);
+  EXPECT_EQ(common[0].edge_b, 7);
+  EXPECT_EQ(common[0].start, Vec2(1, 0));
+  EXPECT_EQ(common[0].end, Vec2(3, 0));
+  EXPECT_DOUBLE_EQ(common[0].length, 2);
+}
+
+TEST(TouchingLoops, ALineWithoutWidthSeparatesPieces) {
+  std::vector<CommonLine> common;
+  const auto result =
+      separated_loops({polygon({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 0}, {1, 0}, {0, 2}})}, tol, &common);
+  EXPECT_EQ(result.size(), 2U);
+  expect_closed(result);
+  EXPECT_EQ(common.size(), 1U);
+}
+
+TEST(TouchingLoops, AHoleThatIsTheOutlineStays) {
+  std::vector<CommonLine> common;
+  EXPECT_EQ(separated_loops({plate, polygon({{0, 0}, {0, 4}, {4, 4}, {4, 0}}, 4)}, tol, &common).size(), 2U);
+  EXPECT_TRUE(common.empty());
+}
+
 }  // namespace
 }  // namespace quadrille::heal

@@ -6,6 +6,8 @@
 #include "../support/texts.hpp"
 #include "base/error.hpp"
 #include "cad/face_bytes.hpp"
+#include "occ/occ_face.hpp"
+#include "occ/occ_load.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -17,6 +19,22 @@ TEST(ReadFace, reading_twice_in_one_process_gives_the_same) {
     EXPECT_EQ(read_face(step_format(), inches, "a.step", {}, report).face.joints[2].position, (Vec2{2.1, 0.7}));
     EXPECT_EQ(read_face(step_format(), millimetres, "b.step", {}, report).face.joints[2].position, (Vec2{2, 1}));
   }
+}
+
+TEST(ReadFace, names_that_the_kernel_made_are_none) {
+  Report report;
+  std::string bytes = test_bytes("square.step");
+  const std::string made = "Open CASCADE STEP translator 7.6 8";
+  const auto name_of = [&](const std::string& product) {
+    std::string text = bytes;
+    for (size_t at = text.find(made); at != std::string::npos; at = text.find(made, at + product.size()))
+      text.replace(at, made.size(), product);
+    return list_faces(occ_load(step_format(), text, "a.step")).faces.at(0).part;
+  };
+  EXPECT_EQ(name_of(made), "");
+  EXPECT_EQ(name_of("Open CASCADE STEP translator 7.6 4.1"), "");
+  EXPECT_EQ(name_of("=>[0:1:1:2]"), "");
+  EXPECT_EQ(name_of("Open CASCADE plate"), "Open CASCADE plate");
 }
 
 TEST(Answer, is_the_face_the_list_or_the_file_that_the_request_is_for) {

@@ -35,7 +35,7 @@ TEST_F(Cad2tri, TheMeshIsThatOfTheParts) {
   EXPECT_EQ(mesh.provenance[0].tool, "cad2tri");
   EXPECT_EQ(mesh.provenance[0].inputs.at(0).format, "step");
   EXPECT_EQ(mesh.provenance[0].inputs.at(0).sha256, "digest");
-  expect_contains(mesh.provenance[0].options, R"("heal-tolerance":-1,"list":false)");
+  expect_contains(mesh.provenance[0].options, R"("heal-tolerance":-1,"keep-joints":false,"list":false)");
 }
 
 TEST_F(Cad2tri, RegionsAreMeshedWithTheSameEdgesOnTheirCommonCurve) {
@@ -65,8 +65,8 @@ TEST_F(Cad2tri, WhatIsWrongIsToldBeforeTheFileIsRead) {
   options.elements.order = 17;
   EXPECT_EQ(refusal(), "--order: 17 is outside its interval (1 to 16)");
   options = {};
-  options.blunt = -1;
-  EXPECT_EQ(refusal(), "--blunt: -1 is outside its interval (at least 0)");
+  options.blunt = "-1";
+  EXPECT_EQ(refusal(), "--blunt -1: expected \"auto\" or a width in file units, 0 or above");
   options = {};
   options.region_names = {"core"};
   expect_contains(refusal(), "--region-name");
