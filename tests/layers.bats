@@ -72,6 +72,16 @@ pairs() {
   awk '{ sub(":", ""); for (i = 2; i <= NF; ++i) print $1, $i }' <<<"$1"
 }
 
+@test "a class has at most 150 lines in a header, 250 in a source file" {
+  run -0 awk '
+    FNR == 1 { begin = 0 }
+    /^(template <.*> )?(class|struct) .*\{$/ { begin = FNR }
+    /^\};/ && begin { lines = FNR - begin + 1
+                     if (lines > (FILENAME ~ /hpp$/ ? 150 : 250)) print FILENAME " line " begin ": " lines
+                     begin = 0 }' $(find "$ROOT/lib" -name '*.?pp')
+  assert_output ''
+}
+
 @test "no table has a circle" {
   run -0 tsort <(pairs "$areas")
   run -0 tsort <(pairs "$layers")

@@ -114,7 +114,7 @@ std::string tip_text(const Loop& loop, size_t i) {
 }
 
 /// The diameter of the face; in a far field, that of the box around the bodies, as for the size of features
-/// (features/automatic_size.hpp).
+/// (features/small_features.hpp).
 double reference_length(const std::vector<Loop>& loops, double diameter) {
   std::vector<Nurbs> bodies;
   bool has_far_field = false;

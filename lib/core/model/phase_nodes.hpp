@@ -40,7 +40,7 @@ struct PhaseNodes {
 // The explicit part of a phase (lib/method.md §8.3):
 //   sum_k d_k arg(z - a_k) + sum_j D_j arg(z - h_j) + sum_c beta_c theta_c,   theta_c = Arg((z - c) / (z - p_c)),
 // and, so that the remainder is smooth, sum d_k arg(z - a_k*) over mirror images a_k* outside the domain
-// (field/mirror_images). An image inside hole j is subtracted from D_j, so that the winding round the hole stays the
+// (field/explicit_terms). An image inside hole j is subtracted from D_j, so that the winding round the hole stays the
 // same.
 
 /// turns * arg(z - position).

@@ -20,7 +20,7 @@ namespace quadrille::field {
 inline constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 
 /// The explicit terms of a field (liftings, or those of a phase) as seen from a disc: most apexes, nodes and holes are
-/// far from it, and the sum of their angles is one power series there (base/angle_expansion).
+/// far from it, and the sum of their angles is one power series there (base/angle_sum).
 class DiscTerms {
  public:
   /// All terms of the field, none of them far.

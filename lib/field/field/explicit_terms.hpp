@@ -1,5 +1,5 @@
 #pragma once
-// The explicit terms of a phase with prescribed nodes (model/phase_terms.hpp): turns about the nodes, about one point
+// The explicit terms of a phase with prescribed nodes (model/phase_nodes.hpp): turns about the nodes, about one point
 // and the foci of each hole, and about the mirror images of the nodes; and a multiple of theta_c for each corner. One
 // object serves all sets of nodes with the same valences on the boundary for what does not depend on the nodes inside
 // the domain: apexes, corner angles, and the turns about the holes.

@@ -1,6 +1,6 @@
 #pragma once
 // Values and gradients of the parts of a field: the liftings of a harmonic field (field/boundary_values.hpp makes
-// them), and the explicit terms and the remainder s of a phase (model/phase_terms.hpp; lib/method.md §8.3 and §8.4).
+// them), and the explicit terms and the remainder s of a phase (model/phase_nodes.hpp; lib/method.md §8.3 and §8.4).
 
 #include "base/vec2.hpp"
 #include "model/field.hpp"

@@ -9,7 +9,7 @@
 // the sum of a boundary integral and the energy of s. With the hole winding of least energy, W is continuous where the
 // winding changes, but its gradient is not.
 //
-// A: the explicit part of phi = A + s (model/phase_terms.hpp), L its harmonic conjugate: weight ln |z - q| for each
+// A: the explicit part of phi = A + s (model/phase_nodes.hpp), L its harmonic conjugate: weight ln |z - q| for each
 // weight arg (z - q), so theta_c contributes ln |z - c| - ln |z - p_c|. Integration by parts, with dn A = -dL / ds and
 // dn L = dA / ds along the boundary, and g the boundary data of s, yields
 //   W = 1/2 int |grad s|^2 + oint L dg + 1/2 oint L dA - pi sum_k d_k L_k(a_k) - 1/2 sum_c omega_c beta_c L_c(c),

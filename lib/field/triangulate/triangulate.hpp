@@ -19,7 +19,7 @@ using Doubts = std::function<std::vector<int>(const TriMesh&)>;
 /// found.
 TriMesh triangulate(const CadFace& face, const TriangulateOptions& options, Report& report, const Doubts& doubts = {});
 
-/// Few triangles of a face, also of several regions, for midpoint division (midpoint/midpoint_graph.hpp): no fans at
+/// Few triangles of a face, also of several regions, for midpoint division (layout/midpoint_layout.hpp): no fans at
 /// singular corners, and no limit to the distance from the curves, which the blocks follow exactly. Triangles that
 /// `doubts` names are refined. Throws ComputeError if there are none.
 TriMesh coarse_triangles(const CadFace& face, const Doubts& doubts, Report& report);

@@ -23,7 +23,7 @@ enum class SimplifyLevel {
 
 constexpr auto enum_names(SimplifyLevel) { return std::to_array({"none", "normal", "coarsest"}); }
 
-/// Makes coarse triangles of a face (triangulate/coarse_triangles.hpp), and refines those that the second function
+/// Makes coarse triangles of a face (triangulate/triangulate.hpp), and refines those that the second function
 /// names; in a face of several regions they have the same edges on both sides of interfaces. Throws ComputeError if
 /// there are none. A function is handed on, so that who does not divide triangles need not be linked with CGAL.
 using CoarseMesher =

@@ -12,7 +12,7 @@
 //
 // A straight triangle of determinant D (twice its area) makes straight blocks whose Jacobian, on [0, 1]^2, has the
 // Bernstein coefficients D/4 at the vertex, D/6 at the middles and D/12 at the centre: they need no proof. Blocks
-// beside a curved boundary are measured as quads of order 8 (mesh/block_shape.hpp).
+// beside a curved boundary are measured as quads of order 8 (mesh/transfinite.hpp).
 
 #include <array>
 #include <string>

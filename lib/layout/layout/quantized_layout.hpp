@@ -20,8 +20,8 @@ namespace quadrille::layout {
 ///   --ties field               if the valence of a corner on the strip was chosen at a tie
 ///   --place energy             if the strip has irregular nodes that may be moved
 ///   --corner-valence A:B=V     a corner on the strip emits a node, of valence 5 if it is reflex, else 3: V is one less
-///                              or one more, and admissible (guide/admissible_valence.hpp); the four that add the
-///                              least angle defect (guide/tie_measures.hpp)
+///                              or one more, and admissible (guide/valence.hpp); the four that add the
+///                              least angle defect (guide/valence.hpp)
 /// `strip_arcs`: the arcs along the strip (quantize::infeasibility_certificate); nodes at their ends lie on it.
 std::vector<std::string> strip_remedies(const ArcGraph& t_mesh, const std::vector<int>& strip_arcs,
                                         const CriticalPoints& points);

@@ -138,7 +138,7 @@ constexpr double relative_unit = 0.1;  // an arc of this length, relative to the
 
 /// The faces of a T-mesh, and what is known of their integer grids.
 struct QuantizedFaces {
-  std::vector<HalfEdge> same;  // of periodic arcs (model/periodic_arcs.hpp, first_arcs); empty: none are glued
+  std::vector<HalfEdge> same;  // of periodic arcs (model/periodic.hpp, first_arcs); empty: none are glued
   std::vector<TFace> faces, glued;
   Quantization found;
 };
