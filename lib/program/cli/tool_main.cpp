@@ -51,7 +51,9 @@ std::optional<ProgressStyle> progress_style(const Tool& tool, const CommonOption
 void require_distinct_files(const Tool& tool, const CommandLine& line) {
   RunFiles files;
   line.add_files(files);
-  if (tool.files) tool.files(files);
+  files.require_distinct();
+  if (!tool.files) return;
+  tool.files(files);
   files.require_distinct();
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "prescribe/named_arcs.hpp"
 
@@ -97,7 +98,8 @@ std::vector<Sums> reachable_sums(const Demand& demand) {
         const double cost = before.first + f.num_arcs * std::pow(std::log(n / f.target), 2);
         const int count = f.layers + n;
         const auto [known, is_new] = next.try_emplace(sum + f.num_arcs * count, cost, count);
-        if (!is_new && cost < known->second.first) known->second = {cost, count};
+        // Of tied counts, as of chords that are images of each other, those with the least number on the first chords.
+        if (!is_new && cost < known->second.first - tolerance::tied) known->second = {cost, count};
       }
     sums.push_back(std::move(next));
   }

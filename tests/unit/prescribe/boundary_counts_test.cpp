@@ -41,6 +41,11 @@ TEST(BoundaryCounts, ABoundaryOfSeveralChordsHasTheExactNumberSharedOutByTheSize
   EXPECT_EQ(counts(three_blocks(), {{"side_4", 3}}), (std::map<int, int>{{0, 1}, {1, 1}, {2, 1}}));
 }
 
+TEST(BoundaryCounts, TheSmallestDifferenceOfLengthsDecidesNoTie) {
+  for (const double wider : {1 - 1e-12, 1.0, 1 + 1e-12})
+    EXPECT_EQ(counts(blocks(hand_made::row({1, wider})), {{"side_3", 5}}), (std::map<int, int>{{0, 2}, {1, 3}}));
+}
+
 TEST(BoundaryCounts, PrescribedChordsKeepTheirNumbersAndTheRestIsSharedOut) {
   EXPECT_EQ(counts(three_blocks(), {{"side_4", 40}}, {{1, 30}}), (std::map<int, int>{{0, 5}, {1, 30}, {2, 5}}));
 }
