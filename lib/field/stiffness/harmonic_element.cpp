@@ -54,8 +54,7 @@ struct MapTable {
   Eigen::MatrixXd values, slopes;  ///< points of edges 0, 1, 2 x modes
 };
 
-MapTable make_map_table(int order, int map_order) {
-  const std::vector<double>& points = edge_rule(order, true).rule.points;
+MapTable make_map_table(const std::vector<double>& points, int map_order) {
   const int n = static_cast<int>(points.size()), num_modes = spectral::num_tri_modes(map_order);
   MapTable table{Eigen::MatrixXd(3 * n, num_modes), Eigen::MatrixXd(3 * n, num_modes)};
   Eigen::VectorXd f(num_modes), f1(num_modes), f2(num_modes);
@@ -72,7 +71,8 @@ MapTable make_map_table(int order, int map_order) {
 }
 
 const MapTable& map_table(int order, int map_order) {
-  static spectral::PerOrder<MapTable> tables([](int key) { return make_map_table(key / 100, key % 100); });
+  static spectral::PerOrder<MapTable> tables(
+      [](int key) { return make_map_table(edge_rule(key / 100, true).rule.points, key % 100); });
   return tables[100 * order + map_order];
 }
 
@@ -184,8 +184,8 @@ struct ProjectionTable {
 // The boundary modes of each orthogonal mode: values at the vertices and, with psi' of norm 1, integrals along the
 // edges of the slopes times those of the edge modes.
 Eigen::MatrixXd make_trace(int order) {
-  const EdgeRule& edge = edge_rule(order, true);
-  const MapTable modes = make_map_table(order, order);
+  const EdgeRule edge = make_edge_rule(order, order);
+  const MapTable modes = make_map_table(edge.rule.points, order);
   const Eigen::Index n = edge.modes.rows(), num_edge = order - 1;
   const Eigen::MatrixXd weighted = as_vector(edge.rule.weights).asDiagonal() * edge.modes.rightCols(num_edge);
   Eigen::MatrixXd trace(spectral::num_boundary_modes(order), spectral::num_tri_modes(order));
