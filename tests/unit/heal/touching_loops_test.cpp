@@ -108,8 +108,8 @@ TEST(TouchingLoops, EdgesUponEachOtherAreLeftOutIfAsked) {
   ASSERT_EQ(common.size(), 1U);
   EXPECT_EQ(common[0].edge_a, 0);
   EXPECT_EQ(common[0].edge_b, 7);
-  EXPECT_EQ(common[0].start, Vec2(1, 0));
-  EXPECT_EQ(common[0].end, Vec2(3, 0));
+  EXPECT_EQ(common[0].start, (Vec2{1, 0}));
+  EXPECT_EQ(common[0].end, (Vec2{3, 0}));
   EXPECT_DOUBLE_EQ(common[0].length, 2);
 }
 
