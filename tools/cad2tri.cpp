@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
       "face: edges that lie upon each other within the tolerance of healing become one curve, also where they belong "
       "to separate parts or where a corner of one face lies on an edge of another; --face takes one of them alone. "
       "Curves inside a face that bound nothing, in wires of the face or beside it, are embedded: elements end there "
-      "from both sides. In a file without faces, curves of one plane that close are the boundary of one. The mesh is coarse: its elements follow the curves with polynomials of a high order, are small "
+      "from both sides. In a file without faces, curves of one plane that close are the boundary of one. The mesh is "
+      "coarse: its elements follow the curves with polynomials of a high order, are small "
       "only where the boundary is strongly curved or two of its parts are close to each other, and are graded "
       "geometrically towards corners at which the field is singular. Every element is proved valid. Lengths are the "
       "numbers of the file, in its own unit.";

@@ -21,10 +21,10 @@ void choose_names(heal::RawFace& raw);
 
 /// Sets face.curve_names by `rules`; old names refer to the names before the first rule, and several curves may have
 /// the same name. Both sides of a common curve are one curve for a rule. The rest are curves of the boundary, or those
-/// that have two sides in the face. Warns of rules for names or ranges of numbers that name curves of both kinds. Throws
-/// FormatError, with the position of the rule in its source, for a rule that matches no curve, for a position that is
-/// equally near to several curves (within 1e-6 diameters) or farther than max_distance from all, and for two rules that
-/// name the same curve.
+/// that have two sides in the face. Warns of rules for names or ranges of numbers that name curves of both kinds.
+/// Throws FormatError, with the position of the rule in its source, for a rule that matches no curve, for a position
+/// that is equally near to several curves (within 1e-6 diameters) or farther than max_distance from all, and for two
+/// rules that name the same curve.
 ///
 /// A curve that a rule of `overriding` names, which are for the old names too, keeps that name whatever `rules` say,
 /// and their rest is what no rule of either set names. Rules of `overriding` may name a curve several times if they

@@ -14,8 +14,9 @@ void name_interfaces(CadFace& face);
 
 /// Sets the names of regions by `rules` of the kinds range, pattern, position and rest; old names are those before the
 /// first rule, and a position is a point inside the region. The name of a single region is that of the face. Names
-/// interfaces anew. Returns the numbers of the regions that were named, ascending. Throws FormatError, with the position of the rule in its source, for a rule without a region, a
-/// point that is in none or on the boundary of one, and for two rules that name the same region.
+/// interfaces anew. Returns the numbers of the regions that were named, ascending. Throws FormatError, with the
+/// position of the rule in its source, for a rule without a region, a point that is in none or on the boundary of one,
+/// and for two rules that name the same region.
 std::vector<int> rename_regions(CadFace& face, const std::vector<NameRule>& rules);
 
 }  // namespace quadrille::cad

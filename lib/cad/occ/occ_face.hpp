@@ -48,8 +48,8 @@ struct FacesAndEdges {
 FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, bool with_free_edges,
                         const std::string& file, Report& report);
 
-/// The edges of a model without faces as the only wire of a face in their plane, in the order of the file, whatever their
-/// directions. Throws FormatError for curves on one line, and if there are none.
+/// The edges of a model without faces as the only wire of a face in their plane, in the order of the file, whatever
+/// their directions. Throws FormatError for curves on one line, and if there are none.
 FacesAndEdges face_of_curves(const OccModel& model, const std::string& file, Report& report);
 
 /// Warns of what was only counted.

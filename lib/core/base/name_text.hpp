@@ -19,8 +19,8 @@ std::string utf8_or_latin1(const std::string& text);
 /// Replaces control characters by blanks and bytes that are not UTF-8 by U+FFFD, and removes blanks at both ends.
 std::string clean_name(std::string_view text);
 
-/// For a terminal: control characters other than line feeds, which could begin an escape sequence, and bytes that are not
-/// UTF-8 become U+FFFD.
+/// For a terminal: control characters other than line feeds, which could begin an escape sequence, and bytes that are
+/// not UTF-8 become U+FFFD.
 std::string printable_text(std::string_view text);
 
 /// The parts of `text` between its commas; one empty part if it is empty.

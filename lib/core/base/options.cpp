@@ -1,9 +1,10 @@
 #include "base/options.hpp"
 
 #include <fmt/format.h>
-#include <limits>
 #include <fmt/ranges.h>
+
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/json_string.hpp"

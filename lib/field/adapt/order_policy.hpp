@@ -20,9 +20,7 @@ namespace quadrille::adapt {
 
 /// The components that enter the sensor.
 enum class SensorKind { vector, u, v };
-constexpr auto enum_names(SensorKind) {
-  return std::to_array({"vector", "u", "v"});
-}
+constexpr auto enum_names(SensorKind) { return std::to_array({"vector", "u", "v"}); }
 
 /// The reference scale of the tail.
 enum class SensorScale {
@@ -31,9 +29,7 @@ enum class SensorScale {
   relative   ///< as in the paper: norm of the selected components on the element, no weights; 0/0 counts as 0
 };
 
-constexpr auto enum_names(SensorScale) {
-  return std::to_array({"absolute", "relative"});
-}
+constexpr auto enum_names(SensorScale) { return std::to_array({"absolute", "relative"}); }
 
 /// For every element and each degree d = 0 .. P: the S_e that the modes of degree d give.
 std::vector<std::vector<double>> degree_sensors(const Field& field, SensorKind kind, SensorScale scale);
@@ -54,9 +50,7 @@ enum class AdaptPolicy {
   predict,  ///< to the order that the decay of the modes predicts; later rounds only raise
   paper     ///< by one in each round: Algorithm 1 of the paper
 };
-constexpr auto enum_names(AdaptPolicy) {
-  return std::to_array({"predict", "paper"});
-}
+constexpr auto enum_names(AdaptPolicy) { return std::to_array({"predict", "paper"}); }
 
 struct AdaptOptions {
   AdaptPolicy policy = AdaptPolicy::predict;

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "spectral/quadrature.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
 #include "stiffness/harmonic_frame.hpp"
 
 namespace quadrille::stiffness {

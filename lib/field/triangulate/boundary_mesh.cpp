@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "model/repair.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
+#include "model/repair.hpp"
 #include "triangulate/outline.hpp"
 #include "triangulate/triangle_sizes.hpp"
 

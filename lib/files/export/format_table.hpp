@@ -28,7 +28,7 @@ struct ExportFormat {
   Exported (*write)(const QuadMesh& mesh, const Frame& frame) = nullptr;
   /// The same for a format whose boundaries have types; nullptr: they have none.
   Exported (*write_with_types)(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) = nullptr;
-  bool loses_periodic_sides = false;  ///< which export_mesh reports; the other writers report those that they lose
+  bool loses_periodic_sides = false;      ///< which export_mesh reports; the other writers report those that they lose
   std::vector<SideName> side_names = {};  ///< of files that may be written beside the main one
 };
 

@@ -194,9 +194,10 @@ StageModel empty_stage(const std::string& format) {
 
 std::string described_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
   if (!provenance.empty() && provenance_text(provenance).size() > longest_provenance)
-    throw UsageError(fmt::format("the options of this run and of those before have more than {} characters, which no "
-                                 "stage file can hold: give shorter ones",
-                                 longest_provenance));
+    throw UsageError(
+        fmt::format("the options of this run and of those before have more than {} characters, which no "
+                    "stage file can hold: give shorter ones",
+                    longest_provenance));
   const auto bytes = format.storage == Storage::hdf5 ? hdf5_bytes : json_bytes;
   return bytes(format, provenance, describe);
 }

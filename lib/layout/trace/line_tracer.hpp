@@ -21,9 +21,7 @@ enum class Integrator {
   adams_bashforth  ///< the paper's integrator with a fixed step, for comparison (trace/adams_bashforth.hpp)
 };
 
-constexpr auto enum_names(Integrator) {
-  return std::to_array({"rk", "ab4"});
-}
+constexpr auto enum_names(Integrator) { return std::to_array({"rk", "ab4"}); }
 
 struct TraceOptions {
   Integrator integrator = Integrator::runge_kutta;

@@ -7,8 +7,8 @@
 
 namespace quadrille::cli {
 
-/// Writes `text` to a descriptor, by default that of standard error, as far as it is printable (base/name_text). If that is closed, full or a pipe whose reader has
-/// gone, the text is lost without a word: no exception, no SIGPIPE.
+/// Writes `text` to a descriptor, by default that of standard error, as far as it is printable (base/name_text). If
+/// that is closed, full or a pipe whose reader has gone, the text is lost without a word: no exception, no SIGPIPE.
 void print_message(std::string_view text, int descriptor = STDERR_FILENO);
 
 /// The same with all characters, for the line of progress.

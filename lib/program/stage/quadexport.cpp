@@ -103,8 +103,9 @@ std::vector<OutputFile> side_files(exports::Exported& exported, const std::strin
   std::vector<OutputFile> files;
   for (exports::SideFile& side : exported.side_files)
     if (takes_one)
-      report.warn(warning::side_file_not_written, fmt::format("*{} is not written: {} can contain one file only",
-                                                              side.name.ending, output == "-" ? "standard output" : output));
+      report.warn(warning::side_file_not_written,
+                  fmt::format("*{} is not written: {} can contain one file only", side.name.ending,
+                              output == "-" ? "standard output" : output));
     else
       files.push_back({path_of(side.name, output), std::move(side.bytes), side.is_binary});
   return files;

@@ -19,9 +19,7 @@
 namespace quadrille::layers {
 
 enum class LayerLaw { uniform, geometric, tanh, gll };
-constexpr auto enum_names(LayerLaw) {
-  return std::to_array({"uniform", "geometric", "tanh", "gll"});
-}
+constexpr auto enum_names(LayerLaw) { return std::to_array({"uniform", "geometric", "tanh", "gll"}); }
 
 struct WallSpec {
   std::vector<std::string> names;  ///< of boundary curves; all curves of these names make one wall

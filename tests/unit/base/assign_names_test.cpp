@@ -18,7 +18,8 @@ std::string refusal(const std::vector<GivenName>& given) {
 
 TEST(AssignNames, EachTargetAndThenTheRest) {
   Names names{"a", "b", "c", "d"};
-  EXPECT_EQ(assign_names(names, {{"rest", {0, 1, 2, 3}, true}, {"x", {2, 0}}}, "curve"), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(assign_names(names, {{"rest", {0, 1, 2, 3}, true}, {"x", {2, 0}}}, "curve"),
+            (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(names, (Names{"x", "rest", "x", "rest"}));
   EXPECT_EQ(assign_names(names, {{"y", {1}}}, "curve"), (std::vector<int>{1}));
   EXPECT_EQ(names, (Names{"x", "y", "x", "rest"}));

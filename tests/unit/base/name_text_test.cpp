@@ -47,7 +47,8 @@ TEST(NameText, names_are_one_trimmed_line) {
 }
 
 TEST(NameText, what_a_terminal_would_obey_is_not_printed) {
-  EXPECT_EQ(printable_text("a\n\xC3\xA9 \t\x1B[31m\x7F\xC2\x9B" "\xFF"),
+  EXPECT_EQ(printable_text("a\n\xC3\xA9 \t\x1B[31m\x7F\xC2\x9B"
+                           "\xFF"),
             "a\n\xC3\xA9 \xEF\xBF\xBD\xEF\xBF\xBD[31m\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
 }
 

@@ -1,6 +1,7 @@
 #include "base/options.hpp"
 
 #include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 

@@ -1,9 +1,9 @@
+#include "model/arc_graph.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <vector>
-
-#include "model/arc_graph.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,7 +1,8 @@
+#include "model/periodic.hpp"
+
 #include <gtest/gtest.h>
 
 #include "../support/grid_layout.hpp"
-#include "model/periodic.hpp"
 
 namespace quadrille {
 namespace {

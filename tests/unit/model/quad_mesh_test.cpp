@@ -1,8 +1,8 @@
+#include "model/quad_mesh.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
-
-#include "model/quad_mesh.hpp"
 
 namespace quadrille {
 namespace {
