@@ -420,6 +420,19 @@ moving_critpoints() {
   assert_nothing_left out.msh
 }
 
+@test "a second run on the files of one shape in one --workdir waits for the first" {
+  mkdir w
+  exec 9>w/.square.lock
+  flock 9
+  "$quadmesh" "$DATA/square.step" --workdir w -o out.msh >words 2>&1 9>&- 3>&- &
+  until grep -q . words; do sleep 0.01; done
+  assert_equal "$(cat words) $(ls -A w)" "quadmesh: waits for another run that works on w/square.* .square.lock"
+  exec 9>&-
+  wait $!
+  assert_file_exists out.msh
+  assert_file_not_exists w/.square.lock
+}
+
 @test "--help has the options of the stages, as their own help has them" {
   "$quadmesh" --help >help
   for tool in critpoints separatrix blocksplit quadrefine quadexport; do
