@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "field/explicit_value.hpp"
 #include "field/phase_boundary.hpp"
+#include "galerkin/solve_phase.hpp"
 #include "mesh/tri_maps.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "triangulate/triangulate.hpp"

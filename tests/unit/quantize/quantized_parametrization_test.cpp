@@ -11,12 +11,12 @@ namespace quadrille::quantize {
 namespace {
 
 // Face 0 is left of face 1 and of face 2 above it: arcs 0 and 1 lie between them, the second one directed downwards.
-const std::vector<TFace> faces{face({{{2}, {0, -2}, {3}, {4}}}), face({{{5}, {6}, {7}, {-1}}}),
-                               face({{{-8}, {8}, {9}, {1}}})};
-const std::vector<int> lengths{2, 3, 1, 1, 5, 4, 2, 4, 3, 4};
+const std::vector<TFace> three_faces{face({{{2}, {0, -2}, {3}, {4}}}), face({{{5}, {6}, {7}, {-1}}}),
+                                     face({{{-8}, {8}, {9}, {1}}})};
+const std::vector<int> arc_lengths_of_three{2, 3, 1, 1, 5, 4, 2, 4, 3, 4};
 
 struct Sides : testing::Test {
-  IntegerSides sides{faces, lengths};
+  IntegerSides sides{three_faces, arc_lengths_of_three};
 };
 
 TEST_F(Sides, HalfEdgesStartWhereThoseBeforeThemEnd) {

@@ -117,12 +117,12 @@ TEST(Advance, EndsInANodeThatItMeets) {
   const Field field =
       interpolated_field(square_mesh({-1, -1}, 2, 5), 2, [](Vec2 p) { return vec(0.25 - complex(p) * complex(p)); });
   const field::FieldEvaluator evaluator(field);
-  const std::vector<Vec2> nodes{{-0.5, 0}, {0.5, 0}};
-  const Launch launch = launch_line(evaluator, 0, nodes[0], 0, 1e-4, 1);
-  const Streamline line = advance(evaluator, launch, PointGrid(nodes), options());
+  const std::vector<Vec2> ends{{-0.5, 0}, {0.5, 0}};
+  const Launch launch = launch_line(evaluator, 0, ends[0], 0, 1e-4, 1);
+  const Streamline line = advance(evaluator, launch, PointGrid(ends), options());
   ASSERT_EQ(line.end, Streamline::End::node);
   EXPECT_EQ(line.reached.node, 1);
-  EXPECT_EQ(line.end_position, nodes[1]);
+  EXPECT_EQ(line.end_position, ends[1]);
   EXPECT_NEAR(line.length(), 1, 2e-7);
 }
 
