@@ -220,9 +220,9 @@ void require_folder(const std::string& path) {
 
 void check_outputs(const ChainState& chain) {
   const ChainOptions& options = chain.options;
-  files_of(chain).require_distinct();
   for (const std::string& path : {options.output, options.report, chain.values.cad2tri.healed_file, options.html})
     require_folder(path);
+  files_of(chain).require_distinct();
 }
 
 /// The face in the first file that this run has of it.

@@ -49,7 +49,7 @@ std::vector<T> values(const std::string& text, const std::string& name) {
   const std::vector<std::uint8_t> bytes = decoded(base64.substr(12));
   EXPECT_EQ(bytes.size(), size) << name;
   std::vector<T> numbers(bytes.size() / sizeof(T));
-  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(T));
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(T));
   return numbers;
 }
 
