@@ -104,7 +104,7 @@ TEST(NekField, PositionsLieInTheFrameWithTheOriginAdded) {
 TEST(NekField, TheHeaderCountsPointsAndElements) {
   const QuadMesh mesh = refined(hand_made::unit_square(), {0.5, 3, 5e-7});
   const std::string bytes = geometry_field(mesh);
-  EXPECT_EQ(bytes.substr(0, 36), "#std 8  4  4  1          4          4");
+  EXPECT_EQ(bytes.substr(0, 37), "#std 8  4  4  1          4          4");
   EXPECT_EQ(bytes.size(), 132u + 4 + 4 * 4 + 4 * 2 * 16 * 8);
 }
 
