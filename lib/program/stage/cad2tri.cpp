@@ -129,8 +129,10 @@ void Cad2triOptions::validate() const {
   if (!healed_file.empty()) healed_format(healed_file);
 }
 
-void declare(Options& o, Cad2triOptions& cad2tri) {
-  constexpr double unlimited = std::numeric_limits<double>::max();
+namespace {
+
+/// What is read and repaired.
+void declare_face(Options& o, Cad2triOptions& cad2tri) {
   o.flag("--list", cad2tri.is_listing,
          "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places in "
          "space, names, and the parts (products, solids, shells) and layers that hold the faces");
@@ -155,11 +157,10 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
            "many that is nowhere further away than this; its ends and its tangents there stay; 0: all splines stay");
   o.output_file("--write-healed", cad2tri.healed_file,
                 "also write the healed face, or the sewn faces, as a CAD file: x.step or x.brep");
-  o.number("--size", cad2tri.elements.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
-  o.number("--growth", cad2tri.elements.growth, 0.05, 2, "size per distance",
-           "growth of the element size with the distance from small features");
-  o.integer("--fan-layers", cad2tri.elements.fan_layers, -1, 40,
-            "layers of the triangle fans at singular corners; -1: chosen for each corner from its exponent");
+}
+
+/// Names, and what names curves and regions.
+void declare_names(Options& o, Cad2triOptions& cad2tri) {
   o.input_file("--boundary-names", cad2tri.names_file, "FILE",
                "new names of boundary curves, JSON: {\"old name or number\": \"new name\", \"*\": \"name of the "
                "rest\"} or [{\"near\": [x, y], \"name\": \"wall\"}] (see formats/boundary-names.md)",
@@ -191,6 +192,19 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
           "meet it at more than 135 degrees, up to the first that does not; nearer where a facing wall or a bend "
           "leaves less room; the curve is called NAME_offset; may be given several times",
           false);
+}
+
+}  // namespace
+
+void declare(Options& o, Cad2triOptions& cad2tri) {
+  constexpr double unlimited = std::numeric_limits<double>::max();
+  declare_face(o, cad2tri);
+  o.number("--size", cad2tri.elements.size, 0, unlimited, "file units", "greatest element size; 0: diameter / 4");
+  o.number("--growth", cad2tri.elements.growth, 0.05, 2, "size per distance",
+           "growth of the element size with the distance from small features");
+  o.integer("--fan-layers", cad2tri.elements.fan_layers, -1, 40,
+            "layers of the triangle fans at singular corners; -1: chosen for each corner from its exponent");
+  declare_names(o, cad2tri);
   o.number("--fan-factor", cad2tri.elements.fan_factor, 0.01, 0.9, "ratio",
            "ratio of the radii of successive layers of a fan");
 }
