@@ -9,6 +9,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "curve/face_boundary.hpp"
 #include "graph/build_graph.hpp"
 #include "graph/candidate_layout.hpp"
