@@ -130,7 +130,7 @@ std::vector<int> with_partners(const CadFace& face, std::vector<int> curves) {
   return curves;
 }
 
-/// A condition on a boundary is none on an interface, so that one name for both is likely to be a mistake.
+/// A boundary condition does not apply to an interface: one name for both is probably a mistake.
 void warn_of_both_kinds(const CadFace& face, const NameRule& rule, const std::vector<int>& curves, Report& report) {
   const auto num_sides = std::count_if(curves.begin(), curves.end(), [&](int c) { return face.is_interface(c); });
   const auto num_outer = static_cast<std::ptrdiff_t>(curves.size()) - num_sides;

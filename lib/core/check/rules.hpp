@@ -71,7 +71,7 @@ std::vector<Violation> check_stage(const Model& model, CheckDepth depth) {
 std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth);
 std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth);
 
-/// The violations of `part`, which the stage's struct contains; if there is none, those of the rules.
+/// The violations found in `part`, a member of the stage's struct; without any, the violations of `rules`.
 template <typename Part, typename Stage, std::size_t N>
 std::vector<Violation> apply_rules_after(const Part& part, const Rule<Stage> (&rules)[N], const Stage& stage,
                                          CheckDepth depth) {

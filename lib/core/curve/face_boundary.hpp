@@ -15,7 +15,7 @@ namespace quadrille::curve {
 
 /// The point of one curve nearest to a given point of the plane.
 struct NearestPoint {
-  int curve = -1;  ///< by its number in the tree; -1: there is none
+  int curve = -1;  ///< its number in the tree; -1: no curve was found
   double t = 0;
   Vec2 position;
   double distance = HUGE_VAL;

@@ -42,7 +42,7 @@ void bisect(const Cell& cell, Cell& first, Cell& second);
 /// A point counts as inside if it lies beyond an edge by no more, in barycentric coordinates.
 inline constexpr double inside_tol = 1e-8;
 
-/// Finds the zero of a cell that contains at most one, or proves that there is none. `inverse_jacobian` and
+/// Finds the zero of a cell that contains at most one, or proves that the cell has no zero. `inverse_jacobian` and
 /// `contraction` < 1 as from Enclosure::isolates: then lambda -> P(lambda - inverse_jacobian v(lambda)), P the
 /// projection onto the cell, is a contraction of the cell, and a zero in the cell is its fixed point. Newton's method
 /// improves the result. A zero beyond the cell's edge by at most inside_tol of its size, or by the distance that

@@ -51,8 +51,8 @@ class Enclosure {
   double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised
 };
 
-/// Whether each field that differs by at most `margin` from this one on element `elem` has no zero there. A proof, made
-/// with few cells: it may fail although there is none. For continuous fields.
+/// Whether it is proved that each field that differs by at most `margin` from this one on element `elem` has no zero
+/// there. With few cells: false does not mean that there is a zero. For continuous fields.
 bool is_surely_empty(const field::FieldEvaluator& evaluator, int elem, double margin);
 
 }  // namespace quadrille::zeros
