@@ -196,6 +196,7 @@ inline QuadMesh quad_mesh() {
   m.elem_edge_ratio = {2, 2};
   m.elem_area_jump = {1, 1};
   m.elem_node_distance = {0.5, 0.5};
+  m.elem_prescribed_length = {0.5, 0.5};
   m.boundary_edges = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {1, 2, 2}, {0, 2, 2}, {0, 3, 3}};
   m.block_names = {"block-0", "block-1"};
   m.least_jacobian_bound = 0.125;

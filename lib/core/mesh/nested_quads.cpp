@@ -47,7 +47,7 @@ class Refiner {
     mesh.nodes.clear();
     for (auto* list : {&mesh.elem_nodes, &mesh.elem_block}) list->clear();
     for (auto* list : {&mesh.elem_jacobian_bound, &mesh.elem_scaled_jacobian, &mesh.elem_edge_ratio,
-                       &mesh.elem_area_jump, &mesh.elem_node_distance})
+                       &mesh.elem_area_jump, &mesh.elem_node_distance, &mesh.elem_prescribed_length})
       list->clear();
     return mesh;
   }
@@ -116,6 +116,8 @@ class Refiner {
     for (int row = 0; row < parts_; ++row)
       for (int column = 0; column < parts_; ++column) {
         refined_.elem_block.push_back(coarse_.elem_block[elem]);
+        if (!coarse_.elem_prescribed_length.empty())
+          refined_.elem_prescribed_length.push_back(coarse_.elem_prescribed_length[elem] / parts_);
         for (int j = 0; j <= order; ++j)
           for (int i = 0; i <= order; ++i)
             refined_.elem_nodes.push_back(grid[(row * order + j) * width_ + column * order + i]);

@@ -11,7 +11,7 @@ namespace quadrille::mesh {
 
 /// The children of element e are 4^K e, 4^K e + 1, ..., along xi1 fastest; boundary and interface edges keep the curve
 /// of the edge that they are part of. Vertices come first, those of `mesh` in their sequence with their coordinates,
-/// bit for bit. Measured figures of elements are not filled in. `levels`: K >= 0.
+/// bit for bit. Prescribed lengths become a 2^K-th; measured figures of elements are not filled in. `levels`: K >= 0.
 QuadMesh nested_quads(const QuadMesh& mesh, int levels);
 
 }  // namespace quadrille::mesh

@@ -95,7 +95,8 @@ inline void scale_lengths(QuadMesh& mesh, const LengthScale& scale) {
   for (Vec2& node : mesh.nodes) node = factor * node;
   for (double& bound : mesh.elem_jacobian_bound) bound *= factor * factor;
   mesh.least_jacobian_bound *= factor * factor;
-  for (double& length : mesh.elem_node_distance) length *= factor;
+  for (auto* lengths : {&mesh.elem_node_distance, &mesh.elem_prescribed_length})
+    for (double& length : *lengths) length *= factor;
 }
 
 }  // namespace quadrille

@@ -35,6 +35,9 @@ struct QuadMesh {
   std::vector<double> elem_edge_ratio;           ///< longest over shortest side
   std::vector<double> elem_area_jump;            ///< greatest ratio of its area and a neighbour's, either way
   std::vector<double> elem_node_distance;        ///< least distance of neighbours in its grid of nodes, a length
+  /// Prescribed edge length at its middle, after --refine a part of it; 0 where wall layers prescribe others. Empty in
+  /// files before version 2.1.
+  std::vector<double> elem_prescribed_length;
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   /// Edges on interfaces, from both sides: each with the curve of its own region. Sorted as boundary_edges.
   std::vector<QuadBoundaryEdge> interface_edges;

@@ -35,7 +35,7 @@ constexpr auto stage_formats = std::to_array<StageFormat>({
     {"critical-points", 2, 2, Storage::json},
     {"separatrix-graph", 2, 4, Storage::json},
     {"block-layout", 2, 0, Storage::hdf5},
-    {"quad-mesh", 2, 0, Storage::hdf5},
+    {"quad-mesh", 2, 1, Storage::hdf5},
 });
 static_assert(stage_formats.size() == std::variant_size_v<StageModel>);
 

@@ -134,6 +134,7 @@ constexpr const char* mesh_keys[] = {"least_jacobian_bound",
                                      "greatest_edge_ratio",
                                      "greatest_area_jump",
                                      "least_node_distance",
+                                     "resolution",
                                      "walls",
                                      "growth",
                                      "boundary"};

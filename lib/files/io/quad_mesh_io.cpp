@@ -31,6 +31,8 @@ void describe(Archive& archive, QuadMesh& mesh) {
     archive.field("elem_area_jump", mesh.elem_area_jump, {"1", "greatest ratio of the areas of neighbours"});
     archive.field("elem_node_distance", mesh.elem_node_distance, {"length", "least distance of neighbouring nodes"});
   }
+  archive.nonempty_field("elem_prescribed_length", mesh.elem_prescribed_length,
+                         {"length", "prescribed edge length; 0: by wall layers"});
   archive.field("boundary_edges", mesh.boundary_edges, describe_edge);
   archive.nonempty_field("interface_edges", mesh.interface_edges, describe_edge);
   describe_open_curves(archive, mesh.open_curves);

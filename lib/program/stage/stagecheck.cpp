@@ -6,6 +6,7 @@
 #include "base/counted.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
+#include "mesh/resolution.hpp"
 
 namespace quadrille::stage {
 
@@ -13,6 +14,14 @@ namespace {
 
 std::string json_rows(const char* name, const std::vector<std::string>& rows) {
   return fmt::format("\"{}\": [\n  {}\n]", name, fmt::join(rows, ",\n  "));
+}
+
+void report_mesh(const QuadMesh& mesh, const std::string& file, Run& run) {
+  if (!mesh.is_valid)
+    run.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file, check::validity_warning(mesh)));
+  const double ratio = mesh::resolution(mesh).ratio;
+  run.report().set("resolution.ratio", ratio);
+  run.info(fmt::format("{}: resolution ratio {:.3g}", file, ratio));
 }
 
 }  // namespace
@@ -32,8 +41,7 @@ std::vector<std::string> stagecheck(const StageModel& stage, const std::string& 
        std::visit([](const auto& model) { return check::check_stage(model, check::CheckDepth::full); }, stage))
     lines.push_back(fmt::format("{}: {}: {}", file, violation.rule, violation.text));
   const QuadMesh* mesh = std::get_if<QuadMesh>(&stage);
-  if (lines.empty() && mesh && !mesh->is_valid)
-    run.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file, check::validity_warning(*mesh)));
+  if (lines.empty() && mesh) report_mesh(*mesh, file, run);
   return lines;
 }
 

@@ -38,6 +38,19 @@ std::vector<prescribe::LayeredCount> layered_counts(const SplitRequest& request)
                                 sizing::grade_chords(request.equal, request.sizes, options.size_rule, options.counts));
 }
 
+/// Of all elements, at their middles; 0 on the chords that layers divide.
+void set_prescribed_lengths(const SplitRequest& request, SplitMesh& split) {
+  QuadMesh& mesh = split.mesh;
+  const std::vector<bool> is_layered = elements_on_layered_chords(request.equal.blocks(), split);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    Vec2 sum;
+    for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
+    const bool is_by_layers = !is_layered.empty() && is_layered[elem];
+    mesh.elem_prescribed_length.push_back(
+        is_by_layers ? 0 : request.sizes.at(sum / 4, request.equal.region_of_block(mesh.elem_block[elem])));
+  }
+}
+
 /// The parts of an element are the same map: the distance from the CAD curves does not change.
 void refine_nested(QuadMesh& mesh, const RefineOptions& options, Report& report) {
   if (options.levels == 0) return;
@@ -68,6 +81,7 @@ void report_prescribed(const SplitRequest& request, const SplitMesh& split,
   const sizing::MeasuredLayout& measured = request.equal;
   Report& report = request.report;
   sizing::report_sizes(measured, split.divisions, request.sizes, counts, report);
+  sizing::report_resolution(measured, split.divisions, split.mesh, report);
   prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, layered, report);
   prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, options.end_growth, options.counts,
                                  report);
@@ -87,6 +101,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
                                                    layered, options.end_gradings, options.end_growth);
   SplitMesh split = best_split(request).split;
   place_vertices(request, split);
+  set_prescribed_lengths(request, split);
   refine_nested(split.mesh, options, report);
   report_split(request, split);
   report_prescribed(request, split, prescribed.counts, layered);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.hpp"
 #include "base/warning_codes.hpp"
+#include "mesh/resolution.hpp"
 
 namespace quadrille::sizing {
 namespace {
@@ -45,6 +47,44 @@ EdgeSizes edge_sizes(const mesh::Chord& chord, const MeasuredLayout& measured, c
   return sums;
 }
 
+/// The part of a mesh's E that the lengths of elements along a chord have.
+struct ChordError {
+  int chord = 0, count = 0;  ///< elements along it
+  double part = 0;
+  int num_elems = 0;  ///< all that it passes
+};
+
+constexpr double greatest_resolution = 5;  ///< above which there is a warning
+
+/// Each element is counted with its two directions, whose parts of E are the same in squares.
+std::vector<ChordError> chord_errors(const MeasuredLayout& measured, const ArcDivisions& divisions,
+                                     const QuadMesh& mesh, const mesh::Resolution& of) {
+  std::vector<ChordError> errors;
+  for (const mesh::Chord& chord : measured.chords())
+    errors.push_back({static_cast<int>(errors.size()), divisions[chord.arcs[0]].num_intervals()});
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const auto& arcs = measured.blocks().block2arcs[mesh.elem_block[elem]];
+    for (int direction = 0; direction < 2; ++direction) {
+      ChordError& error = errors[measured.chord_of(arcs[direction].arc)];
+      error.part += of.parts[elem][direction];
+      ++error.num_elems;
+    }
+  }
+  return errors;
+}
+
+/// With the number of elements along the worst chord by which their part would be that of equal squares.
+std::string resolution_warning(double ratio, const std::vector<ChordError>& errors, int num_elems) {
+  const ChordError& worst = *std::max_element(errors.begin(), errors.end(),
+                                              [](const ChordError& a, const ChordError& b) { return a.part < b.part; });
+  const double of_squares = worst.num_elems / (2.0 * num_elems * ratio);
+  return fmt::format(
+      "elements are of so unequal sizes that the squared error of a smooth solution is about {:.3g} times that of as "
+      "many equal squares, {:.0f} % of it along chord {} of {}: give --count {}={:.0f}",
+      ratio, 100 * worst.part, worst.chord, counted(worst.count, "element"), worst.chord,
+      std::ceil(worst.count * std::pow(worst.part / of_squares, 1.0 / 8)));
+}
+
 }  // namespace
 
 void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions, const SizeField& sizes,
@@ -82,6 +122,18 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
   report.set("sizes.chord.deviation", std::move(deviation));
   report.set("sizes.chord.least_edge", std::move(least));
   report.set("sizes.chord.greatest_edge", std::move(greatest));
+}
+
+void report_resolution(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
+                       Report& report) {
+  const mesh::Resolution measure = mesh::resolution(mesh);
+  const std::vector<ChordError> errors = chord_errors(measured, divisions, mesh, measure);
+  std::vector<double> parts;
+  for (const ChordError& error : errors) parts.push_back(error.part);
+  report.set("resolution.ratio", measure.ratio);
+  report.set("resolution.chord.part", std::move(parts));
+  if (measure.ratio > greatest_resolution)
+    report.warn(warning::unequal_sizes, resolution_warning(measure.ratio, errors, mesh.num_elems()));
 }
 
 }  // namespace quadrille::sizing

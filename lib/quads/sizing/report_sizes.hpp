@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/report.hpp"
+#include "model/quad_mesh.hpp"
 #include "sizing/grade_chords.hpp"
 
 namespace quadrille::sizing {
@@ -12,5 +13,10 @@ namespace quadrille::sizing {
 /// raised.
 void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions, const SizeField& sizes,
                   const std::vector<ChordCount>& prescribed, Report& report);
+
+/// Sets resolution.* (mesh/resolution; each chord's part of E), and issues a warning that names the worst chord if the
+/// ratio exceeds 5. xi1 and xi2 of elements run along the sides 0 and 1 of their blocks.
+void report_resolution(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
+                       Report& report);
 
 }  // namespace quadrille::sizing

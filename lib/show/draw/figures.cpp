@@ -8,6 +8,7 @@
 #include "base/enum_names.hpp"
 #include "base/error.hpp"
 #include "draw/picture.hpp"
+#include "mesh/resolution.hpp"
 
 namespace quadrille::draw {
 
@@ -194,6 +195,7 @@ std::vector<Figure> quality_figures_of(const QuadMesh& mesh) {
   append_quality(figures, "scaled Jacobian", mesh.elem_scaled_jacobian, false);
   append_quality(figures, "edge-length ratio", mesh.elem_edge_ratio, true);
   append_quality(figures, "area jump", mesh.elem_area_jump, true);
+  figures.push_back({"resolution ratio", figure_text(mesh::resolution(mesh).ratio)});
   if (!mesh.elem_node_distance.empty())
     figures.push_back({"least node distance",
                        figure_text(*std::min_element(mesh.elem_node_distance.begin(), mesh.elem_node_distance.end()))});

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "base/angle.hpp"
+#include "mesh/resolution.hpp"
 #include "model/quad_mesh.hpp"
 #include "page/sheet.hpp"
 #include "spectral/lagrange.hpp"
@@ -108,11 +109,14 @@ Cells cells_of(const QuadMesh& mesh, const PageFrame& frame) {
 }
 
 std::vector<Quantity> quantities_of(const QuadMesh& mesh, const Cells& cells) {
-  return {{"scaled Jacobian", "low", 0, 1, mesh.elem_scaled_jacobian},
-          {"edge-length ratio", "high", 0, 0, mesh.elem_edge_ratio, true},
-          {"area jump", "high", 0, 0, mesh.elem_area_jump, true},
-          {"skewness", "high", 0, 1, cells.skewness},
-          {"proved bound of det J", "low", 0, 0, mesh.elem_jacobian_bound}};
+  std::vector<Quantity> quantities{{"scaled Jacobian", "low", 0, 1, mesh.elem_scaled_jacobian},
+                                   {"edge-length ratio", "high", 0, 0, mesh.elem_edge_ratio, true},
+                                   {"area jump", "high", 0, 0, mesh.elem_area_jump, true},
+                                   {"skewness", "high", 0, 1, cells.skewness},
+                                   {"proved bound of det J", "low", 0, 0, mesh.elem_jacobian_bound}};
+  if (!mesh.elem_prescribed_length.empty())
+    quantities.push_back({"size against prescribed", "high", 0, 0, mesh::relative_sizes(mesh), true});
+  return quantities;
 }
 
 JsonObject cells_layer(const QuadMesh& mesh, const Cells& cells) {

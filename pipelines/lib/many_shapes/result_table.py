@@ -8,7 +8,7 @@ import urllib.parse
 
 COLUMNS = {"shape": "shape", "exit_code": "exit code", "blocks": "blocks", "quads": "quads",
            "irregular_nodes": "irregular nodes", "least_scaled_jacobian": "worst scaled Jacobian",
-           "greatest_edge_ratio": "edge-length ratio", "cpu_seconds": "CPU seconds", "warnings": "warnings",
+           "greatest_edge_ratio": "edge-length ratio", "resolution": "resolution ratio", "cpu_seconds": "CPU seconds", "warnings": "warnings",
            "message": "message"}
 STYLE = """body { font: 15px/1.4 sans-serif; margin: 2em; color: #222 }
 table { border-collapse: collapse }

@@ -10,7 +10,8 @@ import re
 import command_frame as frame
 
 SHAPE_ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
-FIGURES = ("blocks", "quads", "irregular_nodes", "least_scaled_jacobian", "greatest_edge_ratio")  # of the report
+FIGURES = ("blocks", "quads", "irregular_nodes", "least_scaled_jacobian", "greatest_edge_ratio",
+           "resolution")  # of the report
 KEYS = {"shape", "ending", "version", "options", "inputs", "exit_code", *FIGURES, "cpu_seconds", "warnings", "message"}
 FINAL = (0, 1, 2, 3, 70)  # exit codes that would be the same again; not those of a full disk or a signal
 
@@ -75,8 +76,9 @@ class Results:
                "options": self.options, "inputs": inputs, "exit_code": exit_code}
         figures = report or {}
         row |= {key: figures.get(key) for key in FIGURES}
-        if isinstance(row["greatest_edge_ratio"], dict):
-            row["greatest_edge_ratio"] = row["greatest_edge_ratio"]["value"]
+        for key, figure in (("greatest_edge_ratio", "value"), ("resolution", "ratio")):
+            if isinstance(row[key], dict):
+                row[key] = row[key].get(figure)
         row["cpu_seconds"] = cpu_seconds
         row["warnings"] = sorted({warning["code"] for warning in figures.get("warnings", [])})
         return row | {"message": message}

@@ -8,7 +8,8 @@ from command_frame import Failure
 from many_shapes.shape_results import Results, message_of, read_row, shape_files
 
 REPORT = {"blocks": 4, "quads": 10, "irregular_nodes": 2, "least_scaled_jacobian": 0.5,
-          "greatest_edge_ratio": {"value": 3.0, "element": 1}, "warnings": [{"code": "W-X-2"}, {"code": "W-X-1"}] * 2}
+          "greatest_edge_ratio": {"value": 3.0, "element": 1}, "resolution": {"ratio": 1.5},
+          "warnings": [{"code": "W-X-2"}, {"code": "W-X-1"}] * 2}
 
 
 class FolderTest(unittest.TestCase):
@@ -55,6 +56,7 @@ class ResultsTest(FolderTest):
     def test_a_row_has_the_figures_of_the_report(self):
         row = self.new_row(0)
         self.assertEqual(row["greatest_edge_ratio"], 3.0)
+        self.assertEqual(row["resolution"], 1.5)
         self.assertEqual(row["warnings"], ["W-X-1", "W-X-2"])
         failed = self.new_row(1, "why")
         self.assertEqual((failed["blocks"], failed["message"]), (None, "why"))

@@ -270,9 +270,8 @@ TEST(Minimise, does_not_walk_where_it_is_flat) {
 TEST(Minimise, turns_with_the_function) {
   const Eigen::Rotation2D<double> turn(0.7);
   const auto turned = [&](const VectorXd& x) {
-    Sample s = rosenbrock(turn.inverse() * Vector2d(x));
-    s.gradient = turn * Vector2d(s.gradient);
-    return s;
+    const Sample s = rosenbrock(turn.inverse() * Vector2d(x));
+    return Sample{s.value, turn * Vector2d(s.gradient)};
   };
   const Minimum found = minimise(unbounded(turned), turn * Vector2d{-1.2, 1}, {});
   EXPECT_NEAR((found.x - turn * Vector2d{1, 1}).norm(), 0, 1e-10);
