@@ -293,6 +293,16 @@ setup() {
   run -2 quadrefine --relax -1 "$blocks" -o c.quad.h5
 }
 
+@test "--inner-edges: straight by default, curved as the blocks are, or fading; the boundary is the same" {
+  quadrefine "$blocks" -o default.quad.h5
+  for shape in straight curved fade; do quadrefine --inner-edges $shape "$blocks" -o $shape.quad.h5; done
+  h5diff default.quad.h5 straight.quad.h5 /nodes
+  for shape in curved fade; do run -1 h5diff -q straight.quad.h5 $shape.quad.h5 /nodes; done
+  for shape in straight curved fade; do stagecheck $shape.quad.h5; done
+  run -2 quadrefine --inner-edges bent "$blocks" -o x.quad.h5
+  assert_output --partial "--inner-edges"
+}
+
 @test "--blocks refines the chords through chosen blocks only" {
   quadrefine "$blocks" -o a.quad.h5 --report a.json
   quadrefine --blocks 0 "$blocks" -o b.quad.h5 --report b.json

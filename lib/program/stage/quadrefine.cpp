@@ -168,6 +168,10 @@ void declare(Options& o, QuadrefineOptions& options) {
   o.text("--blocks", options.blocks, "ID,...",
          "numbers or names of blocks: only the chords through them are refined, all others get as few elements as "
          "possible");
+  o.choice("--inner-edges", options.refine.inner_edges,
+           "edges that lie on no CAD curve: straight where elements allow it, which makes solutions most accurate; "
+           "curved as the blocks are; fade: curved, by half as much from row to row behind a curved boundary. Layers "
+           "along walls keep their shape");
   o.integer("--relax", options.refine.relax, 0, 1000,
             "relaxation sweeps, which move vertices to improve the shapes of elements");
   o.integer("--refine", options.refine.levels, 0, 10,

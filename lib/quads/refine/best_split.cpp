@@ -7,6 +7,7 @@
 
 #include "growth/straighten_lines.hpp"
 #include "refine/chosen_blocks.hpp"
+#include "refine/inner_edges.hpp"
 #include "refine/relax.hpp"
 #include "sizing/element_limit.hpp"
 
@@ -157,11 +158,13 @@ void place_vertices(const SplitRequest& request, SplitMesh& result) {
     for (int i = 0; i < max_corrections && correct_lines(request, result); ++i) {
     }
   }
-  if (request.options.relax == 0) return;
-  relax_and_report(
-      result.mesh,
-      {request.options.relax, result.settings.tolerance, elements_in_layered_blocks(result), request.report.progress()},
-      request.report);
+  if (request.options.relax > 0)
+    relax_and_report(result.mesh,
+                     {request.options.relax, result.settings.tolerance, elements_in_layered_blocks(result),
+                      request.report.progress()},
+                     request.report);
+  shape_inner_edges(result.mesh, request.options.inner_edges,
+                    elements_on_layered_chords(request.equal.blocks(), result));
   result.distance = mesh::boundary_distance(result.mesh);
   set_score(request, result);
 }

@@ -15,7 +15,8 @@
 //           curves, and score the mesh (mesh/mesh_score).
 //   4. As long as a remedy applies, attempt it again with its settings, at most 12 times in all; the best mesh is kept
 //      (refine/best_split).
-//   5. Place its vertices better: straight lines along walls, corrected lines, relaxation (refine/best_split).
+//   5. Place its vertices better: straight lines along walls, corrected lines, relaxation (refine/best_split); make
+//      edges inside straight where elements allow it (refine/inner_edges).
 //   6. Split every element into equal parts of its own map (mesh/nested_quads).
 //   7. Report, and refuse a mesh that is not valid or misses a prescribed quality (refine/validity).
 

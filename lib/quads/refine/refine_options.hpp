@@ -1,6 +1,7 @@
 #pragma once
 // What users prescribe for the mesh of a layout (refine/refine).
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,14 @@ namespace quadrille::refine {
 /// The tolerance that elements of this order meet at the usual sizes without being divided much further, in diameters:
 /// 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, then 5e-7.
 double default_geometry_tol(int order);
+
+/// The shape of edges on no CAD curve (refine/inner_edges).
+enum class InnerEdges {
+  straight,  ///< on their chords where elements allow it
+  curved,    ///< as the blocks are
+  fade,      ///< the curvature of the blocks, halved from row to row behind a curved boundary
+};
+constexpr auto enum_names(InnerEdges) { return std::to_array({"straight", "curved", "fade"}); }
 
 struct RefineOptions {
   double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
@@ -36,9 +45,10 @@ struct RefineOptions {
   double target_growth = 1.3;
   double max_edge_ratio = 0;   ///< a mesh with a higher one is an error, 0: none is, else at least 1
   int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
-  int relax = 0;               ///< sweeps of relaxation (refine/relax)
-  int levels = 0;              ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
-  void validate() const;       ///< throws UsageError
+  InnerEdges inner_edges = InnerEdges::straight;
+  int relax = 0;          ///< sweeps of relaxation (refine/relax)
+  int levels = 0;         ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
+  void validate() const;  ///< throws UsageError
 };
 
 }  // namespace quadrille::refine

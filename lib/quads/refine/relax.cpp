@@ -8,7 +8,6 @@
 #include "base/tolerance.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/validity.hpp"
-#include "spectral/quad_map.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -45,9 +44,7 @@ std::vector<int> measure_moved(const RelaxProblem& problem, const RelaxState& st
       mesh.elem_jacobian_bound[elem] = state.mesh.elem_jacobian_bound[elem];
       continue;
     }
-    const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-    mesh.elem_scaled_jacobian[elem] = spectral::quad_scaled_jacobian(mesh.order, nodes.data());
-    mesh.elem_jacobian_bound[elem] = spectral::quad_jacobian_lower_bound(mesh.order, nodes.data());
+    measure_element(mesh, elem);
     elems.push_back(elem);
   }
   return elems;

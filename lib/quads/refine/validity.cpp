@@ -92,21 +92,32 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem) {
   return nodes;
 }
 
-void measure_elements(QuadMesh& mesh, Progress* progress, const QuadMesh* known) {
-  const Progress::Part part(progress, "elements", mesh.num_elems());
-  mesh.elem_jacobian_bound.clear();
-  mesh.elem_scaled_jacobian.clear();
-  KnownElements same(known);
-  for (int elem = 0; elem < mesh.num_elems(); ++elem, part.advance()) {
-    const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-    const int before = same.find(mesh.elem_block[elem], nodes);
-    mesh.elem_jacobian_bound.push_back(before >= 0 ? known->elem_jacobian_bound[before]
-                                                   : spectral::quad_jacobian_lower_bound(mesh.order, nodes.data()));
-    mesh.elem_scaled_jacobian.push_back(before >= 0 ? known->elem_scaled_jacobian[before]
-                                                    : spectral::quad_scaled_jacobian(mesh.order, nodes.data()));
-  }
+void measure_element(QuadMesh& mesh, int elem) {
+  const std::vector<Vec2> nodes = element_nodes(mesh, elem);
+  mesh.elem_jacobian_bound[elem] = spectral::quad_jacobian_lower_bound(mesh.order, nodes.data());
+  mesh.elem_scaled_jacobian[elem] = spectral::quad_scaled_jacobian(mesh.order, nodes.data());
+}
+
+void summarise_validity(QuadMesh& mesh) {
   mesh.least_jacobian_bound = *std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
   mesh.is_valid = mesh.least_jacobian_bound > 0;
+}
+
+void measure_elements(QuadMesh& mesh, Progress* progress, const QuadMesh* known) {
+  const Progress::Part part(progress, "elements", mesh.num_elems());
+  mesh.elem_jacobian_bound.resize(mesh.num_elems());
+  mesh.elem_scaled_jacobian.resize(mesh.num_elems());
+  KnownElements same(known);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem, part.advance()) {
+    const int before = same.find(mesh.elem_block[elem], element_nodes(mesh, elem));
+    if (before < 0) {
+      measure_element(mesh, elem);
+      continue;
+    }
+    mesh.elem_jacobian_bound[elem] = known->elem_jacobian_bound[before];
+    mesh.elem_scaled_jacobian[elem] = known->elem_scaled_jacobian[before];
+  }
+  summarise_validity(mesh);
 }
 
 double least_scaled_jacobian(const QuadMesh& mesh) { return std::ranges::min(mesh.elem_scaled_jacobian); }

@@ -17,6 +17,11 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
 /// a measured mesh of the same blocks, whose figures are taken where a block has the same elements.
 void measure_elements(QuadMesh& mesh, Progress* progress = nullptr, const QuadMesh* known = nullptr);
 
+/// Fills in bound and scaled Jacobian of one element of a measured mesh; summarise_validity is to follow.
+void measure_element(QuadMesh& mesh, int elem);
+/// The least bound, and whether all elements are proved valid, from the bounds of all.
+void summarise_validity(QuadMesh& mesh);
+
 /// Of the measured elements.
 double least_scaled_jacobian(const QuadMesh& mesh);
 double mean_scaled_jacobian(const QuadMesh& mesh);
