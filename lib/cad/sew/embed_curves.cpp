@@ -8,6 +8,8 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
+#include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
@@ -110,15 +112,22 @@ class Sides {
   }
 
   void add_inner(const heal::LoopCurve& inner) {
-    for (SideOfCurve& piece : pieces_of(inner, curve::has_smooth_seam(inner.curve), 0))
-      if (is_inside(piece.curve.curve) && !is_known(piece)) {
-        const int number = static_cast<int>(sides.size());
-        SideOfCurve back{piece.curve, piece.to, piece.from, number};
-        back.curve.curve = curve::reversed(back.curve.curve);
-        piece.twin = number + 1;
-        sides.push_back(std::move(piece));
-        sides.push_back(std::move(back));
+    const double length = curve::ArcLength(inner.curve).total();
+    lengths_.resize(sides.size());
+    for (SideOfCurve& piece : pieces_of(inner, curve::has_smooth_seam(inner.curve), 0)) {
+      if (!is_inside(piece.curve.curve)) continue;
+      if (const int known = side_along(piece); known >= 0) {
+        name_after_shorter(known, inner, length);
+        continue;
       }
+      const int number = static_cast<int>(sides.size());
+      SideOfCurve back{piece.curve, piece.to, piece.from, number};
+      back.curve.curve = curve::reversed(back.curve.curve);
+      piece.twin = number + 1;
+      sides.push_back(std::move(piece));
+      sides.push_back(std::move(back));
+      lengths_.resize(sides.size(), length);
+    }
   }
 
   std::vector<SideOfCurve> sides;
@@ -166,17 +175,30 @@ class Sides {
     return distance > tol_ && boundary_.winding_number(farthest) > 0;
   }
 
-  bool is_known(const SideOfCurve& piece) const {
-    return std::any_of(sides.begin(), sides.end(), [&](const SideOfCurve& side) {
+  /// The side of an inner curve that the piece lies on; -1: none.
+  int side_along(const SideOfCurve& piece) const {
+    const auto found = std::find_if(sides.begin(), sides.end(), [&](const SideOfCurve& side) {
       return side.twin >= 0 && side.from == piece.from && side.to == piece.to &&
              separation(side.curve.curve, piece.curve.curve) <= tol_;
     });
+    return found == sides.end() ? -1 : static_cast<int>(found - sides.begin());
+  }
+
+  /// A part of a longer curve has the name of the shorter one that lies on it: both names are kept.
+  void name_after_shorter(int side, const heal::LoopCurve& inner, double length) {
+    const bool is_shorter = length < lengths_[side] * (1 - tolerance::tied);
+    if (inner.name.empty() || !(is_shorter || sides[side].curve.name.empty())) return;
+    for (const int s : {side, sides[side].twin}) {
+      sides[s].curve.name = inner.name, sides[s].curve.cad_edge = inner.cad_edge;
+      lengths_[s] = length;
+    }
   }
 
   const Region& region_;
   curve::CurveTree boundary_;
   std::vector<Vec2> nodes_;
   double tol_;
+  std::vector<double> lengths_;  ///< by side: of the inner curve that named it
 };
 
 /// A loop with what decides to which region it belongs.

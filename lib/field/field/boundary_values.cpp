@@ -8,6 +8,7 @@
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"
+#include "model/enclosed_joints.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -100,14 +101,15 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
 
 CornerBridges::CornerBridges(const TriMesh& mesh) {
   const CadFace& face = mesh.face;
-  if (face.partners.empty()) return;
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
+  if (std::find(are_enclosed.begin(), are_enclosed.end(), true) == are_enclosed.end()) return;
   edges_.resize(face.num_curves());
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const Nurbs& nurbs = face.curves[edge.curve];
     const int next = face.next_in_loop(edge.curve);
-    if (edge.t0 == nurbs.begin() && face.is_slit_joint(edge.curve))
+    if (edge.t0 == nurbs.begin() && are_enclosed[edge.curve])
       edges_[edge.curve].push_back({edge.curve, edge.t0, edge.t1});
-    if (edge.t1 == nurbs.end() && face.is_slit_joint(next)) edges_[edge.curve].push_back({next, edge.t1, edge.t0});
+    if (edge.t1 == nurbs.end() && are_enclosed[next]) edges_[edge.curve].push_back({next, edge.t1, edge.t0});
   }
 }
 
@@ -122,7 +124,7 @@ std::optional<CornerBridges::Point> CornerBridges::at(int curve, double t) const
 
 BoundaryValues::BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings)
     : face_(&mesh.face), liftings_(std::move(liftings)), bridges_(mesh) {
-  if (face_->partners.empty()) return;
+  if (!bridges_.exist()) return;
   for (int joint = 0; joint < face_->num_curves(); ++joint) {
     const int before = face_->previous_in_loop(joint);
     means_.push_back((lifted_boundary_value(*face_, liftings_, before, face_->curves[before].end()) +
@@ -189,12 +191,12 @@ Lifting lifting_at(const CadFace& face, int joint, Vec2 incoming, Vec2 outgoing)
 
 std::vector<Lifting> corner_liftings(const CadFace& face) {
   std::vector<Lifting> liftings;
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
   for (int joint = 0; joint < face.num_curves(); ++joint) {
     const int before = face.previous_in_loop(joint);
     const Vec2 v_in = boundary_value(face, before, face.curves[before].end());
     const Vec2 v_out = boundary_value(face, joint, face.curves[joint].begin());
-    if (norm(v_in - v_out) > jump_tol && !face.is_slit_joint(joint))
-      liftings.push_back(lifting_at(face, joint, v_in, v_out));
+    if (norm(v_in - v_out) > jump_tol && !are_enclosed[joint]) liftings.push_back(lifting_at(face, joint, v_in, v_out));
   }
   return liftings;
 }

@@ -8,6 +8,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"
 #include "spectral/quadrature.hpp"
@@ -167,18 +168,18 @@ std::vector<double> cuts_of(const CadFace& face, int c, const PhaseNodes& asked)
   return cuts;
 }
 
-// L without source i, at the position of source i.
-double log_of_others(const std::vector<Source>& sources, std::size_t i) {
+// L at x without the sources that are there.
+double log_of_others(const std::vector<Source>& sources, Vec2 x, double same) {
   double sum = 0;
-  for (std::size_t j = 0; j < sources.size(); ++j)
-    if (j != i) sum += sources[j].weight * std::log(distance(sources[j].position, sources[i].position));
+  for (const Source& source : sources)
+    if (const double away = distance(source.position, x); away > same) sum += source.weight * std::log(away);
   return sum;
 }
 
 }  // namespace
 
 double explicit_energy(const CadFace& face, const PhaseNodes& asked, const PhaseTerms& terms,
-                       const std::vector<double>& interior_angles) {
+                       const std::vector<field::ApexTurn>& apex_turns) {
   std::vector<Source> sources;
   for (const PhaseTurn& turn : terms.nodes) sources.push_back({turn.position, static_cast<double>(turn.turns)});
   for (const auto* turns : {&terms.holes, &terms.images})
@@ -192,9 +193,9 @@ double explicit_energy(const CadFace& face, const PhaseNodes& asked, const Phase
   BoundaryIntegral integral(face, sources, static_cast<int>(first_apex), static_cast<int>(terms.corner_angles.size()));
   double energy = 0;
   for (int c = 0; c < face.num_curves(); ++c) energy += integral.over(c, cuts_of(face, c, asked));
-  for (std::size_t k = 0; k < terms.nodes.size(); ++k) energy -= pi * terms.nodes[k].turns * log_of_others(sources, k);
-  for (std::size_t c = 0; c < terms.corner_angles.size(); ++c)
-    energy -= terms.corner_angles[c].beta * interior_angles[c] / 2 * log_of_others(sources, first_apex + 2 * c);
+  const double same = tolerance::round_off * face.diameter;
+  for (const PhaseTurn& node : terms.nodes) energy -= pi * node.turns * log_of_others(sources, node.position, same);
+  for (const field::ApexTurn& apex : apex_turns) energy += apex.turn * log_of_others(sources, apex.position, same);
   return energy;
 }
 

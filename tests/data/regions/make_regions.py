@@ -441,6 +441,29 @@ def models():
     }
 
 
+def rays(centre, *curves):
+    """Lines from a point: angle in degrees, length, name."""
+    return [("line", centre, centre + length * cmath.exp(1j * math.radians(angle)), name) for angle, length, name in curves]
+
+
+def cracks():
+    """Plates with curves inside that meet at acute angles or along each other, or at which a region touches itself."""
+    plate, holed = [rectangle(0j, 6 + 4j)], [rectangle(0j, 6 + 4j), hole(circle(2 + 2j, 0.7))]
+    centre, edge = 3 + 2j, 2 + 2j + 0.7 * cmath.exp(1j * math.radians(60))
+    a, b = centre + 1.3 * cmath.exp(1j * math.radians(25)), centre + 1.1 * cmath.exp(1j * math.radians(70))
+    corner = [("line", centre, a, "patch"), ("line", a, b, "patch"), ("line", b, centre, "patch")]
+    legs = [("line", centre, 1 + 0j, "leg"), ("line", centre, 5.5 + 0j, "leg")]
+    return {
+        "cracks_x": (plate, [("line", 2 * centre - z, z, name) for _, _, z, name in
+                             rays(centre, (10, 1.6, "one"), (45, 1.4, "two"))]),
+        "cracks_y": (plate, rays(centre, (0, 1.5, "stem"), (145, 1.2, "upper"), (180, 1.4, "lower"))),
+        "crack_from_hole": (holed, rays(edge, (95, 1.1, "crack"))),
+        "cracks_along": (plate, [("line", 1 + 2j, 5 + 2j, "long"), ("line", 2.5 + 2j, 3.7 + 2j, "short")]),
+        "patch_touching": (plate, corner + legs),
+        "patches_touching": (plate, corner + [("line", *(2 * centre - z for z in edge_[1:3]), "patch") for edge_ in corner]),
+    }
+
+
 def doubled(name, lines, is_closed):
     """A plate with an inner wire of these lines that bounds nothing: forth and back, or forth only."""
     step = Sheet()
@@ -515,7 +538,8 @@ def iges_loose():
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(os.path.join(folder, "bad"), exist_ok=True)
-    for name, text in {**models(), "slit": slit(), "bad/two_planes": two_planes(),
+    for name, text in {**models(), **{name: sheet(name, [("plate", loops)], curves) for name, (loops, curves) in
+                                      cracks().items()}, "slit": slit(), "bad/two_planes": two_planes(),
                        "loose_curves": loose("loose_curves", link()), "bad/loose_gap": loose("loose_gap", link(0.001)),
                        "bad/loose_branch": loose("loose_branch", [*link(), ("line", 2 + 1j, 3 + 2j)]),
                        "inner_curve": doubled("inner_curve", [(0.5 + 0.5j, 1 + 0.5j)], True),

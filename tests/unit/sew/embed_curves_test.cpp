@@ -124,6 +124,20 @@ TEST(EmbedCurves, PartsOutsideTheRegionAndAlongItsBoundaryAreLeftOut) {
   EXPECT_EQ(num_slit_sides(embedded({arc, arc})[0]), 2);
 }
 
+TEST(EmbedCurves, WhereCurvesLieUponEachOtherTheShorterOneGivesTheName) {
+  const heal::LoopCurve along{curve::segment({0.2, 1}, {1.8, 1}), 5, "long"}, part = line({1.2, 1}, {0.8, 1});
+  for (const auto& curves : {std::vector{along, part}, std::vector{part, along}}) {
+    const Region region = embedded(curves)[0];
+    ASSERT_EQ(num_slit_sides(region), 6);
+    for (int c = 4; c < region.num_curves(); ++c) {
+      const bool is_part =
+          std::abs(curve::point(region.curves[c].curve, 0.5 * region.curves[c].curve.end()).x - 1) < 0.1;
+      EXPECT_EQ(region.curves[c].name, is_part ? "inner" : "long");
+      EXPECT_EQ(region.curves[c].cad_edge, is_part ? 7 : 5);
+    }
+  }
+}
+
 TEST(EmbedCurves, AnglesOfZeroAreRefused) {
   const heal::LoopCurve tangent{curve::circular_arc({1, 1}, 1, -half_pi, -0.5), 5, ""};
   try {
