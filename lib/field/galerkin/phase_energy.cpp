@@ -59,8 +59,8 @@ struct Piece {
 
 class BoundaryIntegral {
  public:
-  BoundaryIntegral(const CadFace& face, const std::vector<Source>& sources, int first_apex, int num_apexes)
-      : face_(face), sources_(sources), first_apex_(first_apex), num_apexes_(num_apexes) {}
+  BoundaryIntegral(const CadFace& face, const std::vector<Source>& sources, int first_apex)
+      : face_(face), sources_(sources), first_apex_(first_apex) {}
 
   /// int L (dPhi - dA / 2) along the curve between ascending `cuts`.
   double over(int curve, const std::vector<double>& cuts) {
@@ -74,9 +74,9 @@ class BoundaryIntegral {
  private:
   int apex_at(double t) const {
     const Vec2 x = curve::point(*curve_, t);
-    for (int a = first_apex_; a < first_apex_ + 2 * num_apexes_; a += 2)
-      if (distance(sources_[a].position, x) <= 1e-11 * face_.diameter) return a;
-    return -1;
+    const auto is_there = [&](const Source& s) { return distance(s.position, x) <= 1e-11 * face_.diameter; };
+    const auto found = std::find_if(sources_.begin(), sources_.end(), is_there);
+    return found == sources_.end() ? -1 : static_cast<int>(found - sources_.begin());
   }
 
   double over(const Piece& piece, int depth) const {
@@ -131,27 +131,29 @@ class BoundaryIntegral {
     const auto [x, d1, d2, d3] = curve::derivatives(*curve_, t);
     const double bend = cross(d1, d2) / norm2(d1);  // d theta_t / dt
     double turning = 0;
+    const auto turn = [&, d1 = d1](int i, Vec2 r, double r2) {
+      return i == apex && fraction < piece_limits.too_near ? bend / 2 : cross(r, d1) / r2;
+    };
     LogSum turns;
     for (int i = 0; i < first_apex_; ++i) {
       const Vec2 r = x - sources_[i].position;
       const double r2 = std::max(norm2(r), least2);
       turns.add(r2, static_cast<int>(sources_[i].weight));
-      turning += sources_[i].weight * cross(r, d1) / r2;
+      turning += sources_[i].weight * turn(i, r, r2);
     }
     double log_sum = turns.value() / 2;
     for (int i = first_apex_; i < static_cast<int>(sources_.size()); i += 2) {
       const Vec2 r = x - sources_[i].position, from_pole = x - sources_[i + 1].position;
       const double r2 = std::max(norm2(r), least2), pole2 = norm2(from_pole);
       log_sum += sources_[i].weight * std::log(r2 / pole2) / 2;
-      turning += sources_[i].weight * ((i == apex && fraction < piece_limits.too_near ? bend / 2 : cross(r, d1) / r2) -
-                                       cross(from_pole, d1) / pole2);
+      turning += sources_[i].weight * (turn(i, r, r2) - cross(from_pole, d1) / pole2);
     }
     return log_sum * (4 * bend - turning / 2);
   }
 
   const CadFace& face_;
   const std::vector<Source>& sources_;
-  int first_apex_, num_apexes_;
+  int first_apex_;
   const Nurbs* curve_ = nullptr;
 };
 
@@ -190,7 +192,7 @@ double explicit_energy(const CadFace& face, const PhaseNodes& asked, const Phase
     sources.push_back({corner.apex, corner.beta});
     sources.push_back({corner.pole, -corner.beta});
   }
-  BoundaryIntegral integral(face, sources, static_cast<int>(first_apex), static_cast<int>(terms.corner_angles.size()));
+  BoundaryIntegral integral(face, sources, static_cast<int>(first_apex));
   double energy = 0;
   for (int c = 0; c < face.num_curves(); ++c) energy += integral.over(c, cuts_of(face, c, asked));
   const double same = tolerance::round_off * face.diameter;

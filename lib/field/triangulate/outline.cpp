@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/segments.hpp"
 #include "base/tolerance.hpp"
@@ -123,11 +124,8 @@ Outline::Outline(const CadFace& face, double straight_tol) : face_(&face) {
   link_loops();
   const std::vector<bool> are_enclosed = enclosed_joints(face);
   for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) junctions_.push_back(junction(p, are_enclosed));
-  std::vector<Vec2> positions;
-  for (const Junction& junction : junctions_) positions.push_back(junction.position);
-  const std::vector<int> places = places_of(positions, tolerance::round_off * face.diameter);
-  for (std::size_t p = 0; p < places.size(); ++p) junctions_[p].place = places[p];
   link_slits();
+  link_places();
 }
 
 void Outline::add_pieces(int curve, double straight_tol) {
@@ -171,6 +169,23 @@ void Outline::link_slits() {
       throw Defect("the sides of a slit have different pieces");
     pieces_[p].partner = first_piece[partner] + pieces_of_partner - 1 - (p - first_piece[curve]);
   }
+}
+
+// Where one of two partners starts, the other one ends; where a region touches itself, its loop is there twice.
+void Outline::link_places() {
+  const int count = static_cast<int>(pieces_.size());
+  DisjointSets places(count);
+  for (int p = 0; p < count; ++p)
+    if (pieces_[p].partner >= 0) places.unite(p, pieces_[pieces_[p].partner].next);
+  for (int first = 0, next; first < count; first = next) {
+    std::vector<Vec2> positions;
+    const int loop = face_->loop_of(pieces_[first].curve);
+    for (next = first; next < count && face_->loop_of(pieces_[next].curve) == loop; ++next)
+      positions.push_back(junctions_[next].position);
+    const std::vector<int> in_loop = places_of(positions, tolerance::round_off * face_->diameter);
+    for (std::size_t i = 0; i < in_loop.size(); ++i) places.unite(first + static_cast<int>(i), first + in_loop[i]);
+  }
+  for (int p = 0; p < count; ++p) junctions_[p].place = places.find(p);
 }
 
 double Outline::partner_parameter(int curve, double t) const {

@@ -59,6 +59,7 @@ class Outline {
   void add_pieces(int curve, double straight_tol);
   void link_loops();
   void link_slits();
+  void link_places();
   Junction junction(int piece, const std::vector<bool>& are_enclosed) const;
 
   const CadFace* face_;
