@@ -99,8 +99,8 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
   return boundary_value(face, curve, t) - liftings_on_boundary(face, liftings, curve, t);
 }
 
-CornerBridges::CornerBridges(const TriMesh& mesh) {
-  const CadFace& face = mesh.face;
+CornerBridges::CornerBridges(const TriMesh& mesh) : face_(&mesh.face) {
+  const CadFace& face = *face_;
   const std::vector<bool> are_enclosed = enclosed_joints(face);
   if (std::find(are_enclosed.begin(), are_enclosed.end(), true) == are_enclosed.end()) return;
   edges_.resize(face.num_curves());
@@ -123,25 +123,11 @@ std::optional<CornerBridges::Point> CornerBridges::at(int curve, double t) const
 }
 
 BoundaryValues::BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings)
-    : face_(&mesh.face), liftings_(std::move(liftings)), bridges_(mesh) {
-  if (!bridges_.exist()) return;
-  for (int joint = 0; joint < face_->num_curves(); ++joint) {
-    const int before = face_->previous_in_loop(joint);
-    means_.push_back((lifted_boundary_value(*face_, liftings_, before, face_->curves[before].end()) +
-                      lifted_boundary_value(*face_, liftings_, joint, face_->curves[joint].begin())) /
-                     2);
-  }
-}
+    : face_(&mesh.face), liftings_(std::move(liftings)), bridges_(mesh) {}
 
 Vec2 BoundaryValues::operator()(int curve, double t) const {
-  const Vec2 value = lifted_boundary_value(*face_, liftings_, curve, t);
-  const auto bridge = bridges_.at(curve, t);
-  if (!bridge) return value;
-  const Nurbs& nurbs = face_->curves[curve];
-  const double end = bridge->joint == curve ? nurbs.begin() : nurbs.end();
-  // Without a jump the data stay as they are.
-  const Vec2 side = lifted_boundary_value(*face_, liftings_, curve, end);
-  return value + (1 - bridge->share) * (means_[bridge->joint] - side);
+  const auto lifted = [this](int c, double s) { return lifted_boundary_value(*face_, liftings_, c, s); };
+  return bridges_.bridged(lifted, curve, t);
 }
 
 bool is_line_field(const CadFace& face) {

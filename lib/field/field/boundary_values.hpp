@@ -33,21 +33,31 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
 /// negligible (junction_singularity in triangulate/outline.hpp).
 class CornerBridges {
  public:
-  /// Bridges at all enclosed joints of the mesh's face.
+  /// Bridges at all enclosed joints of the mesh's face. `mesh` must outlive this object.
   explicit CornerBridges(const TriMesh& mesh);
-  bool exist() const { return !edges_.empty(); }
   /// A point of a bridge.
   struct Point {
     int joint = 0;
     double share = 0;  ///< 0: the mean at the joint holds; 1: the value of the curve
   };
   std::optional<Point> at(int curve, double t) const;
+  /// values(curve, t), with bridges over its jumps at enclosed joints. Without a jump the values stay as they are.
+  template <typename Values>
+  Vec2 bridged(const Values& values, int curve, double t) const {
+    const Vec2 value = values(curve, t);
+    const auto bridge = at(curve, t);
+    if (!bridge) return value;
+    const int joint = bridge->joint, before = face_->previous_in_loop(joint);
+    const Vec2 in = values(before, face_->curves[before].end()), out = values(joint, face_->curves[joint].begin());
+    return value + (1 - bridge->share) * ((in + out) / 2 - (joint == curve ? out : in));
+  }
 
  private:
   struct Edge {
     int joint = 0;
     double t_joint = 0, t_end = 0;
   };
+  const CadFace* face_;
   std::vector<std::vector<Edge>> edges_;  ///< by curve; empty: no joint is enclosed
 };
 
@@ -62,7 +72,6 @@ class BoundaryValues {
   const CadFace* face_;
   std::vector<Lifting> liftings_;
   CornerBridges bridges_;
-  std::vector<Vec2> means_;  ///< by joint; without bridges empty
 };
 
 /// Whether all boundary values lie on one line through 0, on both sides of 0: straight sides at odd and at even

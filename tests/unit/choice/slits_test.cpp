@@ -7,6 +7,7 @@
 #include "../support/polygon_field.hpp"
 #include "../triangulate/faces.hpp"
 #include "choice/choose_nodes.hpp"
+#include "field/corner_tilt.hpp"
 #include "field/error_estimate.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/solve_phase.hpp"
@@ -101,6 +102,18 @@ TEST(Slits, AcuteBendsHaveTheirTurnsInTheBend) {
     Vec2 value;
     ASSERT_TRUE(evaluator.value_at(x, value));
     EXPECT_NEAR(distance(value, {1, 0}), 0, 0.01) << "aligned with slit and outline at " << x.x << ' ' << x.y;
+  }
+}
+
+TEST(Slits, TiltsAtTheirTiesAreBridged) {
+  Report report;
+  const TriMesh mesh = triangulate::triangulate(bent_slit(radians(135.0)), {}, report);
+  const field::LiftedData data = field::tilt_data(mesh, {5, 7}, field::TiltPart::even);
+  EXPECT_TRUE(data.liftings.empty());
+  for (const int joint : {5, 7}) {
+    const int before = mesh.face.previous_in_loop(joint);
+    const Vec2 in = data.values(before, mesh.face.curves[before].end());
+    EXPECT_NEAR(distance(in, data.values(joint, mesh.face.curves[joint].begin())), 0, 1e-12);
   }
 }
 
