@@ -92,12 +92,14 @@ names() { jq -r '[.face.curve_names | to_entries | unique_by(.value) | sort_by(.
   assert_output "curve_0 curve_1 curve_2 curve_3 long short"
 }
 
-@test "a region that touches itself where embedded curves meet" {
+@test "a region that touches itself where embedded curves or other faces meet" {
   has 60 0.62 patch_touching
   run -0 names work/patch_touching.sep.json
   assert_output --regexp "leg.* patch|patch.* leg"
   has 50 0.7 patches_touching
   has 60 0.62 patch_touching --open patch
+  # Drawn as faces of their own.
+  has 60 0.3 wedges_in_plate
 }
 
 # The distance of the nodes on the two sides of the slit: those of its ends are one.

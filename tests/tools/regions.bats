@@ -82,7 +82,8 @@ figures() {
 }
 
 @test "cad2tri --write-healed writes faces that share edges, and slits" {
-  for shape in t_joint_open disc_in_square voronoi_20 aerofoil_wake plate_curve plate_crack; do
+  for shape in t_joint_open disc_in_square voronoi_20 aerofoil_wake plate_curve plate_crack cracks_x \
+    patches_touching; do
     for ending in step brep; do
       cad2tri "$DATA/regions/$shape.step" -o a.tri.h5 --report a.json --write-healed "healed.$ending"
       cad2tri "healed.$ending" -q -o b.tri.h5 --report b.json

@@ -356,6 +356,13 @@ def tube_bank():
             hole(circle(3.2 + 1j, 0.3, "tube"))]
 
 
+def wedges_in_plate():
+    """A plate around two wedges that touch in a point, where the plate touches itself: drawn as three faces."""
+    wedges = [polygon([0j, 2 - 1j, 2 + 0.5j]), polygon([0j, -2 + 0.8j, -1.5 - 0.6j])]
+    return [("plate", [rectangle(-4 - 3j, 4 + 3j)] + [hole(wedge) for wedge in wedges]),
+            *((f"wedge {k}", [wedge]) for k, wedge in enumerate(wedges))]
+
+
 def finned_plate():
     """A base with three fins on its upper side, and a chip below it."""
     fins = [(f"fin {k}", [rectangle(x + 1j, x + 0.5 + 2.5j)]) for k, x in enumerate((1, 3, 5))]
@@ -410,6 +417,7 @@ def models():
         "voronoi_20": sheet("voronoi_20", [(f"cell_{k}", [polygon(cell)]) for k, cell in
                                            enumerate(with_corners(voronoi()))]),
         "finned_plate": sheet("finned_plate", finned_plate(), own=True),
+        "wedges_in_plate": sheet("wedges_in_plate", wedges_in_plate()),
         "half_disc_cut": sheet("half_disc_cut", [("upper", [upper]), ("lower", [lower])]),
         "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j, "wake")]),
         "plate_curve": sheet("plate_curve", [("plate", [plate])], [("arc", 1.5 + 0.4j, 0.9, 2.2 + 0.4j + 0.5656854249492381j,
