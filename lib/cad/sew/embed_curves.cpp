@@ -28,6 +28,17 @@ Nurbs curve_of(const SideOfCurve& side) { return side.curve.curve; }
 
 Vec2 middle_of(const Nurbs& curve) { return curve::point(curve, (curve.begin() + curve.end()) / 2); }
 
+/// The joints of the region; where it touches itself, one for all of its curves. Seams of smooth closed curves are
+/// none.
+std::vector<Vec2> joints_of(const Region& region) {
+  std::vector<Vec2> joints;
+  for (int c = 0; c < region.num_curves(); ++c) {
+    const Vec2 x = region.curves[c].curve.poles.front();
+    if (!has_seam(region, c) && std::find(joints.begin(), joints.end(), x) == joints.end()) joints.push_back(x);
+  }
+  return joints;
+}
+
 /// Where inner curves meet the boundary of their region and each other.
 class NodeFinder {
  public:
@@ -35,8 +46,7 @@ class NodeFinder {
       : region_(region), curves_(curves), tol_(tol), file_(file) {}
 
   std::vector<Vec2> find() {
-    for (int c = 0; c < region_.num_curves(); ++c)
-      if (!has_seam(region_, c)) nodes_.push_back(region_.curves[c].curve.poles.front());
+    nodes_ = joints_of(region_);
     for (const heal::LoopCurve& inner : curves_) {
       for (const Vec2 end : ends_of(inner.curve)) add_foot(end, region_.curves, nullptr);
       for (const heal::LoopCurve& outer : region_.curves) add_crossings(outer, inner);
@@ -104,8 +114,7 @@ class Sides {
 
   void add_boundary() {
     // A joint may be within the tolerance of another curve of the boundary, but it is not on it.
-    int num_joints = 0;
-    for (int c = 0; c < region_.num_curves(); ++c) num_joints += !has_seam(region_, c);
+    const int num_joints = static_cast<int>(joints_of(region_).size());
     for (int c = 0; c < region_.num_curves(); ++c)
       for (SideOfCurve& piece : pieces_of(region_.curves[c], has_seam(region_, c), num_joints))
         sides.push_back(std::move(piece));
