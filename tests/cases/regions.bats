@@ -72,6 +72,36 @@ keeps() {
   has 12 0.8 aerofoil_wake --geometry-tol 1e-9
 }
 
+# names: the names of the curves, in the order of their first curves.
+names() { jq -r '[.face.curve_names | to_entries | unique_by(.value) | sort_by(.key)[].value] | join(" ")' "$1"; }
+
+@test "embedded curves that meet at acute angles: their sectors are corners, open or not" {
+  # The sharpest corners have 35, 35 and 30 degrees.
+  has 22 0.573 cracks_x
+  has 15 0.573 cracks_y
+  has 30 0.499 crack_from_hole
+  has 24 0.573 cracks_x --open one --open two
+  has 17 0.573 cracks_y --open stem --open upper --open lower
+  run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" work/cracks_y.quad.h5
+  assert_output --regexp 'cracks: 6 sides, [1-9][0-9]+ doubled nodes'
+}
+
+@test "embedded curves that lie upon each other keep both names" {
+  has 6 0.99 cracks_along
+  run -0 names work/cracks_along.sep.json
+  assert_output "curve_0 curve_1 curve_2 curve_3 long short"
+}
+
+@test "a region that touches itself where embedded curves or other faces meet" {
+  has 60 0.62 patch_touching
+  run -0 names work/patch_touching.sep.json
+  assert_output --regexp "leg.* patch|patch.* leg"
+  has 50 0.7 patches_touching
+  has 60 0.62 patch_touching --open patch
+  # Drawn as faces of their own.
+  has 60 0.3 wedges_in_plate
+}
+
 # The distance of the nodes on the two sides of the slit: those of its ends are one.
 @test "a crack has nodes of its own on both sides, its ends have one" {
   has 4 0.99 plate_crack

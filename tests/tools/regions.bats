@@ -31,6 +31,13 @@ figures() {
   done
 }
 
+@test "cad2tri cuts embedded curves where they meet, and embeds what lies upon another once" {
+  assert_equal "$(figures '.regions.count, .sew.inner_curves' cracks_x.step)" '[1,4]'
+  assert_equal "$(figures '.regions.count, .sew.inner_curves' cracks_y.step)" '[1,3]'
+  assert_equal "$(figures '.regions.count, .sew.inner_curves' cracks_along.step)" '[1,3]'
+  assert_equal "$(figures '.regions.count, .sew.inner_curves, .sew.interfaces' patches_touching.step)" '[3,0,6]'
+}
+
 @test "cad2tri names common curves and counts them" {
   run cad2tri "$DATA/regions/t_joint.step" -v -o a.tri.h5
   assert_line --partial 'sewed 3 regions along 3 curves'
@@ -75,7 +82,8 @@ figures() {
 }
 
 @test "cad2tri --write-healed writes faces that share edges, and slits" {
-  for shape in t_joint_open disc_in_square voronoi_20 aerofoil_wake plate_curve plate_crack; do
+  for shape in t_joint_open disc_in_square voronoi_20 aerofoil_wake plate_curve plate_crack cracks_x \
+    patches_touching; do
     for ending in step brep; do
       cad2tri "$DATA/regions/$shape.step" -o a.tri.h5 --report a.json --write-healed "healed.$ending"
       cad2tri "healed.$ending" -q -o b.tri.h5 --report b.json

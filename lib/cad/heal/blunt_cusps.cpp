@@ -79,12 +79,12 @@ using Flags = std::vector<std::vector<bool>>;
 const LoopCurve& before(const Loop& loop, size_t i) { return loop[(i + loop.size() - 1) % loop.size()]; }
 
 // For each curve of the loops, whether it starts at a cusp or sharp corner, or at a convex one that touches another.
-Flags tips_of(const std::vector<Loop>& loops) {
+Flags tips_of(const std::vector<Loop>& loops, bool keeps_contacts) {
   Flags tips = contacts_at_starts(loops);
   for (size_t l = 0; l < loops.size(); ++l)
     for (size_t i = 0; i < loops[l].size(); ++i) {
       const double angle = interior_angle(before(loops[l], i).curve, loops[l][i].curve);
-      tips[l][i] = angle < blunt_rules.sharp_angle || (tips[l][i] && angle < pi);
+      tips[l][i] = angle < blunt_rules.sharp_angle || (!keeps_contacts && tips[l][i] && angle < pi);
     }
   return tips;
 }
@@ -159,7 +159,7 @@ class TipCutter {
   TipCutter(const std::vector<Loop>& loops, const BluntOptions& options)
       : loops_(loops),
         options_(options),
-        tips_(tips_of(loops)),
+        tips_(tips_of(loops, options.keeps_contacts)),
         reference_(reference_length(loops, options.diameter)) {}
 
   double least_width() const { return blunt_rules.least_width * reference_; }
@@ -220,7 +220,7 @@ class TipCutter {
 
 // What to do about the tips of the loops.
 std::string blunt_remedy(const std::vector<Loop>& loops, const BluntOptions& options, const char* what) {
-  const Flags tips = tips_of(loops);
+  const Flags tips = tips_of(loops, options.keeps_contacts);
   const double reference = reference_length(loops, options.diameter);
   double width = blunt_rules.automatic_width * reference;
   for (size_t l = 0; l < loops.size(); ++l)

@@ -13,6 +13,7 @@ struct BluntOptions {
   std::string file;     ///< for messages
   double diameter = 1;  ///< of the face, a length
   double width = 0;     ///< of the straight edges that replace tips, a length; 0: tips stay; below 0: automatic_width
+  bool keeps_contacts = false;  ///< corners that only touch another one stay: neighbours may lie between them
 };
 
 /// As BluntOptions::width: a thousandth of the diameter (in a far field, of the box around the bodies), or half of what

@@ -119,6 +119,14 @@ std::string contact_text(const std::vector<heal::Loop>& loops, const Contact& c,
                      place, size_text(size, diameter));
 }
 
+// The loops without the corners in which they touch.
+std::vector<Loop> without_contacts(std::vector<Loop> loops, const heal::BluntOptions& options) {
+  std::vector<Repair> unused;
+  Report unused_report;
+  heal::blunt_cusps(loops, {options.file, options.diameter, heal::automatic_width}, unused, unused_report);
+  return loops;
+}
+
 void require_no_contact(const heal::RawFace& raw, const std::vector<Loop>& loops, double size, double diameter) {
   std::vector<std::vector<Nurbs>> curves;
   for (const Loop& loop : loops) curves.push_back(curves_of(loop));
@@ -181,11 +189,12 @@ AssembledLoops assembled_loops(const heal::RawFace& raw, const AssembleOptions& 
                                 options.blunt_width == 0 ? nullptr : &common);
   warn_of_common_lines(raw, common, report);
   loops = chosen_piece(raw, loops, options.piece);
-  const heal::BluntOptions blunt{raw.file, diameter(curves_of(loops.front())), options.blunt_width};
+  const heal::BluntOptions blunt{raw.file, diameter(curves_of(loops.front())), options.blunt_width,
+                                 options.keeps_contacts};
   heal::blunt_cusps(loops, blunt, repairs, report);
-  heal::refuse_contacts(loops, blunt);
+  if (!options.keeps_contacts) heal::refuse_contacts(loops, blunt);
   const double fit_distance = simplify_loops(loops, options.fit_tolerance, blunt.diameter, repairs, report);
-  require_no_contact(raw, loops, size, blunt.diameter);
+  require_no_contact(raw, options.keeps_contacts ? without_contacts(loops, blunt) : loops, size, blunt.diameter);
   require_nested(raw, loops);
   heal::refuse_cusps(loops, blunt);
   return {loops, fit_distance};

@@ -20,6 +20,7 @@ struct AssembleOptions {
   double blunt_width = 0;                      ///< as in heal::BluntOptions
   FacePiece piece = {};
   double fit_tolerance = 0;  ///< diameters: splines with many knots are replaced by ones this near to them; 0: none is
+  bool keeps_contacts = false;  ///< as in heal::BluntOptions: the loops may pass a point several times
 };
 
 /// The boundary of a face, checked.

@@ -8,6 +8,8 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
+#include "curve/arc_length.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
@@ -26,6 +28,17 @@ Nurbs curve_of(const SideOfCurve& side) { return side.curve.curve; }
 
 Vec2 middle_of(const Nurbs& curve) { return curve::point(curve, (curve.begin() + curve.end()) / 2); }
 
+/// The joints of the region; where it touches itself, one for all of its curves. Seams of smooth closed curves are
+/// none.
+std::vector<Vec2> joints_of(const Region& region) {
+  std::vector<Vec2> joints;
+  for (int c = 0; c < region.num_curves(); ++c) {
+    const Vec2 x = region.curves[c].curve.poles.front();
+    if (!has_seam(region, c) && std::find(joints.begin(), joints.end(), x) == joints.end()) joints.push_back(x);
+  }
+  return joints;
+}
+
 /// Where inner curves meet the boundary of their region and each other.
 class NodeFinder {
  public:
@@ -33,8 +46,7 @@ class NodeFinder {
       : region_(region), curves_(curves), tol_(tol), file_(file) {}
 
   std::vector<Vec2> find() {
-    for (int c = 0; c < region_.num_curves(); ++c)
-      if (!has_seam(region_, c)) nodes_.push_back(region_.curves[c].curve.poles.front());
+    nodes_ = joints_of(region_);
     for (const heal::LoopCurve& inner : curves_) {
       for (const Vec2 end : ends_of(inner.curve)) add_foot(end, region_.curves, nullptr);
       for (const heal::LoopCurve& outer : region_.curves) add_crossings(outer, inner);
@@ -102,23 +114,29 @@ class Sides {
 
   void add_boundary() {
     // A joint may be within the tolerance of another curve of the boundary, but it is not on it.
-    int num_joints = 0;
-    for (int c = 0; c < region_.num_curves(); ++c) num_joints += !has_seam(region_, c);
+    const int num_joints = static_cast<int>(joints_of(region_).size());
     for (int c = 0; c < region_.num_curves(); ++c)
       for (SideOfCurve& piece : pieces_of(region_.curves[c], has_seam(region_, c), num_joints))
         sides.push_back(std::move(piece));
   }
 
   void add_inner(const heal::LoopCurve& inner) {
-    for (SideOfCurve& piece : pieces_of(inner, curve::has_smooth_seam(inner.curve), 0))
-      if (is_inside(piece.curve.curve) && !is_known(piece)) {
-        const int number = static_cast<int>(sides.size());
-        SideOfCurve back{piece.curve, piece.to, piece.from, number};
-        back.curve.curve = curve::reversed(back.curve.curve);
-        piece.twin = number + 1;
-        sides.push_back(std::move(piece));
-        sides.push_back(std::move(back));
+    const double length = curve::ArcLength(inner.curve).total();
+    lengths_.resize(sides.size());
+    for (SideOfCurve& piece : pieces_of(inner, curve::has_smooth_seam(inner.curve), 0)) {
+      if (!is_inside(piece.curve.curve)) continue;
+      if (const int known = side_along(piece); known >= 0) {
+        name_after_shorter(known, inner, length);
+        continue;
       }
+      const int number = static_cast<int>(sides.size());
+      SideOfCurve back{piece.curve, piece.to, piece.from, number};
+      back.curve.curve = curve::reversed(back.curve.curve);
+      piece.twin = number + 1;
+      sides.push_back(std::move(piece));
+      sides.push_back(std::move(back));
+      lengths_.resize(sides.size(), length);
+    }
   }
 
   std::vector<SideOfCurve> sides;
@@ -166,17 +184,30 @@ class Sides {
     return distance > tol_ && boundary_.winding_number(farthest) > 0;
   }
 
-  bool is_known(const SideOfCurve& piece) const {
-    return std::any_of(sides.begin(), sides.end(), [&](const SideOfCurve& side) {
+  /// The side of an inner curve that the piece lies on; -1: none.
+  int side_along(const SideOfCurve& piece) const {
+    const auto found = std::find_if(sides.begin(), sides.end(), [&](const SideOfCurve& side) {
       return side.twin >= 0 && side.from == piece.from && side.to == piece.to &&
              separation(side.curve.curve, piece.curve.curve) <= tol_;
     });
+    return found == sides.end() ? -1 : static_cast<int>(found - sides.begin());
+  }
+
+  /// A part of a longer curve has the name of the shorter one that lies on it: both names are kept.
+  void name_after_shorter(int side, const heal::LoopCurve& inner, double length) {
+    const bool is_shorter = length < lengths_[side] * (1 - tolerance::tied);
+    if (inner.name.empty() || !(is_shorter || sides[side].curve.name.empty())) return;
+    for (const int s : {side, sides[side].twin}) {
+      sides[s].curve.name = inner.name, sides[s].curve.cad_edge = inner.cad_edge;
+      lengths_[s] = length;
+    }
   }
 
   const Region& region_;
   curve::CurveTree boundary_;
   std::vector<Vec2> nodes_;
   double tol_;
+  std::vector<double> lengths_;  ///< by side: of the inner curve that named it
 };
 
 /// A loop with what decides to which region it belongs.

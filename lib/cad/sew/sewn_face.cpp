@@ -74,7 +74,7 @@ class RegionMaker {
     std::vector<Repair> repairs = heal::heal_face(raw, {options_.heal_tolerance}, outline::raw_diameter(raw), own);
     const outline::FacePiece piece = is_single ? options_.piece : outline::FacePiece{std::to_string(number), -1};
     const outline::AssembledLoops assembled = outline::assembled_loops(
-        raw, {options_.corner_angle, options_.blunt_width, piece, options_.fit_tolerance}, repairs, own);
+        raw, {options_.corner_angle, options_.blunt_width, piece, options_.fit_tolerance, !is_single}, repairs, own);
     for (const auto& warning : own.warnings()) report_.warn(warning.code, warning.message);
     fit_distance_ = std::max(fit_distance_, assembled.fit_distance);
     Region region = region_of(assembled.loops, raw.name, number);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -50,6 +52,20 @@ double PointGrid::inner_distance(Vec2 x, Cell cell, int ring) const {
   const Vec2 corner = low_ + size_ * Vec2{static_cast<double>(cell.i), static_cast<double>(cell.j)};
   const double inside = std::min({x.x - corner.x, corner.x + size_ - x.x, x.y - corner.y, corner.y + size_ - x.y});
   return inside + (ring - margin) * size_;
+}
+
+std::vector<int> places_of(const std::vector<Vec2>& points, double same) {
+  DisjointSets places(points.size());
+  const PointGrid grid(points);
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    const Vec2 x = points[i];
+    grid.visit_box(x - Vec2{same, same}, x + Vec2{same, same}, [&](int other) {
+      if (other < i && distance(points[other], x) <= same) places.unite(other, i);
+    });
+  }
+  std::vector<int> result;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) result.push_back(places.find(i));
+  return result;
 }
 
 }  // namespace quadrille

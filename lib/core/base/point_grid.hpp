@@ -55,6 +55,10 @@ class PointGrid {
   std::vector<int> offsets_, values_;  // of each cell, its points in ascending order
 };
 
+/// For each point the lowest number of those in its place, its own if it is alone: points within `same`, a length, of
+/// each other are in one place.
+std::vector<int> places_of(const std::vector<Vec2>& points, double same);
+
 template <typename Counts>
 PointGrid::Nearest PointGrid::nearest(Vec2 x, const Counts& counts) const {
   Nearest best;

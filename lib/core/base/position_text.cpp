@@ -7,7 +7,11 @@
 
 namespace quadrille {
 
-std::string position_text(Vec2 x) { return fmt::format("({:.6g}, {:.6g})", x.x, x.y); }
+std::string position_text(Vec2 x) {
+  if (!std::isfinite(x.x) || !std::isfinite(x.y))
+    return "an unknown place (its coordinates are no numbers: an internal error, please report it)";
+  return fmt::format("({:.6g}, {:.6g})", x.x, x.y);
+}
 
 std::string rounded_position_text(Vec2 x) {
   const double rounding = 1e-12 * std::max({std::abs(x.x), std::abs(x.y), 1e-3});

@@ -8,6 +8,7 @@
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"
+#include "model/enclosed_joints.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -98,16 +99,17 @@ Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& lift
   return boundary_value(face, curve, t) - liftings_on_boundary(face, liftings, curve, t);
 }
 
-CornerBridges::CornerBridges(const TriMesh& mesh) {
-  const CadFace& face = mesh.face;
-  if (face.partners.empty()) return;
+CornerBridges::CornerBridges(const TriMesh& mesh) : face_(&mesh.face) {
+  const CadFace& face = *face_;
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
+  if (std::find(are_enclosed.begin(), are_enclosed.end(), true) == are_enclosed.end()) return;
   edges_.resize(face.num_curves());
   for (const BoundaryEdge& edge : mesh.boundary_edges) {
     const Nurbs& nurbs = face.curves[edge.curve];
     const int next = face.next_in_loop(edge.curve);
-    if (edge.t0 == nurbs.begin() && face.is_slit_joint(edge.curve))
+    if (edge.t0 == nurbs.begin() && are_enclosed[edge.curve])
       edges_[edge.curve].push_back({edge.curve, edge.t0, edge.t1});
-    if (edge.t1 == nurbs.end() && face.is_slit_joint(next)) edges_[edge.curve].push_back({next, edge.t1, edge.t0});
+    if (edge.t1 == nurbs.end() && are_enclosed[next]) edges_[edge.curve].push_back({next, edge.t1, edge.t0});
   }
 }
 
@@ -121,25 +123,11 @@ std::optional<CornerBridges::Point> CornerBridges::at(int curve, double t) const
 }
 
 BoundaryValues::BoundaryValues(const TriMesh& mesh, std::vector<Lifting> liftings)
-    : face_(&mesh.face), liftings_(std::move(liftings)), bridges_(mesh) {
-  if (face_->partners.empty()) return;
-  for (int joint = 0; joint < face_->num_curves(); ++joint) {
-    const int before = face_->previous_in_loop(joint);
-    means_.push_back((lifted_boundary_value(*face_, liftings_, before, face_->curves[before].end()) +
-                      lifted_boundary_value(*face_, liftings_, joint, face_->curves[joint].begin())) /
-                     2);
-  }
-}
+    : face_(&mesh.face), liftings_(std::move(liftings)), bridges_(mesh) {}
 
 Vec2 BoundaryValues::operator()(int curve, double t) const {
-  const Vec2 value = lifted_boundary_value(*face_, liftings_, curve, t);
-  const auto bridge = bridges_.at(curve, t);
-  if (!bridge) return value;
-  const Nurbs& nurbs = face_->curves[curve];
-  const double end = bridge->joint == curve ? nurbs.begin() : nurbs.end();
-  // Without a jump the data stay as they are.
-  const Vec2 side = lifted_boundary_value(*face_, liftings_, curve, end);
-  return value + (1 - bridge->share) * (means_[bridge->joint] - side);
+  const auto lifted = [this](int c, double s) { return lifted_boundary_value(*face_, liftings_, c, s); };
+  return bridges_.bridged(lifted, curve, t);
 }
 
 bool is_line_field(const CadFace& face) {
@@ -189,12 +177,12 @@ Lifting lifting_at(const CadFace& face, int joint, Vec2 incoming, Vec2 outgoing)
 
 std::vector<Lifting> corner_liftings(const CadFace& face) {
   std::vector<Lifting> liftings;
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
   for (int joint = 0; joint < face.num_curves(); ++joint) {
     const int before = face.previous_in_loop(joint);
     const Vec2 v_in = boundary_value(face, before, face.curves[before].end());
     const Vec2 v_out = boundary_value(face, joint, face.curves[joint].begin());
-    if (norm(v_in - v_out) > jump_tol && !face.is_slit_joint(joint))
-      liftings.push_back(lifting_at(face, joint, v_in, v_out));
+    if (norm(v_in - v_out) > jump_tol && !are_enclosed[joint]) liftings.push_back(lifting_at(face, joint, v_in, v_out));
   }
   return liftings;
 }

@@ -25,14 +25,15 @@ Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& lifti
 /// boundary_value minus all liftings, at parameter t of `curve`: continuous around every loop.
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
 
-/// Bridges over jumps of the boundary data at slits, where no explicit term can represent them (there is no place for
-/// its pole, and other joints are in the same place). Along the two element edges at such a corner the data change
+/// Bridges over jumps of the boundary data at enclosed joints (model/enclosed_joints.hpp), at slits and where a region
+/// touches itself: no explicit term can represent them, because there is no place for its pole, or because one term
+/// would have to carry the jumps of several sectors. Along the two element edges at such a corner the data change
 /// linearly, in the parameter, to the mean of both sides at the corner. The two deviations are opposite, so that the
 /// field is disturbed by (r0 / r)^(2 pi / omega) only, r0 the length of the edges: the fan of such a corner makes it
 /// negligible (junction_singularity in triangulate/outline.hpp).
 class CornerBridges {
  public:
-  /// Bridges at all slit joints of the mesh's face. `mesh` must outlive this object.
+  /// Bridges at all enclosed joints of the mesh's face. `mesh` must outlive this object.
   explicit CornerBridges(const TriMesh& mesh);
   /// A point of a bridge.
   struct Point {
@@ -40,16 +41,27 @@ class CornerBridges {
     double share = 0;  ///< 0: the mean at the joint holds; 1: the value of the curve
   };
   std::optional<Point> at(int curve, double t) const;
+  /// values(curve, t), with bridges over its jumps at enclosed joints. Without a jump the values stay as they are.
+  template <typename Values>
+  Vec2 bridged(const Values& values, int curve, double t) const {
+    const Vec2 value = values(curve, t);
+    const auto bridge = at(curve, t);
+    if (!bridge) return value;
+    const int joint = bridge->joint, before = face_->previous_in_loop(joint);
+    const Vec2 in = values(before, face_->curves[before].end()), out = values(joint, face_->curves[joint].begin());
+    return value + (1 - bridge->share) * ((in + out) / 2 - (joint == curve ? out : in));
+  }
 
  private:
   struct Edge {
     int joint = 0;
     double t_joint = 0, t_end = 0;
   };
-  std::vector<std::vector<Edge>> edges_;  ///< by curve; empty: the face has no slits
+  const CadFace* face_;
+  std::vector<std::vector<Edge>> edges_;  ///< by curve; empty: no joint is enclosed
 };
 
-/// lifted_boundary_value() on a mesh, with bridges at slits: continuous around every loop.
+/// lifted_boundary_value() on a mesh, with bridges at enclosed joints: continuous around every loop.
 class BoundaryValues {
  public:
   /// `mesh` must outlive this object.
@@ -60,7 +72,6 @@ class BoundaryValues {
   const CadFace* face_;
   std::vector<Lifting> liftings_;
   CornerBridges bridges_;
-  std::vector<Vec2> means_;  ///< by joint; without slits empty
 };
 
 /// Whether all boundary values lie on one line through 0, on both sides of 0: straight sides at odd and at even
@@ -85,8 +96,8 @@ Vec2 exterior_pole(const CadFace& face, Vec2 apex, Vec2 tangent_out, double inte
 /// exterior_pole.
 Lifting lifting_at(const CadFace& face, int joint, Vec2 incoming, Vec2 outgoing);
 
-/// One lifting for every joint at which the data jump by more than round-off, except at slits: there is no place for
-/// the pole, and other joints are in the same place (BoundaryValues bridges those jumps).
+/// One lifting for every joint at which the data jump by more than round-off, except at enclosed ones (BoundaryValues
+/// bridges those jumps).
 std::vector<Lifting> corner_liftings(const CadFace& face);
 
 }  // namespace quadrille::field

@@ -9,6 +9,7 @@
 #include "base/angle.hpp"
 #include "curve/arc_length.hpp"
 #include "field/boundary_values.hpp"
+#include "model/enclosed_joints.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -68,16 +69,22 @@ class Tilts {
 
 }  // namespace
 
-LiftedData tilt_data(const CadFace& face, const std::vector<int>& joints, TiltPart part) {
+LiftedData tilt_data(const TriMesh& mesh, const std::vector<int>& joints, TiltPart part) {
+  const CadFace& face = mesh.face;
   const auto tilts = std::make_shared<const Tilts>(face, joints, part);
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
   LiftedData data;
   for (const int joint : joints) {
     const int before = face.previous_in_loop(joint);
-    data.liftings.push_back(lifting_at(face, joint, tilts->value(before, face.curves[before].end()),
-                                       tilts->value(joint, face.curves[joint].begin())));
+    if (!are_enclosed[joint])
+      data.liftings.push_back(lifting_at(face, joint, tilts->value(before, face.curves[before].end()),
+                                         tilts->value(joint, face.curves[joint].begin())));
   }
-  data.values = [&face, tilts, liftings = data.liftings](int curve, double t) {
+  const auto lifted = [&face, tilts, liftings = data.liftings](int curve, double t) {
     return tilts->value(curve, t) - liftings_on_boundary(face, liftings, curve, t);
+  };
+  data.values = [lifted, bridges = CornerBridges(mesh)](int curve, double t) {
+    return bridges.bridged(lifted, curve, t);
   };
   return data;
 }

@@ -17,6 +17,7 @@
 
 #include "model/cad_face.hpp"
 #include "model/field.hpp"
+#include "model/tri_mesh.hpp"
 
 namespace quadrille::field {
 
@@ -29,8 +30,8 @@ struct LiftedData {
 
 enum class TiltPart { even, odd };
 
-/// The sum of one part of the tilts at these joints. `face` must outlive the result.
-LiftedData tilt_data(const CadFace& face, const std::vector<int>& joints, TiltPart part);
+/// The sum of one part of the tilts at these joints of the mesh's face. `mesh` must outlive the result.
+LiftedData tilt_data(const TriMesh& mesh, const std::vector<int>& joints, TiltPart part);
 
 /// A harmonic function that may be added to a field, on the mesh and with the orders of that field: coefficients of the
 /// elements on which the function is not negligible.

@@ -7,11 +7,12 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "field/boundary_values.hpp"
 #include "field/explicit_value.hpp"
+#include "model/enclosed_joints.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -70,15 +71,11 @@ std::vector<BoundaryNode> inner_nodes(const CadFace& face, const PhaseNodes& pre
 
 // `branch` is the interior angle up to multiples of 2 pi and rounding. The angle is computed from the same tangents as
 // the boundary data, so that the data of both sides of an apex agree to round-off.
-BoundaryApex make_apex(const CadFace& face, int curve, double t, double branch, int valence) {
-  BoundaryApex apex{curve, t, branch, valence};
+BoundaryApex make_apex(const CadFace& face, int curve, double t, double branch, int valence, bool is_enclosed) {
+  BoundaryApex apex{curve, t, branch, valence, is_enclosed};
   const auto [in, out] = tangents_at(face, apex);
   apex.interior_angle = branch + wrap_pi(pi - (angle_of(out) - angle_of(in)) - branch);
   return apex;
-}
-
-bool is_bridged(const CadFace& face, const BoundaryApex& apex) {
-  return apex.t == face.curves[apex.curve].begin() && face.is_slit_joint(apex.curve);
 }
 
 // The pole p_c. For a hole with bends, the focus nearest to the exterior pole among those visible from the apex c, if
@@ -104,22 +101,12 @@ void add_corner_angles(const CadFace& face, CornerTerms& result) {
   for (const BoundaryApex& apex : result.apexes.apexes) {
     result.apex2corner_angle.push_back(-1);
     const double angle = apex.interior_angle, jump = 4 * angle - 2 * pi * apex.valence;
-    if (std::abs(jump) <= jump_tol || is_bridged(face, apex)) continue;
+    if (std::abs(jump) <= jump_tol || apex.is_enclosed) continue;
     const Vec2 x = curve::point(face.curves[apex.curve], apex.t);
     const Vec2 pole = pole_of(face, result.foci, face.loop_of(apex.curve), x, tangents_at(face, apex).out, angle);
     result.apex2corner_angle.back() = static_cast<int>(result.corner_angles.size());
     result.corner_angles.push_back({x, pole, jump / angle});
   }
-}
-
-// Around a curve that encloses nothing there is no place for the centre of turns.
-void require_no_turns(const CadFace& face, int loop, const PhaseTurn& hole) {
-  if (hole.turns == 0) return;
-  throw ComputeError(fmt::format(
-      "the corners of the embedded curve at {} have valences whose sum of 2 - V is {}, but a field with prescribed "
-      "nodes "
-      "needs -4 there: prescribe other valences with critpoints --corner-valence, or draw the curve to the boundary",
-      position_text(face.joints[face.loop_offsets[loop]].position + face.origin), hole.turns - 4));
 }
 
 // Adds D_j, the turns that make the data of hole j single-valued, initially centred at one point of the hole.
@@ -129,8 +116,6 @@ void add_holes(const CadFace& face, CornerTerms& result) {
     const int loop = face.loop_of(apex.curve);
     if (loop > 0) result.holes[loop - 1].turns += 2 - apex.valence;
   }
-  for (int loop = 1; loop < face.num_loops(); ++loop)
-    if (face.is_slit_loop(loop)) require_no_turns(face, loop, result.holes[loop - 1]);
 }
 
 BoundarySamples samples_at(const CadFace& face, const CornerTerms& corners, int curve, std::span<const double> t) {
@@ -216,15 +201,16 @@ BoundaryApexes boundary_apexes(const CadFace& face, const PhaseNodes& prescribed
   const std::vector<BoundaryNode> inner = inner_nodes(face, prescribed);
   BoundaryApexes result;
   std::vector<BoundaryApex>& apexes = result.apexes;
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
   auto next = inner.begin();
   for (int c = 0; c < face.num_curves(); ++c) {
     const Nurbs& curve = face.curves[c];
     result.offsets.push_back(static_cast<int>(apexes.size()));
-    apexes.push_back(make_apex(face, c, curve.begin(), face.joints[c].interior_angle, valences[c]));
+    apexes.push_back(make_apex(face, c, curve.begin(), face.joints[c].interior_angle, valences[c], are_enclosed[c]));
     for (; next != inner.end() && next->curve == c; ++next) {
       if (next->t - apexes.back().t <= same_position_tol * range_of(curve))
         throw ComputeError(fmt::format("two boundary nodes are at the same position on curve {}", c));
-      apexes.push_back(make_apex(face, c, next->t, pi, next->valence));
+      apexes.push_back(make_apex(face, c, next->t, pi, next->valence, false));
     }
   }
   result.offsets.push_back(static_cast<int>(apexes.size()));
@@ -291,6 +277,10 @@ const std::vector<MirrorImage>& SharedCorners::images(Vec2 x) {
   return entry->second;
 }
 
+double SharedCorners::extent_of_centre(int loop) const {
+  return face_->is_slit_loop(loop) ? tolerance::round_off * face_->diameter : 0;
+}
+
 LoopCentres::LoopCentres(const CadFace& face, int loop, const std::vector<TurnCentre>& centres)
     : far_(expansion_around(face, loop)) {
   const Vec2 start = face.curves[face.loop_offsets[loop]].poles.front();
@@ -311,14 +301,13 @@ ExplicitTerms explicit_terms(SharedCorners& corners, const std::vector<PhaseNode
   terms.corner_angles = corners.terms().corner_angles;
   terms.holes = corners.terms().holes;
   const std::vector<int> image_loops = add_nodes_and_images(corners, nodes, terms);
-  const auto add_centre = [&](const PhaseTurn& turn, int loop) {
-    result.centres.push_back({turn.position, turn.turns, loop});
+  const auto add_centre = [&](const PhaseTurn& turn, int loop, double extent) {
+    result.centres.push_back({turn.position, turn.turns, loop, extent});
   };
-  for (const PhaseTurn& node : terms.nodes) add_centre(node, -1);
-  // Slits have no turns and no centre.
+  for (const PhaseTurn& node : terms.nodes) add_centre(node, -1, 0);
   for (std::size_t j = 0; j < terms.holes.size(); ++j)
-    if (!corners.is_slit(static_cast<int>(j) + 1)) add_centre(terms.holes[j], static_cast<int>(j) + 1);
-  for (std::size_t i = 0; i < terms.images.size(); ++i) add_centre(terms.images[i], image_loops[i]);
+    add_centre(terms.holes[j], static_cast<int>(j) + 1, corners.extent_of_centre(static_cast<int>(j) + 1));
+  for (std::size_t i = 0; i < terms.images.size(); ++i) add_centre(terms.images[i], image_loops[i], 0);
   return result;
 }
 

@@ -24,6 +24,7 @@ struct BoundaryApex {
   double t = 0;               ///< parameter on `curve`
   double interior_angle = 0;  ///< omega, radians, between the tangents of both sides; pi inside a smooth curve
   int valence = 2;            ///< V
+  bool is_enclosed = false;   ///< enclosed_joints(): the jump of the data is bridged, not carried by an angle term
 };
 
 struct BoundaryApexes {
@@ -81,8 +82,8 @@ class SharedCorners {
   /// Whether `prescribed` has the valences on the boundary for which this was made.
   bool fit(const PhaseNodes& prescribed) const;
   const CornerTerms& terms() const { return terms_; }
-  /// Whether the loop runs along slits only (CadFace::is_slit_loop).
-  bool is_slit(int loop) const { return face_->is_slit_loop(loop); }
+  /// TurnCentre::extent of h_j, j = `loop`: that of a slit is a joint.
+  double extent_of_centre(int loop) const;
   /// Valid until the next call. `t` is not empty.
   const BoundarySamples& samples(int curve, std::span<const double> t);
   /// The mirror images of a node at x.
@@ -102,11 +103,17 @@ class SharedCorners {
 struct TurnCentre {
   Vec2 position;
   int turns = 0;
-  int loop = -1;  ///< -1: an irregular node, inside the domain; 0: outside the outline; j: inside hole j
+  int loop = -1;      ///< -1: an irregular node, inside the domain; 0: outside the outline; j: inside hole j
+  double extent = 0;  ///< points nearer than this are the centre itself, a joint of the slit `loop`; 0: not on a curve
 
   /// The required winding number of a loop of the face around `position`: 1 of the outline (counter-clockwise) around
   /// all that it encloses, -1 of a hole (clockwise) around the points inside it, 0 otherwise.
   int winding_number(int of_loop) const { return of_loop == 0 ? (loop == 0 ? 0 : 1) : (loop == of_loop ? -1 : 0); }
+
+  bool is_at(Vec2 x) const { return distance(x, position) < extent; }
+  /// The vector from the centre to a point of a curve; if that is the centre itself, `away`, the direction in which the
+  /// curve leaves it.
+  Vec2 to(Vec2 x, Vec2 away) const { return is_at(x) ? away : x - position; }
 };
 
 /// The terms and their centres.

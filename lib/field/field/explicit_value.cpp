@@ -70,10 +70,11 @@ double sum_of_turns(const std::vector<PhaseTurn>& turns, Vec2 x) {
   return sum.value();
 }
 
-// z times (x - a)^d for each turn. The result is not normalised; it is rescaled only to avoid overflow and underflow.
-Vec2 turned(Vec2 z, const std::vector<PhaseTurn>& turns, Vec2 x) {
+// z times (x - a)^d for each turn, (towards - x)^d where x is a. The
+// result is not normalised; it is rescaled only to avoid overflow and underflow.
+Vec2 turned(Vec2 z, const std::vector<PhaseTurn>& turns, Vec2 x, Vec2 towards) {
   for (const PhaseTurn& turn : turns) {
-    const Vec2 r = x - turn.position;
+    const Vec2 r = x == turn.position ? towards - x : x - turn.position;
     if (r == Vec2{}) continue;
     const Vec2 factor = turn.turns > 0 ? r : Vec2{r.x, -r.y};
     for (int i = std::abs(turn.turns); i > 0; --i) {
@@ -127,7 +128,7 @@ Vec2 explicit_direction(const PhaseTerms& terms, Vec2 x, Vec2 towards, double re
     const Vec2 inward = is_apex(corner, x) ? normalized(towards - x) : Vec2{};
     angle += corner.beta * corner_angle(corner, x, inward);
   }
-  const Vec2 z = turned(turned(turned(unit(angle), terms.nodes, x), terms.holes, x), terms.images, x);
+  const Vec2 z = turned(turned(turned(unit(angle), terms.nodes, x, x), terms.holes, x, towards), terms.images, x, x);
   return normalized(z);
 }
 

@@ -41,17 +41,17 @@ bool tangents_are_near_chord(const Nurbs& piece) {
 }
 
 // The curve lies in the hull of its poles.
-bool is_seen_within_a_quarter_turn(const Nurbs& piece, Vec2 from) {
-  const Vec2 axis = middle_of_ends(piece) - from;
+bool is_seen_within_a_quarter_turn(const Nurbs& piece, const TurnCentre& from) {
+  const Vec2 axis = middle_of_ends(piece) - from.position;
   if (axis == Vec2{}) return false;
   const double length = norm(axis);
   return std::all_of(piece.poles.begin(), piece.poles.end(),
-                     [&](Vec2 pole) { return is_within(pole - from, axis, length); });
+                     [&](Vec2 pole) { return from.is_at(pole) || is_within(pole - from.position, axis, length); });
 }
 
 bool has_references(const Nurbs& piece, const std::vector<TurnCentre>& centres) {
   return tangents_are_near_chord(piece) && std::all_of(centres.begin(), centres.end(), [&](const TurnCentre& centre) {
-           return is_seen_within_a_quarter_turn(piece, centre.position);
+           return is_seen_within_a_quarter_turn(piece, centre);
          });
 }
 
@@ -74,12 +74,12 @@ void follow_piece(const CadFace& face, const std::vector<TurnCentre>& centres, c
   }
   AnglePiece p{piece.begin(), piece.end(), {0, angles.corner_index, {}}, {}};
   p.reference.tangent = nearest_branch(angles.tangent, angle_of(piece.poles.back() - piece.poles.front()));
-  angles.tangent = nearest_branch(p.reference.tangent, angle_of(curve::tangent(piece, piece.end(), true)));
+  const Vec2 tangent = curve::tangent(piece, piece.end(), true);
+  angles.tangent = nearest_branch(p.reference.tangent, angle_of(tangent));
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    const Vec2 from = centres[i].position;
-    p.axes.push_back(middle_of_ends(piece) - from);
+    p.axes.push_back(middle_of_ends(piece) - centres[i].position);
     p.reference.centres.push_back(nearest_branch(angles.centres[i], angle_of(p.axes.back())));
-    angles.centres[i] = nearest_branch(p.reference.centres[i], angle_of(piece.poles.back() - from));
+    angles.centres[i] = nearest_branch(p.reference.centres[i], angle_of(centres[i].to(piece.poles.back(), -tangent)));
   }
   pieces.push_back(std::move(p));
 }
@@ -127,8 +127,9 @@ void AnglePiece::sums_of_turns(const std::vector<TurnCentre>& centres, std::span
 LoopAngles angles_at_start(const CadFace& face, const std::vector<TurnCentre>& centres, int loop) {
   const Nurbs& curve = face.curves[face.loop_offsets[loop]];
   const Vec2 x = curve::point(curve, curve.begin());
-  LoopAngles start{angle_of(curve::tangent(curve, curve.begin())), 0, {}};
-  for (const TurnCentre& centre : centres) start.centres.push_back(angle_of(x - centre.position));
+  const Vec2 tangent = curve::tangent(curve, curve.begin());
+  LoopAngles start{angle_of(tangent), 0, {}};
+  for (const TurnCentre& centre : centres) start.centres.push_back(angle_of(centre.to(x, tangent)));
   return start;
 }
 
@@ -202,9 +203,13 @@ void PhaseBoundary::pass_apex(int loop, int a, LoopAngles& angles) {
   const double incoming = data(loop, x, angles, sum_of_corner_angles(explicit_.terms.corner_angles, x, corner, -in));
   angles.tangent = nearest_branch(angles.tangent + pi - apex.interior_angle, angle_of(out));
   angles.corner_index += 2 - apex.valence;
+  // A centre in the apex sees the domain's sector pass, from the incoming side to the outgoing one.
+  const std::vector<TurnCentre>& centres = loops_[loop].followed();
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    if (centres[i].is_at(x)) angles.centres[i] = nearest_branch(angles.centres[i] - apex.interior_angle, angle_of(out));
   apex_remainders_[a] = data(loop, x, angles, sum_of_corner_angles(explicit_.terms.corner_angles, x, corner, out));
   const double jump = apex_remainders_[a] - incoming;
-  if (face_->is_slit_joint(apex.curve) && apex.t == face_->curves[apex.curve].begin()) {
+  if (apex.is_enclosed) {
     apex_jumps_[a] = jump;
     apex_remainders_[a] -= jump / 2;
     return;
@@ -234,13 +239,20 @@ void PhaseBoundary::require_closure(int loop, const LoopAngles& start, const Loo
   if (turns != 0) throw Defect(fmt::format("phase data of loop {} do not close: {} turns", loop, turns));
 }
 
-std::vector<double> PhaseBoundary::interior_angles() const {
-  std::vector<double> angles(explicit_.terms.corner_angles.size());
+std::vector<ApexTurn> PhaseBoundary::apex_turns() const {
+  std::vector<ApexTurn> turns;
+  const PhaseTerms& terms = explicit_.terms;
   for (std::size_t a = 0; a < apexes().apexes.size(); ++a) {
-    if (const int corner = corners_->terms().apex2corner_angle[a]; corner >= 0)
-      angles[corner] = apexes().apexes[a].interior_angle;
+    const BoundaryApex& apex = apexes().apexes[a];
+    const Vec2 x = curve::point(face_->curves[apex.curve], apex.t);
+    double own = 0;  // turns about the apex for each radian
+    if (const int corner = corners_->terms().apex2corner_angle[a]; corner >= 0) own = terms.corner_angles[corner].beta;
+    for (const TurnCentre& centre : explicit_.centres)
+      if (centre.is_at(x)) own += centre.turns;
+    const double turn = apex_jumps_[a] - own * apex.interior_angle / 2;
+    if (turn != 0) turns.push_back({x, turn});
   }
-  return angles;
+  return turns;
 }
 
 double PhaseBoundary::phase(int curve, double t) const {

@@ -60,6 +60,13 @@ const AnglePiece& piece_at(const std::vector<AnglePiece>& pieces, double t, bool
 /// The whole number of turns nearest to `angle`.
 int round_to_turns(double angle);
 
+/// By how much g and half of the explicit part A change across an apex, from the incoming to the outgoing side: the
+/// energy needs it (galerkin/phase_energy.hpp).
+struct ApexTurn {
+  Vec2 position;
+  double turn = 0;  ///< radians
+};
+
 class PhaseBoundary {
  public:
   /// Throws ComputeError for an impossible index sum, for nodes that are not inside the domain, for a boundary with a
@@ -67,12 +74,12 @@ class PhaseBoundary {
   PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed);
   /// The same with corners that fit the nodes (SharedCorners::fit).
   PhaseBoundary(const CadFace& face, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners);
-  /// The same on a mesh, with bridges over the jumps of g at slits. `mesh` must outlive this object.
+  /// The same on a mesh, with bridges over the jumps of g at enclosed joints. `mesh` must outlive this object.
   PhaseBoundary(const TriMesh& mesh, const PhaseNodes& prescribed, std::shared_ptr<SharedCorners> corners);
 
   const PhaseTerms& terms() const { return explicit_.terms; }
-  /// Interior angle omega_c, radians, for each of terms().corner_angles.
-  std::vector<double> interior_angles() const;
+  /// At the apexes where g or a term of the explicit part jumps.
+  std::vector<ApexTurn> apex_turns() const;
   /// Phi at t, radians; at the start of a curve the value of the outgoing side of the joint, at its end the value of
   /// the incoming side.
   double phase(int curve, double t) const;
@@ -94,8 +101,8 @@ class PhaseBoundary {
   std::shared_ptr<SharedCorners> corners_;
   ExplicitTerms explicit_;
   std::vector<LoopCentres> loops_;
-  std::vector<double> apex_remainders_;  ///< g at each apex; where it jumps (at slits), the mean
-  std::vector<double> apex_jumps_;       ///< of g at each apex, outgoing minus incoming side; 0 but at slits
+  std::vector<double> apex_remainders_;  ///< g at each apex; where it jumps (enclosed), the mean
+  std::vector<double> apex_jumps_;       ///< of g at each apex, outgoing minus incoming side; 0 but at enclosed ones
   std::optional<CornerBridges> bridges_;
   std::vector<std::vector<AnglePiece>> pieces_;  ///< by curve, ascending t
 };

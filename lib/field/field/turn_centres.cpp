@@ -58,10 +58,16 @@ Vec2 hole_point(const curve::FaceBoundary& boundary, int loop) {
   return -boundary.signed_distance(centre) >= good_clearance * most ? centre : best;
 }
 
-// Outside of the outline: the term there has no turns (explicit_terms.cpp), but its position has to be finite.
-Vec2 point_beyond(const CadFace& face, int loop) {
-  const Joint& joint = face.joints[face.loop_offsets[loop]];
-  return joint.position + 3 * face.diameter * unit(joint.tangent_out);
+// Of a slit: the joint whose sector is farthest from whole quarter turns. There the data jump in any case, and a fan
+// resolves what their bridges disturb.
+Vec2 slit_point(const CadFace& face, int loop) {
+  int best = face.loop_offsets[loop];
+  double most = -1;
+  for (int joint = best; joint < face.loop_offsets[loop + 1]; ++joint) {
+    const double off = std::abs(std::remainder(face.joints[joint].interior_angle, half_pi));
+    if (off > most + tolerance::same_angle) most = off, best = joint;
+  }
+  return face.joints[best].position;
 }
 
 struct BendConstants {
@@ -204,7 +210,7 @@ std::vector<Vec2> hole_points(const CadFace& face) {
   const curve::FaceBoundary boundary(face);
   std::vector<Vec2> points;
   for (int loop = 1; loop < face.num_loops(); ++loop)
-    points.push_back(face.is_slit_loop(loop) ? point_beyond(face, loop) : hole_point(boundary, loop));
+    points.push_back(face.is_slit_loop(loop) ? slit_point(face, loop) : hole_point(boundary, loop));
   return points;
 }
 

@@ -23,7 +23,7 @@ namespace quadrille::field {
 /// The points h_j. For each hole (loops 1, 2, ...) its centroid. If the centroid lies outside the hole or much nearer
 /// to the boundary than other points, the midpoint of the chord across the hole that has the greatest clearance. The
 /// points move with the face and, if the centroid is used, do not depend on where the curves begin. For a loop of
-/// slits, which encloses nothing, a point beyond the outline.
+/// slits, which encloses nothing, a joint of it: the turns are part of the jumps of the data there (lib/method.md §3).
 std::vector<Vec2> hole_points(const CadFace& face);
 
 /// The focus of one bend of a hole.

@@ -8,6 +8,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/position_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"
 #include "spectral/quadrature.hpp"
@@ -58,8 +59,8 @@ struct Piece {
 
 class BoundaryIntegral {
  public:
-  BoundaryIntegral(const CadFace& face, const std::vector<Source>& sources, int first_apex, int num_apexes)
-      : face_(face), sources_(sources), first_apex_(first_apex), num_apexes_(num_apexes) {}
+  BoundaryIntegral(const CadFace& face, const std::vector<Source>& sources, int first_apex)
+      : face_(face), sources_(sources), first_apex_(first_apex) {}
 
   /// int L (dPhi - dA / 2) along the curve between ascending `cuts`.
   double over(int curve, const std::vector<double>& cuts) {
@@ -73,9 +74,9 @@ class BoundaryIntegral {
  private:
   int apex_at(double t) const {
     const Vec2 x = curve::point(*curve_, t);
-    for (int a = first_apex_; a < first_apex_ + 2 * num_apexes_; a += 2)
-      if (distance(sources_[a].position, x) <= 1e-11 * face_.diameter) return a;
-    return -1;
+    const auto is_there = [&](const Source& s) { return distance(s.position, x) <= 1e-11 * face_.diameter; };
+    const auto found = std::find_if(sources_.begin(), sources_.end(), is_there);
+    return found == sources_.end() ? -1 : static_cast<int>(found - sources_.begin());
   }
 
   double over(const Piece& piece, int depth) const {
@@ -130,27 +131,29 @@ class BoundaryIntegral {
     const auto [x, d1, d2, d3] = curve::derivatives(*curve_, t);
     const double bend = cross(d1, d2) / norm2(d1);  // d theta_t / dt
     double turning = 0;
+    const auto turn = [&, d1 = d1](int i, Vec2 r, double r2) {
+      return i == apex && fraction < piece_limits.too_near ? bend / 2 : cross(r, d1) / r2;
+    };
     LogSum turns;
     for (int i = 0; i < first_apex_; ++i) {
       const Vec2 r = x - sources_[i].position;
       const double r2 = std::max(norm2(r), least2);
       turns.add(r2, static_cast<int>(sources_[i].weight));
-      turning += sources_[i].weight * cross(r, d1) / r2;
+      turning += sources_[i].weight * turn(i, r, r2);
     }
     double log_sum = turns.value() / 2;
     for (int i = first_apex_; i < static_cast<int>(sources_.size()); i += 2) {
       const Vec2 r = x - sources_[i].position, from_pole = x - sources_[i + 1].position;
       const double r2 = std::max(norm2(r), least2), pole2 = norm2(from_pole);
       log_sum += sources_[i].weight * std::log(r2 / pole2) / 2;
-      turning += sources_[i].weight * ((i == apex && fraction < piece_limits.too_near ? bend / 2 : cross(r, d1) / r2) -
-                                       cross(from_pole, d1) / pole2);
+      turning += sources_[i].weight * (turn(i, r, r2) - cross(from_pole, d1) / pole2);
     }
     return log_sum * (4 * bend - turning / 2);
   }
 
   const CadFace& face_;
   const std::vector<Source>& sources_;
-  int first_apex_, num_apexes_;
+  int first_apex_;
   const Nurbs* curve_ = nullptr;
 };
 
@@ -167,18 +170,18 @@ std::vector<double> cuts_of(const CadFace& face, int c, const PhaseNodes& asked)
   return cuts;
 }
 
-// L without source i, at the position of source i.
-double log_of_others(const std::vector<Source>& sources, std::size_t i) {
+// L at x without the sources that are there.
+double log_of_others(const std::vector<Source>& sources, Vec2 x, double same) {
   double sum = 0;
-  for (std::size_t j = 0; j < sources.size(); ++j)
-    if (j != i) sum += sources[j].weight * std::log(distance(sources[j].position, sources[i].position));
+  for (const Source& source : sources)
+    if (const double away = distance(source.position, x); away > same) sum += source.weight * std::log(away);
   return sum;
 }
 
 }  // namespace
 
 double explicit_energy(const CadFace& face, const PhaseNodes& asked, const PhaseTerms& terms,
-                       const std::vector<double>& interior_angles) {
+                       const std::vector<field::ApexTurn>& apex_turns) {
   std::vector<Source> sources;
   for (const PhaseTurn& turn : terms.nodes) sources.push_back({turn.position, static_cast<double>(turn.turns)});
   for (const auto* turns : {&terms.holes, &terms.images})
@@ -189,12 +192,12 @@ double explicit_energy(const CadFace& face, const PhaseNodes& asked, const Phase
     sources.push_back({corner.apex, corner.beta});
     sources.push_back({corner.pole, -corner.beta});
   }
-  BoundaryIntegral integral(face, sources, static_cast<int>(first_apex), static_cast<int>(terms.corner_angles.size()));
+  BoundaryIntegral integral(face, sources, static_cast<int>(first_apex));
   double energy = 0;
   for (int c = 0; c < face.num_curves(); ++c) energy += integral.over(c, cuts_of(face, c, asked));
-  for (std::size_t k = 0; k < terms.nodes.size(); ++k) energy -= pi * terms.nodes[k].turns * log_of_others(sources, k);
-  for (std::size_t c = 0; c < terms.corner_angles.size(); ++c)
-    energy -= terms.corner_angles[c].beta * interior_angles[c] / 2 * log_of_others(sources, first_apex + 2 * c);
+  const double same = tolerance::round_off * face.diameter;
+  for (const PhaseTurn& node : terms.nodes) energy -= pi * node.turns * log_of_others(sources, node.position, same);
+  for (const field::ApexTurn& apex : apex_turns) energy += apex.turn * log_of_others(sources, apex.position, same);
   return energy;
 }
 

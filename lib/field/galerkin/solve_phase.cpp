@@ -115,10 +115,9 @@ struct PhaseSolver::State {
   PhaseForm form;        ///< without s
   Eigen::VectorXd dofs;  ///< of s, including the hole winding
   double residual = 0;
-  double remainder_energy = 0;          ///< a(s, s) / 2
-  Eigen::VectorXd hole_reactions;       ///< a(s, w_j)
-  Eigen::VectorXd best_winding;         ///< m* of lib/method.md §8.6
-  std::vector<double> interior_angles;  ///< of the terms' corner angles
+  double remainder_energy = 0;     ///< a(s, s) / 2
+  Eigen::VectorXd hole_reactions;  ///< a(s, w_j)
+  Eigen::VectorXd best_winding;    ///< m* of lib/method.md §8.6
 };
 
 PhaseSolver::PhaseSolver(const TriMesh& mesh, std::vector<int> elem_order, int num_threads)
@@ -212,7 +211,6 @@ PhaseSolver::State PhaseSolver::state(const PhaseNodes& asked, const std::vector
   PhaseForm& form = state.form;
   form.prescribed = asked;
   form.terms = boundary.terms();
-  state.interior_angles = boundary.interior_angles();
   form.hole_winding_offsets = winding_offsets;
   // The winding of the last nodes is mostly that of these nodes too.
   solve_for_winding(data, state);
@@ -305,8 +303,8 @@ PhaseEnergy PhaseSolver::energy(const PhaseNodes& asked, const std::vector<int>&
   const MeshContext& context = parts_->context;
   if (!parts_->locator) parts_->locator = std::make_unique<mesh::Locator>(*context.mesh, context.maps);
   PhaseEnergy energy;
-  energy.value =
-      state.remainder_energy + explicit_energy(context.mesh->face, asked, state.form.terms, state.interior_angles);
+  energy.value = state.remainder_energy +
+                 explicit_energy(context.mesh->face, asked, state.form.terms, parts_->given->boundary.apex_turns());
   for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
     const mesh::Location at = locate_node(*parts_->locator, *context.mesh, asked.nodes[k].position);
     const Eigen::VectorXd s = parts_->system.coefs(at.elem, state.dofs);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 #include <span>
 #include <tuple>
 
@@ -25,23 +24,27 @@ struct FanConstants {
 };
 constexpr FanConstants fan_constants;
 
-/// Whether the curves at a corner are so close to each other, inside or outside the face, that segments along them
-/// would be bisected without end.
-bool is_sharp(const Junction& junction) {
-  return junction.interior_angle < fan_constants.acute_angle ||
-         junction.interior_angle > 2 * pi - fan_constants.acute_angle;
-}
-
-/// The same for the curves of a body that slits meet at one place, as wakes do: the junctions between body and slits
-/// have the angles of the face together.
-bool is_sharp_outside(const Outline& outline, std::span<const Fan> fans) {
-  double inside = 0;
-  bool has_body = false;
-  for (const Fan& fan : fans) {
-    inside += outline.junctions()[fan.junction].interior_angle;
-    has_body = has_body || !outline.face().is_interface(outline.pieces()[fan.junction].curve);
-  }
-  return has_body && inside > 2 * pi - fan_constants.acute_angle;
+/// Whether two curves at a place are so close to each other, inside or outside the face, that segments along them would
+/// be bisected without end. `group`: the junctions there. Outside is between the end of a sector and the start of the
+/// next one, unless both are the sides of a slit.
+bool is_sharp(const Outline& outline, const std::vector<int>& group) {
+  const auto direction = [&](int piece) {
+    const SmoothPiece& out = outline.pieces()[piece];
+    return angle_of(curve::tangent(outline.face().curves[out.curve], out.t0));
+  };
+  return std::any_of(group.begin(), group.end(), [&](int junction) {
+    const double inside = outline.junctions()[junction].interior_angle;
+    double outside = 2 * pi;
+    int next = junction;
+    for (const int other : group) {
+      // Between the sides of a slit there is nothing but rounding.
+      const double turn = other == junction ? -inside : direction(other) - direction(junction) - inside;
+      const double gap = std::max(0.0, wrap_two_pi(turn + tolerance::same_angle) - tolerance::same_angle);
+      if (gap < outside) outside = gap, next = other;
+    }
+    const bool is_slit = outline.pieces()[outline.pieces()[junction].previous].partner == next;
+    return inside < fan_constants.acute_angle || (!is_slit && outside < fan_constants.acute_angle);
+  });
 }
 
 /// The parameter at which the piece, followed from its start (`from_start`) or its end, leaves the circle of this
@@ -67,6 +70,16 @@ std::vector<double> ring_radii(double radius, int layers, double factor, double 
   while (std::ssize(radii) <= layers && radii.back() * factor >= least) radii.push_back(radii.back() * factor);
   std::reverse(radii.begin(), radii.end());
   return radii;
+}
+
+/// Sectors of at most `sector_angle`. Between rings there are at least two beside a curved side, so that the larger
+/// triangle of each quad lies there (add_quads): the other one would fold.
+int num_sectors(const Outline& outline, const Fan& fan) {
+  const SmoothPiece& out = outline.pieces()[fan.junction];
+  const bool needs_two = fan.radii.size() > 1 && !(out.is_straight && outline.pieces()[out.previous].is_straight);
+  const double sectors =
+      outline.junctions()[fan.junction].interior_angle / (fan_constants.sector_angle * fan_constants.slack);
+  return std::max(needs_two ? 2 : 1, static_cast<int>(std::ceil(sectors)));
 }
 
 void place_sides(const Outline& outline, Fan& fan) {
@@ -100,8 +113,9 @@ bool keeps_limits(const EdgeFit& fit, const Fan& fan, const EdgeLimits& limits) 
 }
 
 /// Sets radii and side vertices of the fans `fans`, whose junctions are in one place, to the same radii. Returns false
-/// if none of them is needed.
-bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits, std::span<Fan> fans) {
+/// if they are not needed and have no layers.
+bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits, bool is_needed,
+                std::span<Fan> fans) {
   const Outline& outline = fit.outline();
   double radius = limits.size;
   for (const Fan& fan : fans) radius = std::min(radius, fan.radius);
@@ -109,18 +123,16 @@ bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const Edg
   constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
     int layers = 0;
-    bool is_needed = is_sharp_outside(outline, fans);
-    for (const Fan& fan : fans) {
-      const Junction& junction = outline.junctions()[fan.junction];
-      layers = std::max(layers, fan_layers(junction_singularity(junction, radius), options.fan_factor));
-      is_needed = is_needed || is_sharp(junction);
-    }
+    for (const Fan& fan : fans)
+      layers = std::max(
+          layers, fan_layers(junction_singularity(outline.junctions()[fan.junction], radius), options.fan_factor));
     if (layers > 0 && options.fan_layers >= 0) layers = options.fan_layers;
     if (layers == 0 && !is_needed) return false;
     bool do_keep = true;
     for (Fan& fan : fans) {
       fan.radius = radius;
       fan.radii = ring_radii(radius, layers, options.fan_factor, smallest);
+      fan.num_sectors = num_sectors(outline, fan);
       place_sides(outline, fan);
       do_keep = do_keep && keeps_limits(fit, fan, limits);
     }
@@ -221,24 +233,26 @@ std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options
   const Outline& outline = fit.outline();
   const auto& junctions = outline.junctions();
   const Clearance clearance(outline);
-  std::map<int, std::vector<Fan>> fans_by_place;
-  std::set<int> places;
-  for (int j = 0; j < static_cast<int>(junctions.size()); ++j)
-    if (fan_layers(junction_singularity(junctions[j], limits.size), options.fan_factor) > 0 || is_sharp(junctions[j]))
-      places.insert(junctions[j].place);
-  for (int j = 0; j < static_cast<int>(junctions.size()); ++j) {
-    if (!places.contains(junctions[j].place)) continue;
-    Fan fan;
-    fan.junction = j;
-    const SmoothPiece &out = outline.pieces()[j], &in = outline.pieces()[out.previous];
-    fan.radius = std::min({limits.size, clearance.at_junction(j) / 3, out.length() / 3, in.length() / 3});
-    fan.num_sectors = std::max(1, static_cast<int>(std::ceil(junctions[j].interior_angle /
-                                                             (fan_constants.sector_angle * fan_constants.slack))));
-    fans_by_place[junctions[j].place].push_back(std::move(fan));
-  }
+  std::map<int, std::vector<int>> places;
+  for (int j = 0; j < static_cast<int>(junctions.size()); ++j) places[junctions[j].place].push_back(j);
   std::vector<Fan> fans;
-  for (auto& [place, group] : fans_by_place)
-    if (shape_fans(fit, options, limits, group)) std::move(group.begin(), group.end(), std::back_inserter(fans));
+  for (const auto& [place, group] : places) {
+    const bool is_needed = is_sharp(outline, group);
+    const auto has_layers = [&](int j) {
+      return fan_layers(junction_singularity(junctions[j], limits.size), options.fan_factor) > 0;
+    };
+    if (!is_needed && std::none_of(group.begin(), group.end(), has_layers)) continue;
+    std::vector<Fan> fans_here;
+    for (const int j : group) {
+      Fan fan;
+      fan.junction = j;
+      const SmoothPiece &out = outline.pieces()[j], &in = outline.pieces()[out.previous];
+      fan.radius = std::min({limits.size, clearance.at_junction(j) / 3, out.length() / 3, in.length() / 3});
+      fans_here.push_back(std::move(fan));
+    }
+    if (shape_fans(fit, options, limits, is_needed, fans_here))
+      std::move(fans_here.begin(), fans_here.end(), std::back_inserter(fans));
+  }
   return fans;
 }
 

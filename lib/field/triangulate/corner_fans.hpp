@@ -35,7 +35,8 @@ struct EdgeLimits {
 };
 
 /// Selects the junctions that need fans, and the radius and number of rings of each fan. Junctions in one place, at a
-/// slit, have all a fan or none, with the same radii: their fans share the vertices on the slit.
+/// slit or where a region touches itself, have all a fan or none, with the same radii: fans share the vertices on
+/// slits.
 std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits);
 
 /// Adds the vertices, triangles and boundary edges of the fans to the draft and sets their rims.

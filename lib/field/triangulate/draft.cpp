@@ -111,9 +111,9 @@ std::vector<int> cut_slits(Draft& draft) {
   std::vector<int> origins(draft.vertices.size());
   std::iota(origins.begin(), origins.end(), 0);
   std::set<Edge> closed;
-  for (const DraftEdge& edge : draft.edges) closed.insert({edge.from, edge.to});
-  const auto is_slit = [&](const DraftEdge& edge) { return closed.contains({edge.to, edge.from}); };
-  if (std::none_of(draft.edges.begin(), draft.edges.end(), is_slit)) return origins;
+  std::vector<int> num_sectors(draft.vertices.size(), 0);
+  for (const DraftEdge& edge : draft.edges) closed.insert({edge.from, edge.to}), ++num_sectors[edge.from];
+  if (std::all_of(num_sectors.begin(), num_sectors.end(), [](int num) { return num < 2; })) return origins;
   DisjointSets sectors = sectors_of(draft, closed);
   std::map<Edge, int> vertices;  ///< (vertex, sector) to the vertex or its copy
   std::set<int> seen;

@@ -10,6 +10,7 @@
 #include "base/segments.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
+#include "model/enclosed_joints.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -121,8 +122,10 @@ Outline::Outline(const CadFace& face, double straight_tol) : face_(&face) {
     add_pieces(c, straight_tol);
   }
   link_loops();
-  for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) junctions_.push_back(junction(p));
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
+  for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) junctions_.push_back(junction(p, are_enclosed));
   link_slits();
+  link_places();
 }
 
 void Outline::add_pieces(int curve, double straight_tol) {
@@ -152,12 +155,11 @@ void Outline::link_loops() {
   }
 }
 
-// The pieces of a curve are those of its partner in the opposite order; where one of them starts, the other ends.
+// The pieces of a curve are those of its partner in the opposite order.
 void Outline::link_slits() {
   const int count = static_cast<int>(pieces_.size());
   std::vector<int> first_piece(face_->num_curves() + 1, count);
   for (int p = count - 1; p >= 0; --p) first_piece[pieces_[p].curve] = p;
-  DisjointSets places(count);
   for (int p = 0; p < count; ++p) {
     const int curve = pieces_[p].curve;
     if (!face_->is_interface(curve)) continue;
@@ -166,7 +168,22 @@ void Outline::link_slits() {
     if (pieces_of_partner != first_piece[curve + 1] - first_piece[curve])
       throw Defect("the sides of a slit have different pieces");
     pieces_[p].partner = first_piece[partner] + pieces_of_partner - 1 - (p - first_piece[curve]);
-    places.unite(p, pieces_[pieces_[p].partner].next);
+  }
+}
+
+// Where one of two partners starts, the other one ends; where a region touches itself, its loop is there twice.
+void Outline::link_places() {
+  const int count = static_cast<int>(pieces_.size());
+  DisjointSets places(count);
+  for (int p = 0; p < count; ++p)
+    if (pieces_[p].partner >= 0) places.unite(p, pieces_[pieces_[p].partner].next);
+  for (int first = 0, next; first < count; first = next) {
+    std::vector<Vec2> positions;
+    const int loop = face_->loop_of(pieces_[first].curve);
+    for (next = first; next < count && face_->loop_of(pieces_[next].curve) == loop; ++next)
+      positions.push_back(junctions_[next].position);
+    const std::vector<int> in_loop = places_of(positions, tolerance::round_off * face_->diameter);
+    for (std::size_t i = 0; i < in_loop.size(); ++i) places.unite(first + static_cast<int>(i), first + in_loop[i]);
   }
   for (int p = 0; p < count; ++p) junctions_[p].place = places.find(p);
 }
@@ -178,7 +195,7 @@ double Outline::partner_parameter(int curve, double t) const {
   return other.begin() + (own.end() - t);
 }
 
-Junction Outline::junction(int piece) const {
+Junction Outline::junction(int piece, const std::vector<bool>& are_enclosed) const {
   const SmoothPiece& out = pieces_[piece];
   const SmoothPiece& in = pieces_[out.previous];
   const Nurbs& curve_out = face_->curves[out.curve];
@@ -188,9 +205,9 @@ Junction Outline::junction(int piece) const {
   junction.position = is_joint ? face_->joints[out.curve].position : curve::point(curve_out, out.t0);
   junction.interior_angle = is_joint ? face_->joints[out.curve].interior_angle : pi;
   const double quarters = junction.interior_angle / (pi / 2);
-  // At corners of slits that are right, straight or full angles the data do not jump.
+  // At right, straight or full angles the data do not jump.
   junction.has_bridge =
-      is_joint && face_->is_slit_joint(out.curve) && std::abs(quarters - std::round(quarters)) > tolerance::round_off;
+      is_joint && are_enclosed[out.curve] && std::abs(quarters - std::round(quarters)) > tolerance::round_off;
   if (!in.is_straight) {
     junction.curvature_in = curvature_or_zero(curve_in, in.t1, true);
     junction.curvature_slope_in = curvature_slope(curve_in, in.t1, true);

@@ -27,9 +27,10 @@ struct SmoothPiece {
 
 struct Junction {
   Vec2 position;
-  int place = 0;              ///< lowest number of the junctions in this place: the ends of slits have several
+  int place = 0;  ///< lowest number of the junctions in this place: where slits end, or a region touches itself
   double interior_angle = 0;  ///< radians
-  bool has_bridge = false;  ///< at a slit, where the boundary data jump and have no lifting (field/boundary_values.hpp)
+  bool has_bridge =
+      false;  ///< an enclosed joint, where the boundary data jump without a lifting (field/boundary_values.hpp)
   double curvature_in = 0, curvature_out = 0;              ///< of the pieces on both sides, 1 / length
   double curvature_slope_in = 0, curvature_slope_out = 0;  ///< d curvature / d arc length
 };
@@ -58,7 +59,8 @@ class Outline {
   void add_pieces(int curve, double straight_tol);
   void link_loops();
   void link_slits();
-  Junction junction(int piece) const;
+  void link_places();
+  Junction junction(int piece, const std::vector<bool>& are_enclosed) const;
 
   const CadFace* face_;
   std::vector<curve::ArcLength> lengths_;
@@ -72,9 +74,9 @@ class Clearance {
   /// Samples every piece such that its polyline turns by at most 10 degrees at a vertex.
   explicit Clearance(const Outline& outline);
 
-  /// Distance from junction j to all pieces except those that end in its place (two, more at the end of a slit); of the
-  /// two that meet at j, only the parts that approach the junction again count, and none of a piece that closes there.
-  /// Infinite if there are no such parts.
+  /// Distance from junction j to all pieces except those that end in its place (two, more at the end of a slit and
+  /// where a region touches itself); of the two that meet at j, only the parts that approach the junction again count,
+  /// and none of a piece that closes there. Infinite if there are no such parts.
   double at_junction(int j) const;
 
  private:
@@ -95,9 +97,9 @@ class Clearance {
 ///   omega = pi, the curvature jumps             r log r;   its derivative jumps: r^2 log r
 ///   any other omega                             r^(pi / omega)
 ///
-/// Where the jump is bridged (at slits), the field depends on the angle alone down to the length r0 of the bridge,
-/// which disturbs it by (r0 / r)^(2 pi / omega), whatever the order: as many layers as for r^(pi / omega) of amplitude
-/// 1 with apex elements that resolve nothing of it.
+/// Where the jump is bridged (at enclosed joints), the field depends on the angle alone down to the length r0 of the
+/// bridge, which disturbs it by (r0 / r)^(2 pi / omega), whatever the order: as many layers as for r^(pi / omega) of
+/// amplitude 1 with apex elements that resolve nothing of it.
 struct Singularity {
   double exponent = 0;   ///< alpha; 0: the field is smooth
   double amplitude = 0;  ///< of the term at the fan's radius; at most 1, as |v| = 1 on the boundary

@@ -105,8 +105,7 @@ void search_all(zeros::ZeroSearch& search, const TriMesh& mesh, const std::vecto
       search.search(e);
   if (!search.is_budget_exhausted()) return;
   const Vec2 x = search.open_cells().back().centre + mesh.face.origin;
-  throw ComputeError(
-      fmt::format("the guiding field vanishes to higher order, or on a whole curve, near ({:.4g}, {:.4g})", x.x, x.y));
+  throw ComputeError("the guiding field vanishes to higher order, or on a whole curve, near " + position_text(x));
 }
 
 /// Warns of zeros that the field's error alone makes a cluster.

@@ -67,16 +67,16 @@ std::vector<int> joints_of(const TieOrbits& ties, const std::vector<int>& unit) 
 }
 
 /// The even parts of all ties, the odd part of those without a choice, then that of each unit.
-std::vector<field::LiftedData> tilts(const CadFace& face, const TieOrbits& ties) {
+std::vector<field::LiftedData> tilts(const TriMesh& mesh, const TieOrbits& ties) {
   std::vector<int> all, without_choice;
   for (const Tie& tie : ties.ties) {
     all.push_back(tie.joint);
     if (tie.smaller == 0) without_choice.push_back(tie.joint);
   }
-  std::vector<field::LiftedData> data{field::tilt_data(face, all, field::TiltPart::even),
-                                      field::tilt_data(face, without_choice, field::TiltPart::odd)};
+  std::vector<field::LiftedData> data{field::tilt_data(mesh, all, field::TiltPart::even),
+                                      field::tilt_data(mesh, without_choice, field::TiltPart::odd)};
   for (const std::vector<int>& unit : ties.units)
-    data.push_back(field::tilt_data(face, joints_of(ties, unit), field::TiltPart::odd));
+    data.push_back(field::tilt_data(mesh, joints_of(ties, unit), field::TiltPart::odd));
   return data;
 }
 
@@ -117,7 +117,7 @@ std::vector<std::vector<int>> chamfers(const CadFace& face, const TieOrbits& tie
 }
 
 TiltedField::TiltedField(const Field& field, const TieOrbits& ties, const PartSolver& solve) : sum_(field) {
-  std::vector<field::HarmonicPart> parts = solve(tilts(field.mesh.face, ties));
+  std::vector<field::HarmonicPart> parts = solve(tilts(field.mesh, ties));
   field::add(parts[0], 1, sum_);
   field::add(parts[1], -1, sum_);
   odd_.assign(parts.begin() + 2, parts.end());

@@ -356,6 +356,13 @@ def tube_bank():
             hole(circle(3.2 + 1j, 0.3, "tube"))]
 
 
+def wedges_in_plate():
+    """A plate around two wedges that touch in a point, where the plate touches itself: drawn as three faces."""
+    wedges = [polygon([0j, 2 - 1j, 2 + 0.5j]), polygon([0j, -2 + 0.8j, -1.5 - 0.6j])]
+    return [("plate", [rectangle(-4 - 3j, 4 + 3j)] + [hole(wedge) for wedge in wedges]),
+            *((f"wedge {k}", [wedge]) for k, wedge in enumerate(wedges))]
+
+
 def finned_plate():
     """A base with three fins on its upper side, and a chip below it."""
     fins = [(f"fin {k}", [rectangle(x + 1j, x + 0.5 + 2.5j)]) for k, x in enumerate((1, 3, 5))]
@@ -410,6 +417,7 @@ def models():
         "voronoi_20": sheet("voronoi_20", [(f"cell_{k}", [polygon(cell)]) for k, cell in
                                            enumerate(with_corners(voronoi()))]),
         "finned_plate": sheet("finned_plate", finned_plate(), own=True),
+        "wedges_in_plate": sheet("wedges_in_plate", wedges_in_plate()),
         "half_disc_cut": sheet("half_disc_cut", [("upper", [upper]), ("lower", [lower])]),
         "aerofoil_wake": sheet("aerofoil_wake", [("air", [box, naca0012()])], [("line", 1 + 0j, 2.5 + 0j, "wake")]),
         "plate_curve": sheet("plate_curve", [("plate", [plate])], [("arc", 1.5 + 0.4j, 0.9, 2.2 + 0.4j + 0.5656854249492381j,
@@ -438,6 +446,29 @@ def models():
                                          ("right", [rectangle(1 + 1j, 2 + 2j)])], own=True),
         "bad/disjoint": sheet("disjoint", [("one", [rectangle(0j, 1 + 1j)]), ("two", [rectangle(1.5 + 0j, 2 + 1j)])]),
         "bad/corner_contact": sheet("corner_contact", [("one", [rectangle(0j, 1 + 1j)]), ("two", [rectangle(1 + 1j, 2 + 2j)])]),
+    }
+
+
+def rays(centre, *curves):
+    """Lines from a point: angle in degrees, length, name."""
+    return [("line", centre, centre + length * cmath.exp(1j * math.radians(angle)), name) for angle, length, name in curves]
+
+
+def cracks():
+    """Plates with curves inside that meet at acute angles or along each other, or at which a region touches itself."""
+    plate, holed = [rectangle(0j, 6 + 4j)], [rectangle(0j, 6 + 4j), hole(circle(2 + 2j, 0.7))]
+    centre, edge = 3 + 2j, 2 + 2j + 0.7 * cmath.exp(1j * math.radians(60))
+    a, b = centre + 1.3 * cmath.exp(1j * math.radians(25)), centre + 1.1 * cmath.exp(1j * math.radians(70))
+    corner = [("line", centre, a, "patch"), ("line", a, b, "patch"), ("line", b, centre, "patch")]
+    legs = [("line", centre, 1 + 0j, "leg"), ("line", centre, 5.5 + 0j, "leg")]
+    return {
+        "cracks_x": (plate, [("line", 2 * centre - z, z, name) for _, _, z, name in
+                             rays(centre, (10, 1.6, "one"), (45, 1.4, "two"))]),
+        "cracks_y": (plate, rays(centre, (0, 1.5, "stem"), (145, 1.2, "upper"), (180, 1.4, "lower"))),
+        "crack_from_hole": (holed, rays(edge, (120, 1.1, "crack"))),
+        "cracks_along": (plate, [("line", 1 + 2j, 5 + 2j, "long"), ("line", 2.5 + 2j, 3.7 + 2j, "short")]),
+        "patch_touching": (plate, corner + legs),
+        "patches_touching": (plate, corner + [("line", *(2 * centre - z for z in edge_[1:3]), "patch") for edge_ in corner]),
     }
 
 
@@ -515,7 +546,8 @@ def iges_loose():
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(os.path.join(folder, "bad"), exist_ok=True)
-    for name, text in {**models(), "slit": slit(), "bad/two_planes": two_planes(),
+    for name, text in {**models(), **{name: sheet(name, [("plate", loops)], curves) for name, (loops, curves) in
+                                      cracks().items()}, "slit": slit(), "bad/two_planes": two_planes(),
                        "loose_curves": loose("loose_curves", link()), "bad/loose_gap": loose("loose_gap", link(0.001)),
                        "bad/loose_branch": loose("loose_branch", [*link(), ("line", 2 + 1j, 3 + 2j)]),
                        "inner_curve": doubled("inner_curve", [(0.5 + 0.5j, 1 + 0.5j)], True),

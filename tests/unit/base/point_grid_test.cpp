@@ -68,5 +68,10 @@ TEST(PointGrid, VisitsAllPointsInABox) {
     }
 }
 
+TEST(PlacesOf, AreTheLowestNumbersOfCoincidentPoints) {
+  EXPECT_EQ(places_of({{1, 1}, {0, 0}, {1, 1}, {2, 0}, {1e-10, 0}}, 1e-9), (std::vector<int>{0, 1, 0, 3, 1}));
+  EXPECT_TRUE(places_of({}, 1).empty());
+}
+
 }  // namespace
 }  // namespace quadrille

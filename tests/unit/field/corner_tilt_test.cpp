@@ -9,7 +9,11 @@ namespace quadrille::field {
 namespace {
 
 /// A plate with one chamfer: joints 2 and 3 have 135 degrees, the chamfer is curve 2.
-CadFace plate() { return polygon_face({{0, 0}, {4, 0}, {4, 2}, {3, 3}, {0, 3}}); }
+TriMesh plate() {
+  TriMesh mesh;
+  mesh.face = polygon_face({{0, 0}, {4, 0}, {4, 2}, {3, 3}, {0, 3}});
+  return mesh;
+}
 
 /// The data themselves.
 Vec2 value(const CadFace& face, const LiftedData& data, int curve, double t) {
@@ -17,8 +21,9 @@ Vec2 value(const CadFace& face, const LiftedData& data, int curve, double t) {
 }
 
 TEST(CornerTilt, turns_the_phase_at_the_corner_by_40_degrees_backward_before_and_forward_behind) {
-  const CadFace face = plate();
-  const LiftedData even = tilt_data(face, {2}, TiltPart::even), odd = tilt_data(face, {2}, TiltPart::odd);
+  const TriMesh mesh = plate();
+  const CadFace& face = mesh.face;
+  const LiftedData even = tilt_data(mesh, {2}, TiltPart::even), odd = tilt_data(mesh, {2}, TiltPart::odd);
   for (const double sign : {1.0, -1.0}) {
     const auto tilted = [&](int curve, double t) {
       return boundary_value(face, curve, t) + value(face, even, curve, t) + sign * value(face, odd, curve, t);
@@ -31,8 +36,9 @@ TEST(CornerTilt, turns_the_phase_at_the_corner_by_40_degrees_backward_before_and
 }
 
 TEST(CornerTilt, ends_at_half_of_the_shorter_curve) {
-  const CadFace face = plate();
-  const LiftedData odd = tilt_data(face, {2}, TiltPart::odd);
+  const TriMesh mesh = plate();
+  const CadFace& face = mesh.face;
+  const LiftedData odd = tilt_data(mesh, {2}, TiltPart::odd);
   const double begin = face.curves[2].begin(), end = face.curves[2].end();
   EXPECT_GT(norm(value(face, odd, 2, begin + 0.4 * (end - begin))), 1e-4);
   for (const double f : {0.5, 0.75, 1.0}) EXPECT_NEAR(norm(value(face, odd, 2, begin + f * (end - begin))), 0, 1e-12);
@@ -40,9 +46,10 @@ TEST(CornerTilt, ends_at_half_of_the_shorter_curve) {
 }
 
 TEST(CornerTilt, is_continuous_round_the_loop_without_its_liftings) {
-  const CadFace face = plate();
+  const TriMesh mesh = plate();
+  const CadFace& face = mesh.face;
   for (const TiltPart part : {TiltPart::even, TiltPart::odd}) {
-    const LiftedData data = tilt_data(face, {2, 3}, part);
+    const LiftedData data = tilt_data(mesh, {2, 3}, part);
     EXPECT_EQ(data.liftings.size(), 2u);
     for (int joint = 0; joint < face.num_curves(); ++joint) {
       const int before = face.previous_in_loop(joint);
@@ -53,9 +60,9 @@ TEST(CornerTilt, is_continuous_round_the_loop_without_its_liftings) {
 }
 
 TEST(CornerTilt, only_the_even_part_jumps_at_an_exact_tie) {
-  const CadFace face = plate();
-  EXPECT_GT(norm(tilt_data(face, {2}, TiltPart::even).liftings[0].jump), 0.1);
-  EXPECT_NEAR(norm(tilt_data(face, {2}, TiltPart::odd).liftings[0].jump), 0, 1e-12);
+  const TriMesh mesh = plate();
+  EXPECT_GT(norm(tilt_data(mesh, {2}, TiltPart::even).liftings[0].jump), 0.1);
+  EXPECT_NEAR(norm(tilt_data(mesh, {2}, TiltPart::odd).liftings[0].jump), 0, 1e-12);
 }
 
 }  // namespace

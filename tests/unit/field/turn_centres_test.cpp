@@ -40,6 +40,11 @@ TEST(HolePoints, MoveWithTheFace) {
   EXPECT_NEAR(distance(there, Vec2{d.x * x.x - d.y * x.y, d.y * x.x + d.x * x.y} + shift), 0, 1e-12);
 }
 
+TEST(HolePoints, OfASlitAreTheJointWhoseSectorIsFarthestFromQuarterTurns) {
+  EXPECT_EQ(distance(hole_points(bent_slit(0.4)).at(0), {0.5, 0.5}), 0);
+  EXPECT_EQ(distance(hole_points(slit_square()).at(0), {0.3, 0.5}), 0);
+}
+
 const Loop wide_outline = polygon({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}});
 
 CadFace with_ellipse(double a, double b) {

@@ -96,16 +96,7 @@ TEST(PhaseEnergy, OnTheDiscIsTheClosedForm) {
   }
 }
 
-// Corners of all kinds, curved sides, a boundary node, a hole and its winding.
-TEST(PhaseEnergy, GradientIsThatOfTheValue) {
-  Energy energy(
-      fine_mesh(make_face({{curve::segment({-2, -1}, {2, -0.8}), curve::circular_arc({2, 0.2}, 1, -half_pi, half_pi),
-                            curve::segment({2, 1.2}, {-2, 1}),
-                            curve::circular_arc({-2.75, 0}, 1.25, std::atan2(1, 0.75), -std::atan2(1, 0.75))},
-                           polygon({{0.4, 0}, {0.6, 0.4}, {1, 0.1}})})));
-  const PhaseNodes asked{{{{-0.5, -0.5}, 3}, {{0.9, 0.7}, 3}, {{1.9, -0.3}, 5}},
-                         {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 3}, {5, 3}, {6, 4}},
-                         {{2, 1.7, 3}}};
+void expect_gradient_of_value(Energy& energy, const PhaseNodes& asked) {
   const std::vector<Vec2> gradient = energy.gradient(asked);
   const double h = 1e-3;
   for (std::size_t k = 0; k < asked.nodes.size(); ++k) {
@@ -120,6 +111,26 @@ TEST(PhaseEnergy, GradientIsThatOfTheValue) {
     EXPECT_NEAR(gradient[k].x, difference({h, 0}), 1e-6) << k;
     EXPECT_NEAR(gradient[k].y, difference({0, h}), 1e-6) << k;
   }
+}
+
+// Corners of all kinds, curved sides, a boundary node, a hole and its winding.
+TEST(PhaseEnergy, GradientIsThatOfTheValue) {
+  Energy energy(
+      fine_mesh(make_face({{curve::segment({-2, -1}, {2, -0.8}), curve::circular_arc({2, 0.2}, 1, -half_pi, half_pi),
+                            curve::segment({2, 1.2}, {-2, 1}),
+                            curve::circular_arc({-2.75, 0}, 1.25, std::atan2(1, 0.75), -std::atan2(1, 0.75))},
+                           polygon({{0.4, 0}, {0.6, 0.4}, {1, 0.1}})})));
+  const PhaseNodes asked{{{{-0.5, -0.5}, 3}, {{0.9, 0.7}, 3}, {{1.9, -0.3}, 5}},
+                         {{0, 0}, {1, 1}, {2, 2}, {3, 1}, {4, 3}, {5, 3}, {6, 4}},
+                         {{2, 1.7, 3}}};
+  expect_gradient_of_value(energy, asked);
+}
+
+// The turns about the slit are centred in its bend, where the data jump.
+TEST(PhaseEnergy, GradientIsThatOfTheValueBesideAnAcuteSlit) {
+  Energy energy(fine_mesh(bent_slit(radians(150.0))));
+  expect_gradient_of_value(energy,
+                           {{{{0.7, 0.3}, 3}}, {{0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 4}, {5, 1}, {6, 4}, {7, 4}}, {}});
 }
 
 // A gradient's own derivatives are symmetric: with corners of all kinds, a hole and its winding.
@@ -147,7 +158,7 @@ TEST(PhaseEnergy, GradientIsOneOfAFunctionWhereThereAreHolesAndCorners) {
 
 double energy_of(const CadFace& face, const PhaseNodes& asked) {
   const field::PhaseBoundary boundary(face, asked);
-  return explicit_energy(face, asked, boundary.terms(), boundary.interior_angles());
+  return explicit_energy(face, asked, boundary.terms(), boundary.apex_turns());
 }
 
 /// With the images of all nodes at 1 / conj a, s is constant in the unit disc, so that the explicit part is the whole
@@ -226,7 +237,7 @@ double integral(const std::function<double(double)>& f) {
 
 /// The formula of phase_energy.hpp on straight sides, where dPhi = 0, between these points.
 double polygon_energy(const std::vector<Vec2>& points, const PhaseTerms& terms,
-                      const std::vector<double>& interior_angles) {
+                      const std::vector<field::ApexTurn>& apex_turns) {
   const LogSum l(terms);
   double energy = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -238,8 +249,7 @@ double polygon_energy(const std::vector<Vec2>& points, const PhaseTerms& terms,
               });
   }
   const int num_corners = static_cast<int>(terms.corner_angles.size());
-  for (int c = 0; c < num_corners; ++c)
-    energy -= terms.corner_angles[c].beta * interior_angles[c] / 2 * l.value(terms.corner_angles[c].apex, 2 * c);
+  for (int c = 0; c < num_corners; ++c) energy += apex_turns[c].turn * l.value(terms.corner_angles[c].apex, 2 * c);
   for (int k = 0; k < static_cast<int>(terms.nodes.size()); ++k)
     energy -= pi * terms.nodes[k].turns * l.value(terms.nodes[k].position, 2 * num_corners + k);
   return energy;
@@ -248,7 +258,7 @@ double polygon_energy(const std::vector<Vec2>& points, const PhaseTerms& terms,
 double error_on_polygon(const CadFace& face, const PhaseNodes& asked, const std::vector<Vec2>& points) {
   const field::PhaseBoundary boundary(face, asked);
   EXPECT_FALSE(boundary.terms().corner_angles.empty());
-  return energy_of(face, asked) - polygon_energy(points, boundary.terms(), boundary.interior_angles());
+  return energy_of(face, asked) - polygon_energy(points, boundary.terms(), boundary.apex_turns());
 }
 
 TEST(ExplicitEnergy, OnATriangleIsTheIntegralOfItsFormula) {

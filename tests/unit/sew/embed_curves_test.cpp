@@ -124,6 +124,34 @@ TEST(EmbedCurves, PartsOutsideTheRegionAndAlongItsBoundaryAreLeftOut) {
   EXPECT_EQ(num_slit_sides(embedded({arc, arc})[0]), 2);
 }
 
+TEST(EmbedCurves, WhereCurvesLieUponEachOtherTheShorterOneGivesTheName) {
+  const heal::LoopCurve along{curve::segment({0.2, 1}, {1.8, 1}), 5, "long"}, part = line({1.2, 1}, {0.8, 1});
+  for (const auto& curves : {std::vector{along, part}, std::vector{part, along}}) {
+    const Region region = embedded(curves)[0];
+    ASSERT_EQ(num_slit_sides(region), 6);
+    for (int c = 4; c < region.num_curves(); ++c) {
+      const bool is_part =
+          std::abs(curve::point(region.curves[c].curve, 0.5 * region.curves[c].curve.end()).x - 1) < 0.1;
+      EXPECT_EQ(region.curves[c].name, is_part ? "inner" : "long");
+      EXPECT_EQ(region.curves[c].cad_edge, is_part ? 7 : 5);
+    }
+  }
+}
+
+TEST(EmbedCurves, ACurveMayEndWhereTheRegionTouchesItself) {
+  heal::Loop loop;
+  const std::vector<Vec2> corners{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 2}, {2, 1}};
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
+    loop.push_back({curve::segment(a, b), static_cast<int>(i), ""});
+  }
+  const std::vector<Region> regions = embedded({line({3, 0.2}, {0, 0})}, region_of({loop}, "plate", 0));
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(num_slit_sides(regions[0]), 2);
+  EXPECT_EQ(regions[0].num_curves(), 9);
+  EXPECT_EQ(regions[0].num_loops(), 1);
+}
+
 TEST(EmbedCurves, AnglesOfZeroAreRefused) {
   const heal::LoopCurve tangent{curve::circular_arc({1, 1}, 1, -half_pi, -0.5), 5, ""};
   try {

@@ -114,6 +114,20 @@ TEST(CornerFans, TheTipOfABodyIsProtectedWhereASlitMeetsIt) {
   EXPECT_EQ(junctions(with_wake(1)), (std::vector<int>{4, 5})) << "its front corners of 45 degrees";
 }
 
+TEST(CornerFans, BetweenTheSectorsOfARegionThatTouchesItselfAnAcuteAngleIsProtected) {
+  TriangulateOptions options;
+  options.fan_layers = 0;
+  // Two triangles of 53 degrees are left out of the square: sectors of 127 degrees.
+  const Planned thin(make_face({polygon({{2, -2}, {2, 2}, {-2, 2}, {-2, -2}}),
+                                polygon({{0, 0}, {-1, -0.5}, {-1, 0.5}, {0, 0}, {1, 0.5}, {1, -0.5}})}),
+                     options);
+  std::vector<int> junctions;
+  for (const Fan& fan : thin.fans)
+    if (distance(thin.outline.junctions()[fan.junction].position, {0, 0}) == 0) junctions.push_back(fan.junction);
+  EXPECT_EQ(junctions, (std::vector<int>{4, 7}));
+  EXPECT_EQ(thin.fans[0].radii, thin.fans[1].radii);
+}
+
 TEST(CornerFans, RadiiKeepAwayFromOtherParts) {
   const Planned l(make_face({polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), hole({0.8, 0.8}, 0.1)}));
   ASSERT_EQ(l.fans.size(), 1u);

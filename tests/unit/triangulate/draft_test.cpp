@@ -55,6 +55,31 @@ TEST(CutSlits, SeparatesTheHalvesOfASquareThatIsCutAcross) {
   EXPECT_EQ(draft.triangles[3], (std::array<int, 3>{3, 5, 7}));
 }
 
+TEST(CutSlits, SeparatesTheSectorsOfARegionThatTouchesItself) {
+  Draft draft;
+  for (const Vec2 x : {Vec2{0, 0}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}) draft.add_vertex(x);
+  for (const auto& [a, b] : {std::pair(1, 2), std::pair(3, 4)}) {
+    draft.add_triangle(0, a, b, -1);
+    for (const auto& [from, to] : {std::pair(0, a), std::pair(a, b), std::pair(b, 0)})
+      draft.edges.push_back({from, to, static_cast<int>(draft.edges.size()), 0, 1});
+  }
+  EXPECT_EQ(cut_slits(draft), (std::vector<int>{0, 1, 2, 3, 4, 0}));
+  EXPECT_EQ(draft.triangles[1], (std::array<int, 3>{5, 3, 4}));
+  EXPECT_EQ(draft.edges[3].from, 5);
+  EXPECT_EQ(draft.edges[5].to, 5);
+}
+
+TEST(Triangulate, ARegionThatTouchesItselfIsADiscWithTwoVerticesThere) {
+  const CadFace face = pinched_square();
+  Report report;
+  const TriMesh mesh = triangulate(face, {}, report);
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
+  EXPECT_EQ(static_cast<int>(mesh.vertices.size()) - static_cast<int>(topology.edge2vertices.size()) + mesh.num_elems(),
+            1);
+  for (const double ratio : jacobian_ratio_bounds(mesh)) EXPECT_GT(ratio, 0);
+  EXPECT_EQ(std::count(mesh.vertices.begin(), mesh.vertices.end(), Vec2{0, 0}), 2);
+}
+
 class SlitFaces : public testing::TestWithParam<CadFace (*)()> {};
 
 TEST_P(SlitFaces, HaveSoundMeshesThatMeetInEqualVertices) {
@@ -80,7 +105,7 @@ TEST_P(SlitFaces, HaveSoundMeshesThatMeetInEqualVertices) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SlitFaces, testing::Values(slit_square, arc_slit, open_slit, cut_annulus));
+INSTANTIATE_TEST_SUITE_P(All, SlitFaces, testing::Values(slit_square, arc_slit, open_slit, cut_annulus, slanted_slit));
 
 TEST(Smooth, ShapeIsOneForEquilateralZeroForFlatAndChangesSignWithOrientation) {
   EXPECT_NEAR(triangle_shape({0, 0}, {1, 0}, unit(pi / 3)), 1, 1e-15);

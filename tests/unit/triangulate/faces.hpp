@@ -105,6 +105,28 @@ inline CadFace open_slit() {
   pair_sides(face, 2, 3);
   return face;
 }
+/// A unit square with a slit that bends by `turn` radians in the middle of the square.
+inline CadFace bent_slit(double turn) {
+  const Vec2 a{0.25, 0.5}, b{0.5, 0.5}, c = b + 0.25 * unit(turn);
+  CadFace face = make_face({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), polygon({a, b, c, b})});
+  pair_sides(face, 4, 7);
+  pair_sides(face, 5, 6);
+  return face;
+}
+/// A square with a round hole from which a slit starts at 30 degrees to the normal.
+inline CadFace slanted_slit() {
+  const Vec2 foot = unit(1.0), tip = foot + 1.5 * unit(1.0 + pi / 6);
+  CadFace face = make_face(
+      {polygon({{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}),
+       {curve::circular_arc({0, 0}, 1, 1.0, 1.0 - 2 * pi), curve::segment(foot, tip), curve::segment(tip, foot)}});
+  pair_sides(face, 5, 6);
+  return face;
+}
+/// The part of a square beside a triangle and a quadrangle that meet in its middle: it touches itself there, with
+/// sectors of 117 and 90 degrees.
+inline CadFace pinched_square() {
+  return make_face({polygon({{1, -2}, {2, -2}, {2, 2}, {-2, 2}, {-2, -2}, {0, 0}, {-1, 1}, {1, 1}, {0, 0}})});
+}
 /// An annulus cut along a radius: one loop.
 inline CadFace cut_annulus() {
   CadFace face = make_face({{curve::circular_arc({0, 0}, 1, 0, 2 * pi), curve::segment({1, 0}, {0.5, 0}),
