@@ -24,13 +24,21 @@ constexpr double negligible = 1e-13;
 /// Functions that are solved for together: wide matrices are faster, but take memory.
 constexpr std::size_t batch = 8;
 
-/// Adds what each part is on element e, from two columns of `coefs` for each.
-void add_element(const Eigen::MatrixXd& coefs, int e, field::HarmonicPart* parts) {
-  for (int k = 0; 2 * k < coefs.cols(); ++k) {
-    if (coefs.middleCols(2 * k, 2).cwiseAbs().maxCoeff() < negligible) continue;
-    parts[k].elems.push_back(e);
-    parts[k].u.insert(parts[k].u.end(), coefs.col(2 * k).begin(), coefs.col(2 * k).end());
-    parts[k].v.insert(parts[k].v.end(), coefs.col(2 * k + 1).begin(), coefs.col(2 * k + 1).end());
+/// Adds what a part is on the elements, from two columns of their coefficients. All room is reserved at once: the parts
+/// of hundreds of functions are most of the memory.
+void add_elements(const std::vector<Eigen::MatrixXd>& elem_coefs, Eigen::Index column, field::HarmonicPart& part) {
+  Eigen::Index size = 0;
+  for (int e = 0; e < std::ssize(elem_coefs); ++e) {
+    if (elem_coefs[e].middleCols(column, 2).cwiseAbs().maxCoeff() < negligible) continue;
+    part.elems.push_back(e);
+    size += elem_coefs[e].rows();
+  }
+  part.u.reserve(size);
+  part.v.reserve(size);
+  for (const int e : part.elems) {
+    const auto u = elem_coefs[e].col(column), v = elem_coefs[e].col(column + 1);
+    part.u.insert(part.u.end(), u.begin(), u.end());
+    part.v.insert(part.v.end(), v.begin(), v.end());
   }
 }
 
@@ -157,9 +165,8 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
       given.middleCols(2 * (i - first), 2) =
           DirichletData(parts_->points, data[i].values).values(parts_->context.topology, system.map());
     }
-    const Eigen::MatrixXd dofs = system.solve(given, parts_->watch);
-    for (int e = 0; e < static_cast<int>(parts_->elem_order.size()); ++e)
-      add_element(system.coefs(e, dofs), e, &parts[first]);
+    const std::vector<Eigen::MatrixXd> coefs = system.all_coefs(system.solve(given, parts_->watch));
+    for (std::size_t i = first; i < last; ++i) add_elements(coefs, 2 * static_cast<Eigen::Index>(i - first), parts[i]);
   }
   return parts;
 }

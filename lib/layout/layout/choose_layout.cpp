@@ -18,6 +18,10 @@ constexpr int max_traced_lines = 500;
 // lines result in this many times as many blocks, they probably cross each other more often than necessary.
 constexpr double many_blocks = 1.2;
 
+// Integer lengths displace lines by up to their unit; between corners that are much nearer to each other blocks become
+// so skew that more of them are the lesser evil.
+constexpr double poor_scaled_jacobian = 0.3;
+
 void report_choice(LayoutMethod method, const std::string& reason, Report& report) {
   report.set("layout.method", enum_name(method));
   if (!reason.empty()) report.set("layout.reason", reason);
@@ -64,8 +68,29 @@ ChosenLayout instead(graph::CandidateLayout layout, LayoutMethod method, const s
   return {std::move(layout), method, reason + consequence};
 }
 
-ChosenLayout instead_of_traced(const LayoutAttempt& traced, const LayoutComputations& compute, Report& report) {
+constexpr const char* crowded_consequence =
+    ": each separatrix was followed to its end all the same, which makes many blocks";
+
+// The crowded layout if the quantized one is poor and this is better.
+std::optional<graph::CandidateLayout> better_crowded_layout(const graph::CandidateLayout& quantized,
+                                                            const LayoutComputation& crowded, Report& report) {
+  const LayoutQuality poor = quality_of(quantized.subdivision);
+  if (poor.is_valid && poor.least_scaled_jacobian >= poor_scaled_jacobian) return std::nullopt;
+  Report attempt_report(report.progress());
+  LayoutAttempt attempt = crowded(attempt_report);
+  if (!attempt.layout || !is_better_shaped(quality_of(attempt.layout->subdivision), poor)) return std::nullopt;
+  for (const auto& [key, value] : attempt_report.entries()) report.set(key, value);
+  return std::move(attempt.layout);
+}
+
+ChosenLayout instead_of_traced(const LayoutAttempt& traced, bool is_traceable, const LayoutComputations& compute,
+                               Report& report) {
   LayoutAttempt quantized = compute.quantized(report);
+  if (quantized.layout && traced.is_crowded && is_traceable)
+    if (auto crowded = better_crowded_layout(*quantized.layout, compute.crowded, report))
+      return instead(std::move(*crowded), LayoutMethod::traced,
+                     traced.reason + "; stopped where they meet, they make blocks with angles near 180 degrees",
+                     crowded_consequence, report);
   if (quantized.layout)
     return instead(
         std::move(*quantized.layout), LayoutMethod::quantized, traced.reason,
@@ -76,8 +101,7 @@ ChosenLayout instead_of_traced(const LayoutAttempt& traced, const LayoutComputat
   if (traced.is_crowded) {
     LayoutAttempt crowded = compute.crowded(report);
     if (crowded.layout)
-      return instead(std::move(*crowded.layout), LayoutMethod::traced, reason,
-                     ": each separatrix was followed to its end all the same, which makes many blocks", report);
+      return instead(std::move(*crowded.layout), LayoutMethod::traced, reason, crowded_consequence, report);
   }
   return midpoint_instead(reason, compute.midpoint, report);
 }
@@ -92,8 +116,9 @@ std::string midpoint_warning(const std::string& reason) {
 ChosenLayout choose_layout(int num_separatrices, const LayoutComputations& compute, Report& report) {
   LayoutAttempt attempt{
       std::nullopt, fmt::format("{} separatrices are too many to be followed to their ends", num_separatrices), true};
-  if (num_separatrices <= max_traced_lines) attempt = compute.traced(report);
-  if (!attempt.layout) return instead_of_traced(attempt, compute, report);
+  const bool is_traceable = num_separatrices <= max_traced_lines;
+  if (is_traceable) attempt = compute.traced(report);
+  if (!attempt.layout) return instead_of_traced(attempt, is_traceable, compute, report);
   return traced_or_preferable(std::move(*attempt.layout), compute.quantized, report);
 }
 
@@ -110,6 +135,10 @@ LayoutQuality quality_of(const graph::Subdivision& subdivision) {
 bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced) {
   return quantized.num_blocks < traced.num_blocks && quantized.is_valid &&
          quantized.least_scaled_jacobian >= traced.least_scaled_jacobian - tolerance::tied;
+}
+
+bool is_better_shaped(const LayoutQuality& crowded, const LayoutQuality& quantized) {
+  return crowded.is_valid && (!quantized.is_valid || crowded.least_scaled_jacobian > quantized.least_scaled_jacobian);
 }
 
 }  // namespace quadrille::layout

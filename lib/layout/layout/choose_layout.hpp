@@ -4,7 +4,8 @@
 //   separatrices   traced layout   quantized layout           taken
 //   more than 500  not computed    exists                     quantized, with a warning
 //   more than 500  not computed    none                       crowded, with a warning
-//   at most 500    too many arcs   exists                     quantized, with a warning
+//   at most 500    too many arcs   scaled Jacobian >= 0.3     quantized, with a warning
+//   at most 500    too many arcs   scaled Jacobian < 0.3      crowded if that is better, else quantized; with a warning
 //   at most 500    too many arcs   none                       crowded, with a warning
 //   at most 500    none            exists                     quantized, with a warning
 //   at most 500    none            none                       midpoint division, with a warning
@@ -68,5 +69,9 @@ LayoutQuality quality_of(const graph::Subdivision& subdivision);
 
 /// Whether a layout has fewer blocks, all valid and none worse (within 1e-6) than the worst of `traced`.
 bool is_preferable(const LayoutQuality& quantized, const LayoutQuality& traced);
+
+/// Whether a crowded layout is taken in place of a poor quantized one: all Jacobians are proved positive, and they are
+/// not in the other, or the least scaled Jacobian is greater.
+bool is_better_shaped(const LayoutQuality& crowded, const LayoutQuality& quantized);
 
 }  // namespace quadrille::layout

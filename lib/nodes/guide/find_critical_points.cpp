@@ -58,9 +58,9 @@ CertificateCell certificate_cell(int elem, const std::array<Vec2, 3>& p, CellVer
   return {elem, {p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y}, verdict};
 }
 
-Certificate certificate_of(const zeros::ZeroSearch& search, const std::vector<zeros::FoundZero>& zeros,
+Certificate certificate_of(const zeros::SearchResult& search, const std::vector<zeros::FoundZero>& zeros,
                            const std::vector<zeros::Disc>& discs, int num_elems) {
-  const zeros::SearchCounts& counts = search.counts();
+  const zeros::SearchCounts& counts = search.counts;
   Certificate c;
   c.elements = num_elems;
   c.cells_examined = static_cast<double>(counts.examined);
@@ -70,7 +70,7 @@ Certificate certificate_of(const zeros::ZeroSearch& search, const std::vector<ze
   c.greatest_depth = counts.greatest_depth;
   for (const zeros::FoundZero& zero : zeros)
     c.cells.push_back(certificate_cell(zero.elem, zero.cell, CellVerdict::zero));
-  for (const zeros::OpenCell& cell : search.open_cells())
+  for (const zeros::OpenCell& cell : search.open_cells)
     c.cells.push_back(certificate_cell(cell.elem, cell.cell, CellVerdict::open));
   for (const zeros::Disc& disc : discs) {
     c.disc_centres.push_back(disc.centre);
@@ -79,8 +79,8 @@ Certificate certificate_of(const zeros::ZeroSearch& search, const std::vector<ze
   return c;
 }
 
-void report_proof(const zeros::ZeroSearch& search, const CriticalPoints& points, Report& report) {
-  const zeros::SearchCounts& counts = search.counts();
+void report_proof(const zeros::SearchResult& search, const CriticalPoints& points, Report& report) {
+  const zeros::SearchCounts& counts = search.counts;
   report.set("critical_points", points.critical_points.size());
   report.set("corners", points.corners.size());
   report.set("clusters", points.clusters.size());
@@ -91,21 +91,19 @@ void report_proof(const zeros::ZeroSearch& search, const CriticalPoints& points,
   report.set("proof.cells_excluded", counts.excluded);
   report.set("proof.cells_isolated", counts.isolated);
   report.set("proof.cells_left_to_corners", counts.ignored);
-  report.set("proof.cells_open", search.open_cells().size());
+  report.set("proof.cells_open", search.open_cells.size());
   report.set("proof.greatest_depth", counts.greatest_depth);
 }
 
 /// Throws ComputeError if the search cannot decide.
-void search_all(zeros::ZeroSearch& search, const TriMesh& mesh, const std::vector<bool>& is_empty, Progress* progress) {
+zeros::SearchResult search_all(const field::FieldEvaluator& evaluator, const std::vector<zeros::Disc>& discs,
+                               double noise, Progress* progress) {
+  const TriMesh& mesh = evaluator.field().mesh;
+  zeros::ZeroSearch search(evaluator, discs, noise);
   const Progress::Part elements(progress, "elements", mesh.num_elems());
-  for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e, elements.advance())
-    if (!is_empty.empty() && is_empty[e])
-      search.skip();
-    else
-      search.search(e);
-  if (!search.is_budget_exhausted()) return;
-  const Vec2 x = search.open_cells().back().centre + mesh.face.origin;
-  throw ComputeError("the guiding field vanishes to higher order, or on a whole curve, near " + position_text(x));
+  for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e, elements.advance()) search.search(e);
+  zeros::require_decided(search, mesh.face.origin);
+  return search.take();
 }
 
 /// Warns of zeros that the field's error alone makes a cluster.
@@ -212,12 +210,10 @@ void SearchOptions::validate() const {
 }
 
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
-                                    CornerValences valences, const std::vector<bool>& is_empty, Report& report) {
+                                    CornerValences valences, const zeros::SearchResult& search, Report& report) {
   const TriMesh& mesh = evaluator.field().mesh;
   const CadFace& face = mesh.face;
-  zeros::ZeroSearch search(evaluator, valences.discs, options.noise);
-  search_all(search, mesh, is_empty, report.progress());
-  const std::vector<zeros::FoundZero> found = zeros::distinct_zeros(evaluator, search.zeros());
+  const std::vector<zeros::FoundZero> found = zeros::distinct_zeros(evaluator, search.zeros);
   const std::vector<zeros::FoundZero> zeros = filtered(found, [&](std::size_t i) {
     return std::none_of(valences.discs.begin(), valences.discs.end(),
                         [&](const zeros::Disc& disc) { return distance(disc.centre, found[i].x) <= disc.radius; });
@@ -228,7 +224,7 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
   points.corners = std::move(valences.corners);
   const std::vector<bool> is_absorbed = absorb_into_corners(face, zeros, options.corner_absorb * face.diameter, points);
   const std::vector<zeros::FoundZero> free = filtered(zeros, [&](std::size_t i) { return !is_absorbed[i]; });
-  Clustering clustering = find_clusters(evaluator, free, zeros::cells_without_zero(search.open_cells(), zeros),
+  Clustering clustering = find_clusters(evaluator, free, zeros::cells_without_zero(search.open_cells, zeros),
                                         {options.cluster_distance * face.diameter, options.noise});
   points.clusters = std::move(clustering.clusters);
   sort_by_position(points.clusters, tolerance::same_point * face.diameter, [](const Cluster& c) { return c.centre; });
@@ -243,9 +239,15 @@ CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, cons
 }
 
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
+                                    CornerValences valences, Report& report) {
+  const zeros::SearchResult search = search_all(evaluator, valences.discs, options.noise, report.progress());
+  return find_critical_points(evaluator, options, std::move(valences), search, report);
+}
+
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report) {
   options.validate();
-  return find_critical_points(evaluator, options, corner_valences(evaluator, options.noise), {}, report);
+  return find_critical_points(evaluator, options, corner_valences(evaluator, options.noise), report);
 }
 
 std::vector<bool> absorb_into_corners(const CadFace& face, const std::vector<zeros::FoundZero>& zeros, double length,

@@ -51,10 +51,12 @@ struct SearchOptions {
 /// decided. Does not check the index sum: see guide/valence.
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
                                     Report& report);
-/// The same with given valences of the corners; corners with the source `line` absorb no zeros. Elements with
-/// is_empty[e] are known to have no zero (an empty vector: none is).
+/// The same with given valences of the corners; corners with the source `line` absorb no zeros.
 CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
-                                    CornerValences valences, const std::vector<bool>& is_empty, Report& report);
+                                    CornerValences valences, Report& report);
+/// The same with what a search of all elements has found.
+CriticalPoints find_critical_points(const field::FieldEvaluator& evaluator, const SearchOptions& options,
+                                    CornerValences valences, const zeros::SearchResult& search, Report& report);
 
 /// Changes the corners of `points`, each with a change of the kind `absorb`. Returns for each zero whether it was
 /// absorbed.

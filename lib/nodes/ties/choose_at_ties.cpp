@@ -13,6 +13,7 @@
 #include "guide/resolve_clusters.hpp"
 #include "placement/node_ledger.hpp"
 #include "ties/choice_cost.hpp"
+#include "ties/choice_search.hpp"
 
 namespace quadrille::ties {
 namespace {
@@ -33,6 +34,7 @@ class Trials {
         ties_(ties),
         options_(options),
         tilted_(field.field(), ties, solve),
+        search_(tilted_, options.search.noise),
         measure_(field, ties),
         part_(progress, "choices") {}
 
@@ -55,10 +57,13 @@ class Trials {
   }
   std::size_t count() const { return outcomes_.size(); }
 
+  /// The choices that follow differ from this one by little.
+  void set_base(const Choice& choice) { search_.set_base(choice); }
+
   /// The nodes of a choice by a search of all elements, which proves that no zero is missing.
   CriticalPoints proved(const Choice& choice, Report& report) {
     CriticalPoints points =
-        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), {}, report);
+        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), report);
     guide::resolve_clusters(face_, options_.max_valence, points);
     return points;
   }
@@ -80,8 +85,9 @@ class Trials {
   std::optional<Outcome> attempt(const Choice& choice) {
     Outcome outcome;
     Report of_this_choice;
-    outcome.points = guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice),
-                                                 tilted_.is_empty(), of_this_choice);
+    const zeros::SearchResult found = search_.zeros_of(choice);
+    outcome.points =
+        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), found, of_this_choice);
     guide::resolve_clusters(face_, options_.max_valence, outcome.points);
     if (outcome.points.index_sum != outcome.points.index_sum_expected) return {};
     outcome.cost = measure_(choice, outcome.points);
@@ -92,6 +98,7 @@ class Trials {
   const TieOrbits& ties_;
   TieOptions options_;
   TiltedField tilted_;
+  ChoiceSearch search_;
   CostMeasure measure_;
   std::map<Choice, std::optional<Outcome>> outcomes_;
   Progress::Part part_;
@@ -140,6 +147,7 @@ class Chooser {
       if (then->cost[i] > now->cost[i]) return false;
     }
     best_ = choice;
+    trials_.set_base(best_);
     return true;
   }
 

@@ -9,7 +9,9 @@
 #include "base/tolerance.hpp"
 #include "curve/orbits.hpp"
 #include "field/error_estimate.hpp"
+#include "field/explicit_value.hpp"
 #include "guide/valence.hpp"
+#include "spectral/orthogonal_basis.hpp"
 #include "zeros/enclosure.hpp"
 
 namespace quadrille::ties {
@@ -126,36 +128,45 @@ TiltedField::TiltedField(const Field& field, const TieOrbits& ties, const PartSo
   find_empty_elements();
 }
 
-/// The sum over all units of the greatest sampled value of the odd part on each element. Leaves another field in sum_.
-std::vector<double> TiltedField::greatest_changes() {
-  std::vector<double> sums(sum_.mesh.num_elems(), 0);
-  for (const field::HarmonicPart& part : odd_) {
-    std::fill(sum_.u.begin(), sum_.u.end(), 0);
-    std::fill(sum_.v.begin(), sum_.v.end(), 0);
-    sum_.liftings.clear();
-    field::add(part, 1, sum_);
-    for (const int e : part.elems) {
-      double greatest = 0;
-      Vec2 x;
-      Mat2 ignored;
-      for (const Vec2 xi : samples) greatest = std::max(greatest, norm(evaluator_->value(e, xi, x, ignored)));
-      sums[e] += greatest;
-    }
+std::vector<double> TiltedField::greatest_values(const field::HarmonicPart& part) {
+  std::vector<double> greatest;
+  std::size_t next = 0;
+  for (const int e : part.elems) {
+    const int order = sum_.elem_order[e], size = spectral::num_tri_modes(order);
+    Eigen::MatrixXd& basis = sampled_basis_[order];
+    if (basis.size() == 0) basis = spectral::orthogonal_vandermonde(order, {samples.begin(), samples.end()});
+    Eigen::Matrix<double, Eigen::Dynamic, 2> values(basis.rows(), 2);
+    values.col(0).noalias() = basis * Eigen::Map<const Eigen::VectorXd>(&part.u[next], size);
+    values.col(1).noalias() = basis * Eigen::Map<const Eigen::VectorXd>(&part.v[next], size);
+    next += size;
+    for (const Lifting& lifting : part.liftings)
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Vec2 lifted = field::lifting_angle(lifting, evaluator_->maps()[e].position(samples[i])) * lifting.jump;
+        values.row(static_cast<Eigen::Index>(i)) += Eigen::RowVector2d(lifted.x, lifted.y);
+      }
+    greatest.push_back(safety * values.rowwise().norm().maxCoeff());
   }
-  return sums;
+  return greatest;
 }
 
 void TiltedField::find_empty_elements() {
+  for (const field::HarmonicPart& part : odd_) greatest_.push_back(greatest_values(part));
   is_empty_.assign(sum_.mesh.num_elems(), false);
   if (sum_.method != FieldMethod::cg) return;
-  const std::vector<double> u = sum_.u, v = sum_.v;
-  const std::vector<Lifting> liftings = sum_.liftings;
-  const std::vector<double> changes = greatest_changes();
-  sum_.u = u;
-  sum_.v = v;
-  sum_.liftings = liftings;
+  std::vector<double> sums(sum_.mesh.num_elems(), 0);
+  for (std::size_t i = 0; i < odd_.size(); ++i)
+    for (std::size_t k = 0; k < odd_[i].elems.size(); ++k) sums[odd_[i].elems[k]] += greatest_[i][k];
   for (int e = 0; e < sum_.mesh.num_elems(); ++e)
-    is_empty_[e] = zeros::is_surely_empty(*evaluator_, e, safety * changes[e] + tolerance::round_off);
+    is_empty_[e] = zeros::is_surely_empty(*evaluator_, e, sums[e] + tolerance::round_off);
+}
+
+std::vector<double> TiltedField::changes(const Choice& from, const Choice& to) const {
+  std::vector<double> sums(sum_.mesh.num_elems(), 0);
+  for (std::size_t i = 0; i < odd_.size(); ++i) {
+    if (from[i] == to[i]) continue;
+    for (std::size_t k = 0; k < odd_[i].elems.size(); ++k) sums[odd_[i].elems[k]] += 2 * greatest_[i][k];
+  }
+  return sums;
 }
 
 const field::FieldEvaluator& TiltedField::with(const Choice& choice) {

@@ -6,7 +6,9 @@
 // The field with its data tilted at all ties (field/corner_tilt), for any choice of the valences: the sum of parts that
 // are solved for once.
 
+#include <Eigen/Dense>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -54,14 +56,18 @@ class TiltedField {
   const field::FieldEvaluator& with(const Choice& choice);
   /// For each element whether it has no zero for any choice, as far as sampled values of the tilts tell.
   const std::vector<bool>& is_empty() const { return is_empty_; }
+  /// For each element a bound of the difference between the fields of two choices, as far as sampled values tell.
+  std::vector<double> changes(const Choice& from, const Choice& to) const;
 
  private:
-  std::vector<double> greatest_changes();
+  std::vector<double> greatest_values(const field::HarmonicPart& part);
   void find_empty_elements();
 
   Field sum_;                                         ///< with the odd parts of choice_
   Choice choice_;                                     ///< empty before the first choice
   std::vector<field::HarmonicPart> odd_;              ///< of each unit
+  std::vector<std::vector<double>> greatest_;         ///< |odd part| of each unit on its elements, twice the sampled
+  std::map<int, Eigen::MatrixXd> sampled_basis_;      ///< by order
   std::unique_ptr<field::FieldEvaluator> evaluator_;  ///< of sum_
   std::vector<bool> is_empty_;
 };

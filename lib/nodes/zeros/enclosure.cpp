@@ -41,6 +41,17 @@ bool is_cell_empty(const field::FieldEvaluator& evaluator, const Cell& cell, dou
          is_cell_empty(evaluator, second, margin, bisections - 1);
 }
 
+double least_value_in(const field::FieldEvaluator& evaluator, const Cell& cell, int bisections) {
+  Enclosure enclosure;
+  enclosure.set(cell, evaluator.field().liftings);
+  const double least = enclosure.least_value();
+  if (least > 0 || bisections == 0) return least;
+  Cell first, second;
+  bisect(cell, first, second);
+  const double in_first = least_value_in(evaluator, first, bisections - 1);
+  return in_first > 0 ? std::min(in_first, least_value_in(evaluator, second, bisections - 1)) : 0;
+}
+
 }  // namespace
 
 void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, double margin) {
@@ -104,14 +115,17 @@ double Enclosure::support(Vec2 direction) const {
   return -sum;
 }
 
-bool Enclosure::excludes_zero() const {
-  // y runs towards the point of the hull nearest to 0; if a half plane normal to y contains all values, 0 is excluded.
+/// The greatest distance found, up to `enough`, of a half plane that contains all values from 0, less slack and margin.
+/// Not positive: none was found that does not contain 0.
+double Enclosure::separation(double enough) const {
+  // y runs towards the point of the hull nearest to 0; the half planes are normal to y.
+  double greatest = 0;
   Vec2 y;
   for (const Vec2 value : values_) y += value;
   y = y / static_cast<double>(values_.size());
   for (int step = 0; step < 12; ++step) {
     const double length = norm(y);
-    if (length <= slack_ + margin_) return false;
+    if (length <= slack_ + margin_) break;
     const Vec2 direction = y / length;
     double least = INFINITY;
     Vec2 nearest;
@@ -119,7 +133,8 @@ bool Enclosure::excludes_zero() const {
       const double d = dot(direction, value);
       if (d < least) least = d, nearest = value;
     }
-    if (least + support(direction) > slack_ + margin_) return true;
+    greatest = std::max(greatest, least + support(direction) - (slack_ + margin_));
+    if (greatest > enough) break;
     // The extreme point of the hull widened by the ranges.
     for (const Range& range : ranges_) {
       const double side = dot(direction, range.jump) > 0 ? -1 : 1;
@@ -127,10 +142,10 @@ bool Enclosure::excludes_zero() const {
     }
     const Vec2 chord = nearest - y;
     const double part = -dot(y, chord) / norm2(chord);
-    if (!(part > 0)) return false;
+    if (!(part > 0)) break;
     y += std::min(part, 1.0) * chord;
   }
-  return false;
+  return greatest;
 }
 
 bool Enclosure::isolates(Mat2& inverse_jacobian, double& contraction) const {
@@ -177,6 +192,10 @@ double Enclosure::greatest_value() const {
 bool is_surely_empty(const field::FieldEvaluator& evaluator, int elem, double margin) {
   if (margin >= 1) return false;
   return is_cell_empty(evaluator, element_cell(evaluator, elem), margin, most_bisections);
+}
+
+double least_value(const field::FieldEvaluator& evaluator, int elem) {
+  return least_value_in(evaluator, element_cell(evaluator, elem), most_bisections);
 }
 
 }  // namespace quadrille::zeros

@@ -6,6 +6,8 @@
 // lifting's jump. Close to a corner, where theta'' is unbounded, theta is enclosed by the angles at which the corner
 // sees the cell's Bernstein points instead.
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "field/evaluate.hpp"
@@ -20,7 +22,9 @@ class Enclosure {
   void set(const Cell& cell, const std::vector<Lifting>& liftings, double margin = 0);
 
   /// True if the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
-  bool excludes_zero() const;
+  bool excludes_zero() const { return separation(0) > 0; }
+  /// A lower bound of |v| over the cell, less its uncertainty; 0 if it may have a zero.
+  double least_value() const { return std::max(separation(INFINITY), 0.0); }
   /// True if the field is injective on the cell, so that it has at most one zero there: with inverse_jacobian = J0^-1,
   /// J0 a mean of d v / d lambda, |J0^-1 dv/dlambda - I| <= contraction < 1 everywhere.
   bool isolates(Mat2& inverse_jacobian, double& contraction) const;
@@ -40,6 +44,7 @@ class Enclosure {
   void add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope);  ///< linear parts go into shift and slope
   void add_by_angles(const Lifting& lifting);
   double support(Vec2 direction) const;
+  double separation(double enough) const;
 
   const Cell* cell_ = nullptr;
   Vec2 centre_;
@@ -54,5 +59,9 @@ class Enclosure {
 /// Whether it is proved that each field that differs by at most `margin` from this one on element `elem` has no zero
 /// there. With few cells: false does not mean that there is a zero. For continuous fields.
 bool is_surely_empty(const field::FieldEvaluator& evaluator, int elem, double margin);
+
+/// A lower bound of |v| over element `elem`: no field that differs by less has a zero there. With few cells: 0 does not
+/// mean that there is a zero. For continuous fields.
+double least_value(const field::FieldEvaluator& evaluator, int elem);
 
 }  // namespace quadrille::zeros

@@ -1,10 +1,13 @@
 #include "zeros/zero_search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
 
 namespace quadrille::zeros {
 namespace {
@@ -87,6 +90,16 @@ void ZeroSearch::search(int elem) {
   visit(element_cell(*evaluator_, elem), 0);
 }
 
+void ZeroSearch::add(const SearchResult& found) {
+  found_.zeros.insert(found_.zeros.end(), found.zeros.begin(), found.zeros.end());
+  found_.open_cells.insert(found_.open_cells.end(), found.open_cells.begin(), found.open_cells.end());
+  found_.counts.examined += found.counts.examined;
+  found_.counts.excluded += found.counts.excluded;
+  found_.counts.isolated += found.counts.isolated;
+  found_.counts.ignored += found.counts.ignored;
+  found_.counts.greatest_depth = std::max(found_.counts.greatest_depth, found.counts.greatest_depth);
+}
+
 void ZeroSearch::skip() {
   ++found_.counts.examined;
   ++found_.counts.excluded;
@@ -143,6 +156,13 @@ void ZeroSearch::visit(const Cell& cell, int depth) {
   bisect(cell, first, second);
   visit(first, depth + 1);
   visit(second, depth + 1);
+}
+
+void require_decided(const ZeroSearch& search, Vec2 origin) {
+  if (!search.is_budget_exhausted()) return;
+  const Vec2 x = search.open_cells().back().centre + origin;
+  throw ComputeError(
+      fmt::format("the guiding field vanishes to higher order, or on a whole curve, near ({:.4g}, {:.4g})", x.x, x.y));
 }
 
 std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros) {

@@ -8,6 +8,7 @@
 // elements that are nearer than their shifts are one.
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "field/evaluate.hpp"
@@ -75,11 +76,16 @@ class ZeroSearch {
   /// Counts an element that is known to have no zero.
   void skip();
 
+  /// Adds what was found in an element before.
+  void add(const SearchResult& found);
+
   const std::vector<FoundZero>& zeros() const { return found_.zeros; }
   const std::vector<OpenCell>& open_cells() const { return found_.open_cells; }
   /// Whether the search cannot be completed: an element needed too many cells, or very many cells are open.
   bool is_budget_exhausted() const { return budget_ == 0 || found_.open_cells.size() > 4000; }
   const SearchCounts& counts() const { return found_.counts; }
+  /// What was found so far; the search begins anew.
+  SearchResult take() { return std::exchange(found_, {}); }
 
  private:
   void visit(const Cell& cell, int depth);
@@ -96,6 +102,9 @@ class ZeroSearch {
   long long budget_ = 1;  ///< cells left for this element
   SearchResult found_;
 };
+
+/// Throws ComputeError with the position if the search cannot be completed.
+void require_decided(const ZeroSearch& search, Vec2 origin);
 
 /// Removes duplicates: a zero on an edge or vertex is found in every adjacent element. Two zeros of equal index are one
 /// if they are nearer to each other than their shifts allow: near each other and with J of one sign the field is

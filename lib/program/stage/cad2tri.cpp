@@ -121,6 +121,12 @@ void report_shape(const LoadedShape& shape, Run& run) {
   if (shape.face.fit_distance > 0) run.info(fit_text(shape.face, shape.repairs));
 }
 
+void report_smoothed(int num_corners, const Run& run) {
+  if (num_corners > 0)
+    run.info(fmt::format("{} of polylines, with small angles, start no line (--polyline-angle)",
+                         counted(num_corners, "corner")));
+}
+
 }  // namespace
 
 void Cad2triOptions::validate() const {
@@ -143,6 +149,9 @@ void declare_face(Options& o, Cad2triOptions& cad2tri) {
   o.integer("--order", cad2tri.elements.order, 1, 16, "polynomial order of the curved elements");
   o.number("--corner-angle", cad2tri.corner_angle, 0, 90, "degrees",
            "tangent discontinuities greater than this are corners of the layout");
+  o.number("--polyline-angle", cad2tri.polyline_angle, 0, outline::greatest_polyline_kink, "degrees",
+           "tangent discontinuities up to this are no corners inside a polyline: eight straight edges or more, each "
+           "shorter than a fiftieth of the diameter; in a face of one region");
   o.number("--heal-tolerance", cad2tri.heal_tolerance, -1, 5e-3, "diameters",
            "the most that edges and vertices which do not meet, or leave the plane, are moved (lines as near as that "
            "slide to their crossing, by up to four times as much); edges shorter than this are removed; 0: no healing; "
@@ -230,6 +239,7 @@ LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options,
                      run.report());
   cad::pair_periodic_sides(shape.face, wishes.periodic);
   shape.face = offset::embed_offsets(shape.face, wishes.offsets, corner_angle, run.report());
+  report_smoothed(outline::smooth_polylines(shape.face, radians(options.polyline_angle)), run);
   report_shape(shape, run);
   return shape;
 }

@@ -10,15 +10,17 @@
 #include "cad/loaded_face.hpp"
 #include "model/name_rules.hpp"
 #include "model/tri_mesh.hpp"
+#include "outline/polyline_joints.hpp"
 #include "stage/stage_input.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::stage {
 
 struct Cad2triOptions {
-  bool is_listing = false;                   ///< the caller writes a table of the faces (list_faces), not a mesh
-  std::string face;                          ///< number or name of the one face to read; empty: the only one, or all
-  double corner_angle = 1;                   ///< degrees; greater tangent jumps are corners of the layout
+  bool is_listing = false;  ///< the caller writes a table of the faces (list_faces), not a mesh
+  std::string face;         ///< number or name of the one face to read; empty: the only one, or all
+  double corner_angle = 1;  ///< degrees; greater tangent jumps are corners of the layout
+  double polyline_angle = outline::greatest_polyline_kink;  ///< degrees; smaller kinks inside polylines are no corners
   double heal_tolerance = -1;                ///< diameters; -1: 1e-5, or the tolerances of the shape if larger
   std::string blunt = "auto";                ///< length of the edge at a blunted cusp; 0: cusps are refused
   double fit_tolerance = 1e-8;               ///< diameters, for splines with many breaks; 0: they stay

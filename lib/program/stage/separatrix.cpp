@@ -153,7 +153,8 @@ void declare(Options& o, SeparatrixOptions& options) {
   o.integer(
       "--max-lines", options.max_lines, 1, 1000000,
       "traced layout: greatest number of arcs into which separatrices cut each other; the search for "
-      "crossings ends at ten times as many; auto allows ten times as many of both if there is no quantized layout");
+      "crossings ends at ten times as many; auto allows ten times as many of both if there is no quantized layout, or "
+      "a poor one");
   o.texts("--open", options.open, "NAME",
           "the embedded curve of this name is open, a crack: its nodes are doubled, one for each side in each place, "
           "but at its ends");

@@ -150,5 +150,13 @@ TEST(ChooseLayout, AWorseOrInvalidLayoutIsNotPreferable) {
   EXPECT_FALSE(is_preferable({10, true, 0.9}, traced));
 }
 
+TEST(ChooseLayout, CrowdedLinesReplaceAPoorLayoutOnlyIfTheirBlocksAreBetter) {
+  const LayoutQuality quantized{10, true, 0.06};
+  EXPECT_TRUE(is_better_shaped({100, true, 0.5}, quantized));
+  EXPECT_FALSE(is_better_shaped({100, true, 0.05}, quantized));
+  EXPECT_FALSE(is_better_shaped({100, false, 0.5}, quantized));
+  EXPECT_TRUE(is_better_shaped({100, true, 0.01}, {10, false, 0.06}));
+}
+
 }  // namespace
 }  // namespace quadrille::layout

@@ -1,0 +1,60 @@
+#include "ties/choice_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/polygon_field.hpp"
+#include "galerkin/solve_phase.hpp"
+#include "plates.hpp"
+
+namespace quadrille::ties {
+namespace {
+
+using namespace testing_faces;
+
+std::vector<zeros::FoundZero> zeros_by_full_search(const field::FieldEvaluator& evaluator) {
+  zeros::ZeroSearch search(evaluator, {});
+  for (int e = 0; e < evaluator.field().mesh.num_elems(); ++e) search.search(e);
+  return zeros::distinct_zeros(evaluator, search.zeros());
+}
+
+TEST(ChoiceSearch, zeros_of_later_choices_are_those_of_a_search_of_all_elements) {
+  const Field field = adapted_field(plate(12, 7, {0.5, 0.6, 0.7, 3}));
+  galerkin::PhaseSolver solver(field.mesh, field.elem_order);
+  const TieOrbits ties = tie_orbits(field.mesh.face);
+  TiltedField tilted(field, ties, [&](const auto& data) { return solver.harmonic_parts(data); });
+  ChoiceSearch search(tilted, zeros::field_noise);
+  Choice choice(ties.units.size(), false);
+  for (std::size_t u = 0; u < choice.size(); ++u) {
+    choice[u] = true;
+    const field::FieldEvaluator& evaluator = tilted.with(choice);
+    const auto found = zeros::distinct_zeros(evaluator, search.zeros_of(choice).zeros);
+    const auto expected = zeros_by_full_search(evaluator);
+    ASSERT_EQ(found.size(), expected.size()) << u;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].index, expected[i].index);
+      EXPECT_LT(distance(found[i].x, expected[i].x), 1e-6 * field.mesh.face.diameter);
+    }
+    if (u % 2 == 1) search.set_base(choice);
+  }
+}
+
+TEST(TiltedField, changes_are_bounded_where_they_are_and_none_for_the_same_choice) {
+  const Field field = adapted_field(plate(12, 7, {0, 0, 1, 0}));
+  galerkin::PhaseSolver solver(field.mesh, field.elem_order);
+  const TieOrbits ties = tie_orbits(field.mesh.face);
+  TiltedField tilted(field, ties, [&](const auto& data) { return solver.harmonic_parts(data); });
+  const Choice first{false, false}, second{true, false};
+  for (const double change : tilted.changes(first, first)) EXPECT_EQ(change, 0);
+  const std::vector<double> changes = tilted.changes(first, second);
+  Vec2 before, after;
+  for (const Vec2 x : {Vec2{10.5, 6}, Vec2{9, 5}, Vec2{1, 1}}) {
+    const int elem = tilted.with(first).locator().find(x).elem;
+    tilted.with(first).value_at(x, before);
+    tilted.with(second).value_at(x, after);
+    EXPECT_LE(norm(after - before), changes[elem]);
+    EXPECT_LE(changes[elem], 8 * norm(after - before) + 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace quadrille::ties
