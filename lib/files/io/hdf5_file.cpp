@@ -20,6 +20,17 @@ constexpr hsize_t best_compression = 1040;
 /// The library looks for a file of this name, although all of it is in memory: there can be none.
 constexpr const char* image_name = "/dev/null/image";
 
+/// Whether the last call of the library failed for want of memory.
+bool lacks_memory() {
+  bool is_found = false;
+  const auto look = [](unsigned, const H5E_error2_t* error, void* found) -> herr_t {
+    *static_cast<bool*>(found) |= error->maj_num == H5E_RESOURCE && error->min_num == H5E_NOSPACE;
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look, &is_found);
+  return is_found;
+}
+
 /// Whether the link leads to an object in this very file: soft and external links are not part of the formats.
 bool is_hard_link(hid_t group, const std::string& name) {
   H5L_info_t info{};
@@ -183,6 +194,7 @@ void keep_compact(hid_t properties) {
 }  // namespace
 
 void Hdf5GroupReader::fail(const std::string& name, const std::string& problem) const {
+  if (lacks_memory()) throw std::bad_alloc();
   throw FormatError(fmt::format("{}: '{}{}' {}", file_, path_, name, problem));
 }
 
@@ -277,6 +289,7 @@ Hdf5Reader::Hdf5Reader(std::string_view bytes, const std::string& file_name)
   H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()), bytes.size());
   file_ = Hdf5Id(H5Fopen(image_name, H5F_ACC_RDONLY, access.get()), H5Fclose);
   Hdf5Id root = Hdf5Id(file_ ? H5Gopen2(file_.get(), "/", H5P_DEFAULT) : -1, H5Gclose);
+  if (!root && lacks_memory()) throw std::bad_alloc();
   if (!root) throw FormatError(fmt::format("{}: truncated or damaged: HDF5 cannot open it", file_name));
   // Any file of ours, and compressed ones as other programs write them, but no bomb.
   const std::uint64_t room = (std::uint64_t{64} << 20) + 16 * bytes.size();

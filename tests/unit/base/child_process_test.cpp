@@ -23,7 +23,7 @@ const std::string crash = "the reader crashed";
 template <class E>
 std::string message_of(const std::function<std::string()>& work, int cpu_seconds = 10) {
   try {
-    run_in_child(work, crash, cpu_seconds);
+    run_in_child(work, crash, {.cpu_seconds = cpu_seconds});
   } catch (const E& e) {
     return e.what();
   }
