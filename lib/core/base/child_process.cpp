@@ -15,7 +15,6 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <new>
 
 #include "base/error.hpp"
@@ -81,28 +80,13 @@ std::string outcome_of(const std::function<std::string()>& work) {
   }
 }
 
-#ifndef QUADRILLE_SANITIZE
-/// Bytes of data of this process, shared or not.
-std::uint64_t data_size() {
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t size = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
-  file >> size >> resident >> shared >> text >> library >> data;
-  return data * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
-#endif
-
 void limit_child(const ChildLimits& limits) {
   const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
   const rlimit no_core{0, 0}, cpu{seconds, seconds + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
-#ifndef QUADRILLE_SANITIZE
-  // A count read from garbage must not exhaust the memory. (Not under a sanitizer, whose shadow memory would count.)
-  malloc_trim(0);  // what cli/heap reserves
-  const rlim_t bytes = data_size() + limits.bytes;
-  const rlimit memory{bytes, bytes};
-  setrlimit(RLIMIT_DATA, &memory);
-#endif
+  malloc_trim(0);                                // what cli/heap reserves would not be limited
+  limit_data(memory_use().data + limits.bytes);  // a count read from garbage must not exhaust the memory
 }
 
 // The parent's handlers would remove the parent's temporaries. What is ignored stays ignored.

@@ -34,7 +34,7 @@ Outcome outcome_of(const std::function<void()>& work) {
   } catch (const Error& e) {
     return {e.code(), e.what()};
   } catch (const std::bad_alloc&) {
-    return {ExitCode::no_result, out_of_memory()};
+    return {ExitCode::no_result, out_of_memory(), true};
   } catch (const std::exception& e) {
     return {ExitCode::defect, internal_error(e.what())};
   } catch (...) {
