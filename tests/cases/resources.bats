@@ -87,7 +87,7 @@ documented() {
   cd "$BATS_FILE_TMPDIR" && out=$BATS_TEST_TMPDIR
   while read -r line; do
     code=0
-    (ulimit -n 4 && eval "exec $line") >/dev/null 2>"$out/words" || code=$?
+    (ulimit -n 4 && eval "exec $line") >/dev/null 2>"$out/words" 3>&- 4>&- 10>&- 255>&- || code=$? # those of Bats
     documented $code "$line: $(cat "$out/words")"
     ((code != 1)) || grep -q 'no more open files: raise their limit (ulimit -n)' "$out/words" ||
       wrong+="$line: $(cat "$out/words")"$'\n'
@@ -98,8 +98,8 @@ documented() {
 @test "no other process, as a plain user: a documented code of every command" {
   [[ $EUID == 0 ]] && command -v setpriv >/dev/null || skip "needs root, to become a plain user, and setpriv"
   setpriv --reuid 65534 --clear-groups test -x "$BIN/cad2tri" || skip "a plain user cannot reach $BIN"
-  cd "$BATS_FILE_TMPDIR" && out=$BATS_TEST_TMPDIR/plain
-  setpriv --reuid 65534 --clear-groups test -r square.step || skip "a plain user cannot reach $BATS_FILE_TMPDIR"
+  cd "$BATS_FILE_TMPDIR" && out=plain
+  setpriv --reuid 65534 --clear-groups test -r square.step || skip "a plain user cannot read $BATS_FILE_TMPDIR"
   mkdir -m 777 "$out"
   while read -r line; do
     code=0

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
@@ -226,11 +227,12 @@ class Reader {
 /// The command for a shell; files without folders, so that the page can be given away.
 std::string typed_command(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"quadmesh"};
+  std::error_code ignored;
   for (const std::string& word : arguments) {
     const std::size_t slash = word.rfind('/');
     const std::size_t begin = word.starts_with("--") && word.find('=') != std::string::npos ? word.find('=') + 1 : 0;
     const bool is_path = slash != std::string::npos && slash >= begin &&
-                         std::filesystem::is_directory(word.substr(begin, slash - begin));
+                         std::filesystem::is_directory(word.substr(begin, slash - begin), ignored);
     words.push_back(is_path ? word.substr(0, begin) + word.substr(slash + 1) : word);
   }
   return shell_command(words);

@@ -40,12 +40,12 @@ std::string make_scratch() {
 }
 
 void make_folder(const ChainOptions& options) {
-  if (options.workdir.empty() || fs::is_directory(options.workdir)) return;
+  std::error_code error;
+  if (options.workdir.empty() || fs::is_directory(options.workdir, error)) return;
   if (options.is_dry_run) {
     cli::print_to_stdout(shell_command({"mkdir", "-p", options.workdir}) + '\n');
     return;
   }
-  std::error_code error;
   fs::create_directories(options.workdir, error);
   if (error) throw OutputError(fmt::format("{}: cannot be written: {}", options.workdir, error.message()));
 }
