@@ -1,6 +1,7 @@
 """What the Python commands share: options, exit codes, signals, and files that are written whole or not at all."""
 import contextlib
 import errno
+import functools
 import os
 import pathlib
 import re
@@ -30,6 +31,19 @@ class Stopped(BaseException):
 
 def mistake(message):
     return Failure(USAGE, message)
+
+
+def is_answered(command, words, help_text):
+    """Prints help_text() or the version if a word asks for it, wherever that stands: no other word is then read, so that
+    none is refused. The rule is that of lib/program/cli/request."""
+    for word in words:
+        if word == "--help" or re.fullmatch("-[vq]*h[vqh]*", word):
+            print(help_text(), end="")
+            return True
+        if word == "--version":
+            print(version_text(command), end="")
+            return True
+    return False
 
 
 def option_pairs(words, kind_of, names=tuple):
@@ -156,6 +170,7 @@ def version_text(command):
     return output_of("quadexport", "--version").replace("quadexport", command)
 
 
+@functools.cache
 def listed_options(tool):
     """The options of a tool: "value" or "flag" for each."""
     require_tools()

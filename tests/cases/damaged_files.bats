@@ -1,9 +1,14 @@
 # Damaged stage files through every tool that reads them (tests/stress/damaged_files).
-# All 10,000: tests/stress/damaged_files --count 10000 --jobs 2
+# All 10,000: tests/stress/damaged_files --count 10000 --jobs 2 -o tests/benchmarks/results/damaged_files.json
 load ../tools/common
 
 damaged_files() {
   "$ROOT/tests/stress/damaged_files" --bin "$BIN" "$@"
+}
+
+@test "100 damaged files: 0, 1 or 3, below 500 MB and 20 s" {
+  run -0 damaged_files --count 100 --jobs 2
+  assert_output --regexp '1[0-9][0-9] damaged files, [34][0-9][0-9] runs, 0 failures; at most '
 }
 
 @test "500 damaged files, bytes and values: every tool ends with 0, 1 or 3 and leaves nothing behind" {

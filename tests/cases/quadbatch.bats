@@ -110,6 +110,35 @@ PYTHON=/usr/bin/python3
   done
 }
 
+@test "every option of quadmesh is passed on, but those of one shape" {
+  "$quadbatch" -q "$DATA/regions/layered_beam.step" --to meshes --region-name 'core=*' --keep-joints --jobs 1 \
+    --size 0.5 --offset 0=0.1
+  run -0 jq -r '.options | join(" ")' meshes/layered_beam.result.json
+  assert_output "--region-name core=* --keep-joints --size 0.5 --offset 0=0.1"
+  printf '0 0\n1 0\n1 1\n0 1\n' >square.dat
+  "$quadbatch" -q square.dat --to meshes --straight --points-unit mm --farfield box:3
+  assert_file_exists meshes/square.msh
+  for option in $(quadmesh --list-options | awk '{ print $2 }'); do
+    run "$quadbatch" "$option"
+    refute_output --partial "unknown option"
+  done
+  for option in '--html x.html' '--write-healed x.step' '--from critpoints' --dry-run; do
+    # shellcheck disable=SC2086
+    run -2 --separate-stderr "$quadbatch" "$DATA/square.step" --to out $option
+    assert_equal "${stderr_lines[0]}" "quadbatch: ${option%% *} is for one shape: run quadmesh on it"
+  done
+}
+
+@test "a shape whose name has no room for its results has a row with its message" {
+  long=$(printf 'a%.0s' {1..248})
+  cp "$DATA/square.step" "$long.step"
+  run -1 --separate-stderr here "$quadbatch" "$DATA/half_disc.step" "$long.step" "$(printf 'b%.0s' {1..70000})" --to out
+  assert_output "3 shapes: 1 with a mesh, 2 without, 0 done before: out/table.html"
+  assert_equal "$(column exit_code | sort | paste -sd ' ')" "0 4 4"
+  assert_equal "$(column message | grep -c 'is too long for the names of its results: rename the shape')" 2
+  assert_equal "$(find out -name '.*' ! -name .)" ""
+}
+
 @test "names with blanks, quotes and braces" {
   cp "$DATA/square.step" "it's {} a \$shape; 1.step"
   echo '"a b"' >'block names'

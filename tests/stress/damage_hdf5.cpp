@@ -185,9 +185,31 @@ std::string change_shape(Target& t) {
   return data.name + ": " + action;
 }
 
-/// Numbers of another type, or texts.
+/// A type of texts of any length, as other programs use.
+Hdf5Id text_of_any_length() {
+  Hdf5Id type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "a string type");
+  H5Tset_size(type.get(), H5T_VARIABLE);
+  return type;
+}
+
+/// Texts of any length, of which one is long, in the place of those of one length.
+std::string free_texts(Target& t, const Dataset& data) {
+  if (data.count == 0) return {};
+  const std::string text(t.dice.one_of(std::vector<std::size_t>{0, 3, 70000}), 'x');
+  const std::vector<const char*> texts(data.count, text.c_str());
+  check(H5Ldelete(t.file, data.name.c_str(), H5P_DEFAULT), data.name);
+  const Hdf5Id type = text_of_any_length();
+  const Hdf5Id fresh = checked(
+      H5Dcreate2(t.file, data.name.c_str(), type.get(), data.space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose, data.name);
+  check(H5Dwrite(fresh.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()), data.name);
+  return data.name + ": texts of any length";
+}
+
+/// Numbers of another type, or texts; texts of another kind.
 std::string change_type(Target& t) {
   const Dataset data = any_dataset(t);
+  if (data.kind() == H5T_STRING) return free_texts(t, data);
   if (!is_number(data)) return {};
   const bool is_integer = data.kind() == H5T_INTEGER;
   const std::vector<double> values = numbers_of(data);
@@ -300,15 +322,32 @@ std::string change_header_text(Target& t) {
   return name + ": a character overwritten";
 }
 
+/// An attribute of the header of another type: text of any length, an array of numbers, a list of texts.
+std::string change_attribute_type(Target& t) {
+  const std::string name = t.dice.one_of(Names{"format", "version", "producer", "provenance"});
+  const std::string type = t.dice.one_of(Names{"text of any length", "numbers", "many texts"});
+  check(H5Adelete(t.file, name.c_str()), name);
+  const std::vector<hsize_t> sizes{type == "text of any length" ? 1U : 100U};
+  const Hdf5Id space = checked(H5Screate_simple(1, sizes.data(), nullptr), H5Sclose, "a data space");
+  const Hdf5Id texts = text_of_any_length();
+  const hid_t id = type == "numbers" ? H5T_NATIVE_DOUBLE : texts.get();
+  const Hdf5Id fresh =
+      checked(H5Acreate2(t.file, name.c_str(), id, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+  const std::vector<double> numbers(100, 1e300);
+  const std::vector<const char*> words(100, name == "format" ? "tri-mesh" : "[]");
+  check(H5Awrite(fresh.get(), id, type == "numbers" ? static_cast<const void*>(numbers.data()) : words.data()), name);
+  return name + ": " + type;
+}
+
 using Damage = std::string (*)(Target&);
-const std::vector<Damage> damages{change_values,     change_values,
-                                  change_values,     change_values,
-                                  change_values,     change_shape,
-                                  change_shape,      change_type,
-                                  change_text,       exchange_datasets,
-                                  exchange_datasets, remove_or_rename,
-                                  remove_or_rename,  change_integer_attribute,
-                                  change_header_text};
+const std::vector<Damage> damages{change_values,      change_values,
+                                  change_values,      change_values,
+                                  change_values,      change_shape,
+                                  change_shape,       change_type,
+                                  change_text,        exchange_datasets,
+                                  exchange_datasets,  remove_or_rename,
+                                  remove_or_rename,   change_integer_attribute,
+                                  change_header_text, change_attribute_type};
 
 // -------------------------------------------------------------------------------------------- the file
 

@@ -17,7 +17,7 @@ constexpr int most_seconds = 60;
 std::string answer(CadFormat format, const CadRequest& request, const std::string& crash) {
   std::string name = format_name(format);
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return run_program(helper_program("cad2tri-" + name), to_bytes(request), crash, most_seconds);
+  return run_program(helper_program("cad2tri-" + name), to_bytes(request), crash, {.cpu_seconds = most_seconds});
 }
 
 // The answer about a file, with the fault of the file in the error after a crash.

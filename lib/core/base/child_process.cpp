@@ -1,6 +1,7 @@
 #include "base/child_process.hpp"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include "base/error.hpp"
 #include "base/resources.hpp"
@@ -21,14 +23,12 @@
 namespace quadrille {
 namespace {
 
-[[maybe_unused]] constexpr rlim_t most_memory = 4ULL << 30;
-
 // Exit code of a program whose libraries the dynamic loader does not find; the loader's message is on stderr.
 constexpr int not_loaded = 127;
 
 // Message from the child: one letter for the kind of outcome; the rule and a zero byte for a FormatError; then the
 // text.
-enum Outcome : char { value = 'v', error = 'e', format_error = 'f', other = 'x', not_started = 'n' };
+enum Outcome : char { value = 'v', error = 'e', format_error = 'f', other = 'x', not_started = 'n', no_memory = 'm' };
 
 [[noreturn]] void fail(const char* what) {
   const int error = errno;
@@ -37,8 +37,11 @@ enum Outcome : char { value = 'v', error = 'e', format_error = 'f', other = 'x',
 }
 
 bool has_limited_memory() {
-  rlimit memory{};
-  return getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY;
+  const auto is_limited = [](auto resource) {
+    rlimit memory{};
+    return getrlimit(resource, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY;
+  };
+  return is_limited(RLIMIT_AS) || is_limited(RLIMIT_DATA);
 }
 
 void write_all(int fd, const char* data, size_t size) {
@@ -69,7 +72,7 @@ std::string outcome_of(const std::function<std::string()>& work) {
   } catch (const Error& e) {
     return std::string(1, error) + static_cast<char>(e.code()) + e.what();
   } catch (const std::bad_alloc&) {
-    _exit(1);
+    return std::string(1, no_memory);
   } catch (const std::exception& e) {
     return std::string(1, other) + e.what();
   } catch (...) {
@@ -77,15 +80,13 @@ std::string outcome_of(const std::function<std::string()>& work) {
   }
 }
 
-void limit_child(int cpu_seconds) {
-  const rlimit no_core{0, 0}, cpu{static_cast<rlim_t>(cpu_seconds), static_cast<rlim_t>(cpu_seconds) + 1};
+void limit_child(const ChildLimits& limits) {
+  const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
+  const rlimit no_core{0, 0}, cpu{seconds, seconds + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
-#ifndef QUADRILLE_SANITIZE
-  // A count read from garbage must not exhaust the memory. (Not under a sanitizer, whose shadow memory would count.)
-  const rlimit memory{most_memory, most_memory};
-  setrlimit(RLIMIT_DATA, &memory);
-#endif
+  malloc_trim(0);                                // what cli/heap reserves would not be limited
+  limit_data(memory_use().data + limits.bytes);  // a count read from garbage must not exhaust the memory
 }
 
 // The parent's handlers would remove the parent's temporaries. What is ignored stays ignored.
@@ -142,6 +143,7 @@ void silence() {
     e.rule = bytes.substr(1, end - 1);
     throw e;
   }
+  if (bytes[0] == no_memory) throw std::bad_alloc();
   if (bytes[0] == not_started) throw Error(ExitCode::defect, bytes.substr(1));
   if (bytes[0] == error) {
     const std::string message = bytes.substr(2);
@@ -161,15 +163,15 @@ void silence() {
 
 // What a child answers that executes `body` with the descriptor to write to, while the parent executes `feed`; its exit
 // status is written to `status`.
-std::string answer_of_child(const std::function<void(int fd)>& body, const std::function<void()>& feed, int cpu_seconds,
-                            int& status) {
+std::string answer_of_child(const std::function<void(int fd)>& body, const std::function<void()>& feed,
+                            const ChildLimits& limits, int& status) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) fail("cannot make a pipe");
   // The child is killed with its parent, since no process would read its result.
   const pid_t child = start_child(
       [&] {
         close(ends[0]);
-        limit_child(cpu_seconds);
+        limit_child(limits);
         body(ends[1]);
         return 1;
       },
@@ -187,6 +189,7 @@ std::string result_of(const std::string& bytes, int status, const std::string& c
   // Sanitizers turn a crash into an exit code, so everything but a clean exit counts as a crash.
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) throw FormatError(crash_message);
   if (bytes[0] == value) return bytes.substr(1);
+  if (bytes[0] == no_memory && !has_limited_memory()) throw FormatError(crash_message);
   rethrow(bytes);
 }
 
@@ -207,23 +210,24 @@ pid_t start_child(const std::function<int()>& body, int death_signal) {
   _exit(code);
 }
 
-std::string run_in_child(const std::function<std::string()>& work, const std::string& crash_message, int cpu_seconds) {
+std::string run_in_child(const std::function<std::string()>& work, const std::string& crash_message,
+                         const ChildLimits& limits) {
   int status = 0;
   const auto body = [&](int fd) { answer(outcome_of(work), fd); };
   const auto no_input = [] {};
-  const std::string bytes = answer_of_child(body, no_input, cpu_seconds, status);
+  const std::string bytes = answer_of_child(body, no_input, limits, status);
   return result_of(bytes, status, crash_message);
 }
 
 std::string run_program(const std::string& program, const std::string& input, const std::string& crash_message,
-                        int cpu_seconds) {
+                        const ChildLimits& limits) {
   // Not a file in memory: a limit of the size of files (ulimit -f) holds for that too.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("cannot make a socket");
   int status = 0;
   const auto body = [&](int fd) { become(program, ends[1], fd); };
   const auto feed = [&] { close(ends[1]), send_all(ends[0], input); };
-  const std::string bytes = answer_of_child(body, feed, cpu_seconds, status);
+  const std::string bytes = answer_of_child(body, feed, limits, status);
   if (bytes.empty() && WIFEXITED(status) && WEXITSTATUS(status) == not_loaded) {
     require_resources(has_limited_memory() ? ENOMEM : 0, program + " cannot be started");
     throw Error(ExitCode::defect, program + " cannot be started");

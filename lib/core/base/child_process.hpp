@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -14,15 +15,21 @@ namespace quadrille {
 /// thread ends. Throws Defect if no process can be started.
 pid_t start_child(const std::function<int()>& body, int death_signal);
 
+/// What a child may use: CPU time, and memory beside that which it shares with its parent.
+struct ChildLimits {
+  int cpu_seconds = 300;
+  std::uint64_t bytes = std::uint64_t{4} << 30;
+};
+
 /// Runs `work` in a forked child and returns its result. Errors of base/error.hpp thrown in the child are rethrown here
-/// with their type and message. Throws FormatError with `crash_message` if the child is killed by a signal, runs out of
-/// memory or exceeds `cpu_seconds` of CPU time.
+/// with their type and message. Throws FormatError with `crash_message` if the child is killed by a signal or exceeds
+/// its limits, and std::bad_alloc if it runs out of memory where that of this process is limited.
 std::string run_in_child(const std::function<std::string()>& work, const std::string& crash_message,
-                         int cpu_seconds = 300);
+                         const ChildLimits& limits = {});
 
 /// The same for `program`, which answers `input` with answer_parent(). Throws Error (exit 70) if it cannot be started.
 std::string run_program(const std::string& program, const std::string& input, const std::string& crash_message,
-                        int cpu_seconds = 300);
+                        const ChildLimits& limits = {});
 
 /// The main function of such a program: passes standard input to `work` and its result or error to the parent.
 /// Meanwhile nothing is written to standard output and standard error, whatever libraries print there.

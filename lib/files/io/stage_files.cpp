@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 
 #include "base/child_process.hpp"
@@ -12,6 +13,7 @@
 #include "io/describe.hpp"
 #include "io/digest.hpp"
 #include "io/hdf5_archive.hpp"
+#include "io/hdf5_layout.hpp"
 #include "io/json_archive.hpp"
 #include "io/whole_file.hpp"
 
@@ -114,26 +116,6 @@ void require_short(const Provenance& provenance, const std::string& file_name) {
                                   file_name, longest_provenance));
 }
 
-/// Runs `read` on the image. Bytes with the checksum of the library's own writer are read at once; others, which may
-/// crash libhdf5, are first read in a child process.
-template <typename Read>
-void read_safely(const InputFile& file, const Read& read) {
-  if (!looks_like_hdf5(file.bytes)) throw FormatError(fmt::format("{}: not an HDF5 file", file.name));
-  std::string_view image;
-  const Checksum checksum = verify_checksum(file.bytes, image);
-  if (checksum == Checksum::wrong)
-    throw FormatError(fmt::format("{}: damaged: its checksum does not match its data", file.name));
-  const auto read_image = [&] { read(Hdf5Reader(image, file.name)); };
-  if (checksum == Checksum::missing) {
-    const auto probe = [&] {
-      read_image();
-      return std::string("sound");
-    };
-    run_in_child(probe, fmt::format("{}: truncated or damaged: the HDF5 reader fails on it", file.name), 60);
-  }
-  read_image();
-}
-
 std::string hdf5_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
   Hdf5Writer writer;
   writer.root().text_attribute("format", format.name);
@@ -146,13 +128,76 @@ std::string hdf5_bytes(const StageFormat& format, const Provenance& provenance, 
   return bytes;
 }
 
+/// The struct of the format, of the alternative `I` or of a later one.
+template <std::size_t I = 0>
+StageModel empty_stage(const std::string& format) {
+  if constexpr (I + 1 < stage_formats.size())
+    if (format != stage_formats[I].name) return empty_stage<I + 1>(format);
+  return StageModel(std::in_place_index<I>);
+}
+
+void read_model(const Hdf5Reader& reader, const std::string& file_name, const StageFormat& format,
+                Provenance& provenance, const Describe& describe) {
+  const Hdf5Header header = read_header(reader.root(), file_name);
+  require_version(file_name, format, header.format, header.version);
+  provenance = parse_provenance(reader.root().text_attribute("provenance"), file_name);
+  require_short(provenance, file_name);
+  describe(*hdf5_archive(reader.root()));
+}
+
+/// The content of an HDF5 file, or the name of its format alone where that is not one of HDF5 files.
+std::pair<std::optional<StageModel>, std::string> any_model(std::string_view image, const std::string& file_name) {
+  const Hdf5Reader reader(image, file_name);
+  const std::string name = read_header(reader.root(), file_name).format;
+  const auto* const format = std::find_if(stage_formats.begin(), stage_formats.end(),
+                                          [&](const StageFormat& known) { return name == known.name; });
+  if (format == stage_formats.end() || format->storage != Storage::hdf5) return {std::nullopt, name};
+  StageModel stage = empty_stage(name);
+  std::visit(
+      [&](auto& model) {
+        read_model(reader, file_name, *format, model.provenance, [&](Archive& a) { describe(a, model); });
+      },
+      stage);
+  return {std::move(stage), name};
+}
+
+/// The file as our writer writes it. Of an unknown format it has the name, by which it is refused.
+std::string rewritten_bytes(std::string_view image, const std::string& file_name) {
+  auto [stage, format] = any_model(image, file_name);
+  if (!stage) return hdf5_bytes({format.c_str(), 1, 0, Storage::hdf5}, {}, [](Archive&) {});
+  return stage_bytes(std::move(*stage));
+}
+
+/// An HDF5 file of another program as our writer writes it, made in a child process: libhdf5, which some bytes make
+/// crash, reads them nowhere else. Nothing for a file of our own writer.
+std::optional<InputFile> rewritten(const InputFile& file) {
+  if (!looks_like_hdf5(file.bytes)) return std::nullopt;
+  std::string_view image;
+  const Checksum checksum = verify_checksum(file.bytes, image);
+  if (checksum == Checksum::wrong)
+    throw FormatError(fmt::format("{}: damaged: its checksum does not match its data", file.name));
+  if (checksum == Checksum::right && has_own_layout(image)) return std::nullopt;
+  // Compressed bytes of a sound file have room; a file that needs more is none.
+  const ChildLimits limits{10 + static_cast<int>(file.bytes.size() / 10'000'000),
+                           (128ULL << 20) + 16 * file.bytes.size()};
+  return InputFile{
+      {file.name, file.sha256},
+      run_in_child([&] { return rewritten_bytes(image, file.name); },
+                   fmt::format("{}: truncated or damaged: the HDF5 reader fails on it", file.name), limits)};
+}
+
+/// Runs `read` on the file.
+template <typename Read>
+void read_safely(const InputFile& file, const Read& read) {
+  if (!looks_like_hdf5(file.bytes)) throw FormatError(fmt::format("{}: not an HDF5 file", file.name));
+  const std::optional<InputFile> own = rewritten(file);
+  std::string_view image;
+  verify_checksum(own ? own->bytes : file.bytes, image);
+  read(Hdf5Reader(image, file.name));
+}
+
 void read_hdf5(const InputFile& file, const StageFormat& format, Provenance& provenance, const Describe& describe) {
-  read_safely(file, [&](const Hdf5Reader& reader) {
-    const Hdf5Header header = read_header(reader.root(), file.name);
-    require_version(file.name, format, header.format, header.version);
-    provenance = parse_provenance(reader.root().text_attribute("provenance"), file.name);
-    describe(*hdf5_archive(reader.root()));
-  });
+  read_safely(file, [&](const Hdf5Reader& reader) { read_model(reader, file.name, format, provenance, describe); });
 }
 
 std::string json_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
@@ -182,14 +227,6 @@ void read_json(const InputFile& file, const StageFormat& format, Provenance& pro
   describe(reader.root());
 }
 
-/// The struct of the format, of the alternative `I` or of a later one.
-template <std::size_t I = 0>
-StageModel empty_stage(const std::string& format) {
-  if constexpr (I + 1 < stage_formats.size())
-    if (format != stage_formats[I].name) return empty_stage<I + 1>(format);
-  return StageModel(std::in_place_index<I>);
-}
-
 }  // namespace
 
 std::string described_bytes(const StageFormat& format, const Provenance& provenance, const Describe& describe) {
@@ -217,8 +254,10 @@ void read_into(const InputFile& file, StageModel& stage) {
 }
 
 StageModel read_any_stage(const InputFile& file) {
-  StageModel stage = empty_stage(stage_format(file));
-  read_into(file, stage);
+  const std::optional<InputFile> own = rewritten(file);  // once, not for the format and for the content
+  const InputFile& known = own ? *own : file;
+  StageModel stage = empty_stage(stage_format(known));
+  read_into(known, stage);
   return stage;
 }
 

@@ -81,7 +81,12 @@ std::optional<std::string> Budget::reason_to_stop(Share share, const ProcessTree
     if (auto reason = reason_of_time(share, run)) return reason;
   const std::size_t memory = limits_.memory && run ? run->memory() : 0;
   if (!limits_.memory || memory <= *limits_.memory) return std::nullopt;
-  return fmt::format("stopped at {} of memory: --max-memory is {}", size_text(memory), size_text(*limits_.memory));
+  return reason_of_memory(memory);
+}
+
+std::string Budget::reason_of_memory(std::size_t bytes) const {
+  return fmt::format("stopped at {} of memory{}: --max-memory is {}", size_text(bytes),
+                     bytes > *limits_.memory ? "" : ", because it needed more", size_text(*limits_.memory));
 }
 
 }  // namespace quadrille::chain

@@ -54,6 +54,8 @@ class Budget {
   /// Nothing, or the reason, which follows "TOOL was": "stopped after 3.10 s of all stages: --max-seconds is 3".
   /// Without the processes of a run, before its start: "not started after ...".
   std::optional<std::string> reason_to_stop(Share share, const ProcessTree* run) const;
+  /// The reason for a run that has used `bytes` and got no more. Needs a limit of memory.
+  std::string reason_of_memory(std::size_t bytes) const;
 
  private:
   std::optional<std::string> reason_of_time(Share share, const ProcessTree* run) const;

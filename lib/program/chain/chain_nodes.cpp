@@ -45,7 +45,9 @@ void copy_given_nodes(ChainState& chain, NodeFiles& files) {
   }
   io::InputFile file = read_input(chain, given);
   if (given == "-") require_nodes(file);
-  if (given != "-" && !std::filesystem::is_regular_file(given)) file.name = files.nodes.path();  // a pipe: read once
+  std::error_code ignored;
+  if (given != "-" && !std::filesystem::is_regular_file(given, ignored))  // a pipe: read once
+    file.name = files.nodes.path();
   files.nodes.read(file);
   note_nodes(chain, files.nodes.model());
   if (!cli::are_same_file(given, files.nodes.path())) io::write_output(files.nodes.path(), file.bytes, false);

@@ -57,17 +57,16 @@ struct ChainOptions {
   bool has(const std::string& tool, const std::string& flag) const;  ///< whether the words of the tool hold the flag
 };
 
-/// What is to be done besides.
-enum class Action { run, show_help, show_version };
-
-/// Reads the command line (argv without the name of the program). Throws UsageError.
-Action read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);
+/// Reads the command line (argv without the name of the program), which asks for work (cli/request). Throws UsageError.
+void read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);
 
 /// The values of the words of each stage. Throws UsageError with the message of the stage.
 StageOptions stage_options(const ChainOptions& options);
 
-/// The text of --help.
+/// The text of --help, and that of --list-options: a line "quadmesh --OPTION value" or "... flag" for each but
+/// --output.
 std::string help_text();
+std::string option_list();
 
 /// For a shell, quoted where necessary.
 std::string shell_command(const std::vector<std::string>& words);

@@ -134,9 +134,9 @@ void require_input(const std::string& path) {
   if (path.empty() || path == "-") return;
   std::error_code error;
   if (!fs::exists(path, error)) throw FormatError(path + ": no such file");
-  if (fs::is_directory(path)) throw FormatError(path + ": is a directory, not a file");
+  if (fs::is_directory(path, error)) throw FormatError(path + ": is a directory, not a file");
   if (access(path.c_str(), R_OK) != 0) throw FormatError(path + ": cannot be read: permission denied");
-  if (fs::is_regular_file(path) && fs::file_size(path) == 0) throw FormatError(path + ": is empty");
+  if (fs::is_regular_file(path, error) && fs::file_size(path, error) == 0) throw FormatError(path + ": is empty");
 }
 
 bool is_file(const std::string& path) {
@@ -147,8 +147,9 @@ bool is_file(const std::string& path) {
 void check_inputs(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   const StageOptions& values = chain.values;
+  std::error_code ignored;
   if (options.first == ChainStage::cad2tri) require_input(options.shape);
-  if (!options.nodes_file.empty() && options.nodes_file != "-" && !fs::exists(options.nodes_file))
+  if (!options.nodes_file.empty() && options.nodes_file != "-" && !fs::exists(options.nodes_file, ignored))
     throw FormatError(
         fmt::format("--nodes {}: no such file; the rules are none, fewest, field and auto", options.nodes_file));
   for (const std::string& path :
@@ -209,12 +210,13 @@ cli::RunFiles files_of(const ChainState& chain) {
 /// Whether the file can be written, as far as its folder tells.
 void require_folder(const std::string& path) {
   if (path.empty() || path == "-") return;
-  if (fs::is_directory(path)) throw OutputError(path + ": cannot be written: is a directory");
+  std::error_code error;  // what cannot be looked at is neither a folder nor a file
+  if (fs::is_directory(path, error)) throw OutputError(path + ": cannot be written: is a directory");
   const std::size_t slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-  if (!fs::is_directory(folder))
+  if (!fs::is_directory(folder, error))
     throw OutputError(fmt::format("{}: cannot be written: there is no folder {}", path, folder));
-  if (!fs::exists(path) && access(folder.c_str(), W_OK) != 0)
+  if (!fs::exists(path, error) && access(folder.c_str(), W_OK) != 0)
     throw OutputError(path + ": cannot be written: the folder is write-protected");
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
@@ -62,7 +63,7 @@ class Reader {
   Reader(const std::vector<std::string>& arguments, ChainOptions& options)
       : words_(arguments.begin(), arguments.end()), options_(options) {}
 
-  Action read() {
+  void read() {
     while (!words_.empty()) {
       const std::string word = words_.front();
       if (word.starts_with("--") && word.find('=') != std::string::npos)
@@ -73,9 +74,7 @@ class Reader {
         take_option(word);
       else
         take_shape(word);
-      if (action_ == Action::show_help) break;
     }
-    return action_;
   }
 
  private:
@@ -136,8 +135,6 @@ class Reader {
 
   void take_flag(const std::string& flag) {
     if (of_cad2tri.contains(flag)) options_.cad_option = flag, choose({"cad2tri"}, {flag});
-    if (flag == "--help") action_ = Action::show_help;
-    if (flag == "--version") action_ = Action::show_version;
     if (flag == "--verbose") options_.is_verbose = true;
     if (flag == "--quiet") options_.is_quiet = true;
     if (flag == "--dry-run") options_.is_dry_run = true;
@@ -225,17 +222,17 @@ class Reader {
   std::vector<std::string> words_;  ///< that are left
   ChainOptions& options_;
   std::map<std::string, SharedOption> shared_;  ///< of the stages, once they are needed
-  Action action_ = Action::run;
 };
 
 /// The command for a shell; files without folders, so that the page can be given away.
 std::string typed_command(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"quadmesh"};
+  std::error_code ignored;
   for (const std::string& word : arguments) {
     const std::size_t slash = word.rfind('/');
     const std::size_t begin = word.starts_with("--") && word.find('=') != std::string::npos ? word.find('=') + 1 : 0;
     const bool is_path = slash != std::string::npos && slash >= begin &&
-                         std::filesystem::is_directory(word.substr(begin, slash - begin));
+                         std::filesystem::is_directory(word.substr(begin, slash - begin), ignored);
     words.push_back(is_path ? word.substr(0, begin) + word.substr(slash + 1) : word);
   }
   return shell_command(words);
@@ -269,9 +266,23 @@ bool ChainOptions::has(const std::string& tool, const std::string& flag) const {
   return found != words.end() && contains(found->second, flag);
 }
 
-Action read_command_line(const std::vector<std::string>& arguments, ChainOptions& options) {
+void read_command_line(const std::vector<std::string>& arguments, ChainOptions& options) {
   options.typed = typed_command(arguments);
-  return Reader(arguments, options).read();
+  Reader(arguments, options).read();
+}
+
+std::string option_list() {
+  std::map<std::string, bool> takes_value;
+  for (const auto& [flag, option] : shared_options()) takes_value[flag] = option.takes_value;
+  for (const std::string& flag : own_flags) takes_value[flag] = false;
+  for (const std::string& flag : own_values) takes_value[flag] = true;
+  for (const std::string& flag : of_cad2tri) takes_value[flag] = has_value(flag);
+  for (const std::string& flag : of_points) takes_value[flag] = true;
+  for (const char* flag : {"--help", "--version", "--output"}) takes_value.erase(flag);
+  std::string lines;
+  for (const auto& [flag, has_value] : takes_value)
+    lines += fmt::format("quadmesh {} {}\n", flag, has_value ? "value" : "flag");
+  return lines;
 }
 
 StageOptions stage_options(const ChainOptions& options) {

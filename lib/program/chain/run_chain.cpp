@@ -9,7 +9,6 @@
 #include <iterator>
 
 #include "base/parallel.hpp"
-#include "base/version.hpp"
 #include "chain/early_checks.hpp"
 #include "chain/end_of_run.hpp"
 #include "chain/folder_lock.hpp"
@@ -18,6 +17,7 @@
 #include "chain/supervisor.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
+#include "cli/request.hpp"
 #include "cli/signals.hpp"
 #include "io/whole_file.hpp"
 
@@ -40,12 +40,12 @@ std::string make_scratch() {
 }
 
 void make_folder(const ChainOptions& options) {
-  if (options.workdir.empty() || fs::is_directory(options.workdir)) return;
+  std::error_code error;
+  if (options.workdir.empty() || fs::is_directory(options.workdir, error)) return;
   if (options.is_dry_run) {
     cli::print_to_stdout(shell_command({"mkdir", "-p", options.workdir}) + '\n');
     return;
   }
-  std::error_code error;
   fs::create_directories(options.workdir, error);
   if (error) throw OutputError(fmt::format("{}: cannot be written: {}", options.workdir, error.message()));
 }
@@ -180,14 +180,13 @@ int run(ChainOptions options) {
 
 int run_chain(const std::vector<std::string>& arguments) {
   ChainOptions options;
-  Action action = Action::run;
+  const cli::Request request = cli::request_of(arguments);
   const cli::Outcome outcome = cli::outcome_of([&] {
-    action = read_command_line(arguments, options);
-    if (action == Action::show_help) cli::print_to_stdout(help_text());
-    if (action == Action::show_version) cli::print_to_stdout(fmt::format("quadmesh (Quadrille) {}\n", version));
+    cli::answer(request, "quadmesh", help_text, option_list);
+    if (request == cli::Request::run) read_command_line(arguments, options);
   });
-  return outcome.is_success() && action == Action::run ? run(std::move(options))
-                                                       : cli::print_failure("quadmesh", outcome);
+  return outcome.is_success() && request == cli::Request::run ? run(std::move(options))
+                                                              : cli::print_failure("quadmesh", outcome);
 }
 
 }  // namespace quadrille::chain

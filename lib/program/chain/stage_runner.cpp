@@ -9,6 +9,8 @@
 
 #include "base/cleanup.hpp"
 #include "base/json_string.hpp"
+#include "base/parallel.hpp"
+#include "base/resources.hpp"
 #include "base/version.hpp"
 #include "base/warning_codes.hpp"
 #include "chain/watched_child.hpp"
@@ -69,6 +71,17 @@ std::string report_in(const std::string& path) {
   return std::filesystem::exists(path) && !std::filesystem::is_empty(path) ? io::read_input(path).bytes : std::string();
 }
 
+/// Refuses what exceeds the limit faster than the parent process looks. Data that are reserved count, those of the
+/// stacks of threads too.
+void limit_own_memory(const Budget& budget, int num_threads) {
+  constexpr double most_excess = 0.08;  // of what is allowed
+  constexpr std::size_t stack = 8 << 20;
+  if (!budget.limits().memory) return;
+  const auto most = static_cast<std::size_t>((1 + most_excess) * static_cast<double>(*budget.limits().memory));
+  const std::size_t of_files = memory_use().of_files, num_stacks = static_cast<std::size_t>(num_threads) - 1;
+  limit_data(most - std::min<std::size_t>(most, of_files) + num_stacks * stack);
+}
+
 }  // namespace
 
 std::vector<std::string> command_words(const StageTask& task, const ChainOptions& options) {
@@ -124,7 +137,8 @@ StageEnd StageRunner::run_here(const StageTask& task) {
           outcome.message,
           messages_of(tool, outcome),
           false,
-          {task.name, io::report_text(tool, version, session.report())}};
+          {task.name, io::report_text(tool, version, session.report())},
+          outcome.lacks_memory};
 }
 
 std::vector<std::string> StageRunner::command_of(const StageTask& task, const std::string& report) const {
@@ -142,7 +156,9 @@ ChildEnd StageRunner::child_of(const StageTask& task, const std::string& report,
     return run_command(command_of(task, report), {STDIN_FILENO, &errors}, budget_, share);
   }
   const auto body = [&] {
+    limit_own_memory(budget_, options_.num_threads > 0 ? options_.num_threads : available_processors());
     const StageEnd end = run_here(task);
+    if (end.lacks_memory && budget_.limits().memory) return stopped_code;
     io::write_output(report, end.report.json, false, io::Lasting::for_the_run);
     return static_cast<int>(end.code);
   };
@@ -155,6 +171,8 @@ StageEnd StageRunner::run_in_child(const StageTask& task, Share share) {
   StageEnd end;
   ChildEnd child = child_of(task, report, share, end.messages);
   task.drop_result();
+  if (!child.stopped && child.code == stopped_code && !options_.programs.contains(task.stage))
+    child.stopped = budget_.reason_of_memory(child.memory);
   if (!child.stopped && child.code == killed) child.stopped = "killed by signal 9, as systems do " + cause_of_kill();
   if (child.stopped)
     return {ExitCode::no_result, *child.stopped, {}, true, {task.name, report_of_stopped(tool, *child.stopped, child)}};

@@ -33,6 +33,7 @@ struct StageEnd {
   std::string messages;     ///< what is to be printed of it, in whole lines
   bool is_stopped = false;  ///< by a limit, or killed by the system: `message` follows "STAGE was"
   io::StageReport report;
+  bool lacks_memory = false;  ///< the reason of a failure
 };
 
 class StageRunner {

@@ -39,7 +39,8 @@ std::optional<ChildEnd> end_of(pid_t child, int options) {
   while ((ended = wait4(child, &status, options, &usage)) < 0 && errno == EINTR) continue;
   if (ended == 0) return std::nullopt;
   return ChildEnd{.code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
-                  .cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime)};
+                  .cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime),
+                  .memory = static_cast<std::size_t>(usage.ru_maxrss) << 10};
 }
 
 // Ends all processes of the tree; those that need longer than the grace cannot clean up. Returns the CPU seconds that

@@ -18,6 +18,7 @@ inline constexpr int stopped_code = 124;
 struct ChildEnd {
   int code = 0;  // exit code; 128 + n if signal n ended the process
   double cpu_seconds = 0, wall_seconds = 0;
+  std::size_t memory = 0;                             // bytes that were resident, at most
   std::optional<std::string> stopped = std::nullopt;  // Budget::reason_to_stop
 };
 

@@ -15,18 +15,10 @@
 
 namespace quadrille::cli {
 
-namespace {
-
-/// Thrown while parsing, as CLI11 throws for --help: required inputs may then be missing.
-struct CallForOptionList {};
-
-}  // namespace
-
 struct CommandLine::Impl {
   explicit Impl(HelpPage help) : page(std::move(help)), app(page.summary, page.name) {
     app.set_help_flag("-h,--help");
     app.set_version_flag("--version", "");
-    app.add_flag_callback("--list-options", [] { throw CallForOptionList(); });
   }
 
   CLI::Option* add(const std::string& flag, const std::string& placeholder, CLI::callback_t set, std::string help) {
@@ -60,8 +52,7 @@ struct CommandLine::Impl {
   std::vector<std::string> visible_options() const {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
-      for (const std::string& name : option->get_lnames())
-        if (name != "list-options") names.push_back("--" + name);
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     return names;
   }
 
@@ -199,15 +190,9 @@ void CommandLine::add_common(CommonOptions& common) {
   impl_->page.options.swap(own);
 }
 
-Request CommandLine::parse(int argc, char** argv) {
+void CommandLine::parse(int argc, char** argv) {
   try {
     impl_->app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    return Request::show_help;
-  } catch (const CLI::CallForVersion&) {
-    return Request::show_version;
-  } catch (const CallForOptionList&) {
-    return Request::list_options;
   } catch (const CLI::ArgumentMismatch& e) {
     const std::string message = e.what();
     throw UsageError(message.substr(0, message.find(':')) + " needs a value");
@@ -218,7 +203,6 @@ Request CommandLine::parse(int argc, char** argv) {
     throw UsageError(message);
   }
   if (impl_->common != nullptr) impl_->common->verbosity = impl_->quiet ? -1 : std::min(impl_->verbose, 2);
-  return Request::run;
 }
 
 void CommandLine::add_files(RunFiles& files) const {
@@ -233,7 +217,7 @@ std::string CommandLine::option_list() const {
   const auto line = [&](const std::string& flag, const CLI::Option* option) {
     return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
   };
-  const std::set<std::string> common{"help", "version", "output", "list-options"};
+  const std::set<std::string> common{"help", "version", "output"};
   std::string out;
   for (const CLI::Option* option : impl_->declared)
     for (const std::string& name : option->get_lnames())

@@ -19,9 +19,6 @@ struct CommonOptions {
   int threads = 0;  ///< 0: auto
 };
 
-/// The action that the command line requests.
-enum class Request { run, show_help, show_version, list_options };
-
 class CommandLine : public Options {
  public:
   /// `page` has name, summary, description and examples; the declarations add the rest.
@@ -45,8 +42,8 @@ class CommandLine : public Options {
 
   /// Adds the options of every command; called after the tool has declared its own.
   void add_common(CommonOptions& common);
-  /// Fills the declared variables. Throws UsageError.
-  Request parse(int argc, char** argv);
+  /// Fills the declared variables; the words request no help and no list (request.hpp). Throws UsageError.
+  void parse(int argc, char** argv);
   /// Those that are declared, after parsing.
   void add_files(RunFiles& files) const;
   const HelpPage& page() const;

@@ -4,8 +4,10 @@
 #include <sys/resource.h>
 
 #include <exception>
+#include <filesystem>
 #include <new>
 
+#include "base/resources.hpp"
 #include "cli/messages.hpp"
 
 namespace quadrille::cli {
@@ -33,8 +35,13 @@ Outcome outcome_of(const std::function<void()>& work) {
     return {ExitCode::defect, internal_error(e.what())};
   } catch (const Error& e) {
     return {e.code(), e.what()};
+  } catch (const std::filesystem::filesystem_error& e) {
+    return outcome_of([&] {
+      require_resources(e.code().value(), e.path1().string());
+      throw OutputError(fmt::format("{}: cannot be read or written: {}", e.path1().string(), e.code().message()));
+    });
   } catch (const std::bad_alloc&) {
-    return {ExitCode::no_result, out_of_memory()};
+    return {ExitCode::no_result, out_of_memory(), true};
   } catch (const std::exception& e) {
     return {ExitCode::defect, internal_error(e.what())};
   } catch (...) {

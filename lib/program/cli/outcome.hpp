@@ -11,6 +11,7 @@ namespace quadrille::cli {
 struct Outcome {
   ExitCode code = ExitCode::done;
   std::string message;
+  bool lacks_memory = false;  ///< the reason of the failure
 
   bool is_success() const { return code == ExitCode::done; }
 };

@@ -16,6 +16,7 @@
 #include "cli/heap.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
+#include "cli/request.hpp"
 #include "cli/signals.hpp"
 
 namespace quadrille::cli {
@@ -80,14 +81,13 @@ int tool_main(int argc, char** argv, const Tool& tool) {
   CommonOptions common;
   const Outcome outcome = [&]() -> Outcome {
     CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
-    Request request = Request::run;
+    const Request request = request_of({argv + 1, argv + argc});
     Outcome parsing = outcome_of([&] {
       if (tool.options) tool.options(line);
       line.add_common(common);
-      request = line.parse(argc, argv);
-      if (request == Request::show_help) print_to_stdout(help_text(line.page()));
-      if (request == Request::list_options) print_to_stdout(line.option_list());
-      if (request == Request::show_version) print_to_stdout(fmt::format("{} (Quadrille) {}\n", tool.name, version));
+      answer(
+          request, tool.name, [&] { return help_text(line.page()); }, [&] { return line.option_list(); });
+      if (request == Request::run) line.parse(argc, argv);
     });
     if (parsing.code != ExitCode::done || request != Request::run) return parsing;
     Outcome checking = outcome_of([&] { require_distinct_files(tool, line); });

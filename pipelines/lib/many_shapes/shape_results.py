@@ -13,6 +13,7 @@ SHAPE_ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 FIGURES = ("blocks", "quads", "irregular_nodes", "least_scaled_jacobian", "greatest_edge_ratio",
            "resolution")  # of the report
 KEYS = {"shape", "ending", "version", "options", "inputs", "exit_code", *FIGURES, "cpu_seconds", "warnings", "message"}
+LONGEST_NAME = 255  # bytes, of all usual file systems
 FINAL = (0, 1, 2, 3, 70)  # exit codes that would be the same again; not those of a full disk or a signal
 
 
@@ -47,7 +48,18 @@ class Results:
         return self.folder / f"{self.name(shape)}.report.json"
 
     def row_file(self, shape):
-        return self.folder / f"{self.name(shape)}.result.json"
+        return self.folder / f"{self.short_name(shape)}.result.json"
+
+    def is_too_long(self, shape):
+        """Whether the file system has no room for the names of the results."""
+        return len(os.fsencode(f"{self.name(shape)}.result.json")) > LONGEST_NAME
+
+    def short_name(self, shape):
+        """The name, or its beginning and a digest where it is too long: the row has a file in any case."""
+        if not self.is_too_long(shape):
+            return self.name(shape)
+        name = os.fsencode(self.name(shape))
+        return f"{os.fsdecode(name[:100])}~{hashlib.sha256(name).hexdigest()[:16]}"
 
     def part(self, shape):
         """The folder in which a shape is meshed."""

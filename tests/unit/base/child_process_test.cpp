@@ -23,7 +23,7 @@ const std::string crash = "the reader crashed";
 template <class E>
 std::string message_of(const std::function<std::string()>& work, int cpu_seconds = 10) {
   try {
-    run_in_child(work, crash, cpu_seconds);
+    run_in_child(work, crash, {.cpu_seconds = cpu_seconds});
   } catch (const E& e) {
     return e.what();
   }
@@ -98,7 +98,7 @@ std::string script(const std::string& name, const std::string& text) {
 template <class E>
 std::string message_of_program(const std::string& program) {
   try {
-    run_program(program, "input", crash, 10);
+    run_program(program, "input", crash, {.cpu_seconds = 10});
   } catch (const E& e) {
     return e.what();
   }

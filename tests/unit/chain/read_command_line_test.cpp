@@ -142,11 +142,13 @@ TEST(ReadCommandLine, limits_and_threads_are_numbers) {
   EXPECT_NE(refusal({"--threads", "0"}), "");
 }
 
-TEST(ReadCommandLine, help_ends_the_command_line) {
-  ChainOptions options;
-  EXPECT_EQ(read_command_line({"-h", "--nothing-like-it"}, options), Action::show_help);
-  EXPECT_EQ(read_command_line({"--version"}, options), Action::show_version);
-  EXPECT_EQ(read_command_line({"a.step"}, options), Action::run);
+TEST(ReadCommandLine, every_option_is_listed_for_programs) {
+  const std::string list = option_list();
+  for (const char* line : {"quadmesh --region-name value\n", "quadmesh --offset value\n",
+                           "quadmesh --keep-joints flag\n", "quadmesh --farfield value\n", "quadmesh --straight flag\n",
+                           "quadmesh --size value\n", "quadmesh --block-groups flag\n", "quadmesh --report value\n"})
+    expect_contains(list, line);
+  for (const char* name : {"--help", "--version", "--output"}) EXPECT_EQ(list.find(name), std::string::npos) << name;
 }
 
 TEST(ReadCommandLine, the_typed_command_has_files_without_folders) {

@@ -136,6 +136,25 @@ TEST(ToolMain, HelpStatesUnitDefaultAndInterval) {
   EXPECT_NE(r.out.find("EXAMPLES\n  sample -o x\n"), std::string::npos);
 }
 
+TEST(ToolMain, HelpAndVersionAreGivenWhateverElseTheLineHas) {
+  Sample s;
+  for (const std::vector<std::string>& others :
+       std::vector<std::vector<std::string>>{{"--nonsense"}, {"--order"}, {"--order", "x"}, {"a", "b", "c"}, {"-z"}}) {
+    for (const std::string word : {"--help", "-h", "-vh", "--version", "--list-options"}) {
+      std::vector<std::string> before = others, after = others;
+      before.insert(before.begin(), word);
+      after.push_back(word);
+      for (const std::vector<std::string>& words : {before, after}) {
+        const Result r = run(s.tool(), words);
+        EXPECT_EQ(r.code, 0) << word << others[0];
+        EXPECT_EQ(r.err, "");
+        EXPECT_EQ(r.out, run(s.tool(), {word}).out);
+      }
+    }
+  }
+  EXPECT_NE(run(s.tool(), {"--help", "--version"}).out.find("Usage"), std::string::npos) << "the first of them decides";
+}
+
 TEST(ToolMain, ListsTheToolsOwnOptionsForPrograms) {
   Sample s;
   std::string required;
