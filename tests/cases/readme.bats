@@ -39,6 +39,7 @@ load ../tools/common
   { echo section; awk 'BEGIN { for (k = 0; k <= 40; ++k) { a = k * atan2(0, -1) / 20
     printf "%.9f %.9f\n", (1 + cos(a)) / 2, sin(a) * sin(a / 2) / 8 } }'; } >aerofoil.dat
   printf '%s\n' '0 0' '4 0' '4 2' '3 2.04' '2 2' '1 2.04' '0 2' >coast.xy
+  "$ROOT/tests/cases/halves.py" aerofoil_c && sed -i "s/'symmetry'/'axis'/" half.step
   for section in Names "From points"; do
     sed -n "/^## $section/,/^## /p" "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
     assert [ "$(wc -l <commands)" -ge 2 ]

@@ -33,6 +33,7 @@ table() {
 2 | critpoints --topology o w/half_disc.field.h5 | a C-, O- or H-grid is made around a hole, and the face has none
 2 | critpoints --clearance curve_0 w/half_disc.field.h5 | --clearance: 'curve_0' is not NAME=L with a length L > 0
 2 | critpoints --clearance roof=0.1 w/half_disc.field.h5 | --clearance: there is no boundary *roof
+2 | critpoints --symmetry roof w/half_disc.field.h5 | --symmetry: there is no boundary *roof
 2 | critpoints --threads 0 w/half_disc.field.h5 | --threads: 0 is outside its interval
 3 | critpoints w/half_disc.tri.h5 | expected a field file, found a tri-mesh file
 2 | separatrix --verbos | unknown option --verbos: did you mean --verbose?

@@ -10,6 +10,7 @@
 #include "base/angle.hpp"
 #include "base/bracketed_root.hpp"
 #include "base/error.hpp"
+#include "base/name_text.hpp"
 #include "base/position_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/arc_length.hpp"
@@ -122,7 +123,7 @@ double reference_length(const std::vector<Loop>& loops, double diameter) {
     for (const LoopCurve& c : loop)
       if (c.name == far_field_name)
         has_far_field = true;
-      else
+      else if (!matches_wildcard(c.name, symmetry_pattern))
         bodies.push_back(c.curve);
   return has_far_field && !bodies.empty() ? std::min(diameter, curve::pole_box(bodies).diagonal()) : diameter;
 }

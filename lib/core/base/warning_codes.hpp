@@ -30,6 +30,7 @@ inline constexpr const char* mirror_images_differ = "W-NODE-001";
 inline constexpr const char* nodes_by_rule = "W-NODE-002";
 inline constexpr const char* sharp_corner = "W-NODE-003";       ///< below 15 degrees
 inline constexpr const char* zeros_not_decided = "W-NODE-004";  ///< in a region where |v| is below its error
+inline constexpr const char* half_for_itself = "W-NODE-005";    ///< the whole has no line along its line of symmetry
 inline constexpr const char* least_energy_not_found = "W-PLACE-001";
 inline constexpr const char* nodes_kept_apart = "W-PLACE-002";
 inline constexpr const char* clearance_missed = "W-PLACE-003";

@@ -1,6 +1,6 @@
 #pragma once
-// Names of boundary curves with a meaning: `farfield` and `wake` (pipelines/points2step names curves so), and those of
-// curves at a distance from walls that get blocks of their own (offset/embed_offsets.hpp).
+// Names of boundary curves with a meaning: `farfield` and `wake` (pipelines/points2step names curves so), `symmetry`,
+// and those of curves at a distance from walls that get blocks of their own (offset/embed_offsets.hpp).
 
 #include <algorithm>
 #include <string>
@@ -16,6 +16,9 @@ inline constexpr const char* far_field_name = "farfield";
 inline bool is_far_field(const CadFace& face, int curve) {
   return face.has_given_name(curve) && face.curve_names[curve] == far_field_name;
 }
+
+/// What names of curves fit at which the face is one half of a symmetric whole, or a quarter.
+inline constexpr const char* symmetry_pattern = "symmetry*";
 
 /// The name of the curves along which elements stay small downstream of a body.
 inline constexpr const char* wake_name = "wake";

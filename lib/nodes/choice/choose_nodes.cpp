@@ -7,6 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
+#include "choice/half_model.hpp"
+#include "curve/symmetry_lines.hpp"
 #include "features/resolve_features.hpp"
 #include "features/small_features.hpp"
 #include "field/evaluate.hpp"
@@ -94,13 +96,9 @@ void keep_clearance(const Field& field, const NodeOptions& options, CriticalPoin
   placement::keep_clearance(field.mesh.face, options.walls, may_move, points, report);
 }
 
-}  // namespace
-
-CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int num_threads, Report& report,
-                            const PartBegins& begin) {
-  const auto begin_part = [&](const char* name) {
-    if (begin) begin(name);
-  };
+/// The nodes of the face for itself, whatever its symmetry lines.
+CriticalPoints nodes_of_face(const Field& field, const NodeOptions& options, int num_threads, Report& report,
+                             const PartBegins& begin_part) {
   begin_part("search");
   const CadFace& face = field.mesh.face;
   const field::FieldEvaluator evaluator(field);
@@ -123,6 +121,44 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   guide::complete_nodes(evaluator, points);
   points.face = face;
   return points;
+}
+
+/// The nodes of the whole of which the face is one half, without their mirror images.
+CriticalPoints nodes_of_half(const Field& field, const NodeOptions& options, const curve::SymmetryLine& line,
+                             int num_threads, Report& report, const PartBegins& begin_part) {
+  Report of_whole(report.progress());
+  const HalfModel model(field, options, line);
+  const Field whole = model.field_of_whole(num_threads);
+  CriticalPoints points =
+      model.nodes_of_half(choose_nodes(whole, model.options_of_whole(), num_threads, of_whole, begin_part));
+  guide::complete_nodes(field::FieldEvaluator(field), points);
+  points.face = field.mesh.face;
+  for (const auto& [key, value] : of_whole.entries()) report.set(key, value);
+  for (const Report::Warning& warning : of_whole.warnings()) report.warn(warning.code, warning.message);
+  return points;
+}
+
+}  // namespace
+
+CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int num_threads, Report& report,
+                            const PartBegins& begin) {
+  const PartBegins begin_part = [&](const char* name) {
+    if (begin) begin(name);
+  };
+  const CadFace& face = field.mesh.face;
+  const std::vector<curve::SymmetryLine> lines =
+      curve::symmetry_lines(face, curve::curves_that_fit(face, options.symmetry)).lines;
+  if (!curve::is_part_of_whole(lines)) return nodes_of_face(field, options, num_threads, report, begin_part);
+  try {
+    return nodes_of_half(field, options, lines.front(), num_threads, report, begin_part);
+  } catch (const ComputeError& error) {
+    report.warn(
+        warning::half_for_itself,
+        fmt::format("the grid is not half of that of the face and its mirror image at curve {} \"{}\": {}; the "
+                    "curve is a boundary like any other",
+                    lines.front().curves.front(), face.curve_names[lines.front().curves.front()], error.what()));
+  }
+  return nodes_of_face(field, options, num_threads, report, begin_part);
 }
 
 }  // namespace quadrille::choice

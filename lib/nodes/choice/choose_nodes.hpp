@@ -13,39 +13,16 @@
 //   keep_clearance              nodes too near to walls with layers
 //   complete_nodes              elements, order
 // Each change is recorded. A step whose result has a node that is no zero of the field sets the form `phase`.
+// In one half of a symmetric whole all are steps of the whole (choice/half_model.hpp).
 
 #include <functional>
-#include <optional>
-#include <vector>
 
 #include "base/report.hpp"
-#include "guide/divide_corners.hpp"
-#include "guide/find_critical_points.hpp"
-#include "guide/override_corners.hpp"
+#include "choice/node_options.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
-#include "placement/keep_clearance.hpp"
-#include "placement/place_nodes.hpp"
-#include "ties/choose_at_ties.hpp"
-#include "topology/apply_topology.hpp"
 
 namespace quadrille::choice {
-
-/// The defaults are those of critpoints.
-struct NodeOptions {
-  guide::SearchOptions search;
-  int max_valence = 6;                           ///< >= 5; clusters that would need a greater one are split
-  std::vector<guide::CornerOverride> overrides;  ///< prescribed corner valences
-  ties::TiePolicy ties = ties::TiePolicy::choose;
-  guide::DegeneratePolicy degenerate = guide::DegeneratePolicy::divide;
-  std::optional<double> feature_size;  ///< length, 0: fillets and holes keep their nodes; none: features/small_features
-  topology::NodeRule nodes = topology::NodeRule::by_grid;
-  topology::GridKind topology = topology::GridKind::by_outline;
-  topology::LayerCorners layer_corners = topology::LayerCorners::by_bodies;
-  placement::PlaceRule place = placement::PlaceRule::keep;
-  placement::PlacementOptions placement;
-  std::vector<placement::WallClearance> walls;  ///< from which nodes keep a distance
-};
 
 /// Called with the name of each part of the work as it begins: search, resolve, place.
 using PartBegins = std::function<void(const char* name)>;

@@ -213,6 +213,9 @@ CornerOverride parse_corner_override(const std::string& text) {
 void override_corners(const CadFace& face, const std::vector<CornerOverride>& overrides, CriticalPoints& points,
                       const std::string& why) {
   Overrider(face, demands_of(face, overrides, points.corners), points, why).run();
+  // A valence that was prescribed stays, also one that the corner had before.
+  for (const CornerOverride& o : overrides)
+    points.corners[find_corner(face, o, points.corners)].source = NodeSource::corner;
 }
 
 void require_corners(const CadFace& face, const std::vector<CornerOverride>& overrides) {

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/options.hpp"
 #include "check/check.hpp"
+#include "curve/mirrored_face.hpp"
 #include "features/small_features.hpp"
 #include "field/error_estimate.hpp"
 #include "guide/override_corners.hpp"
@@ -16,6 +17,7 @@
 #include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
+#include "stage/symmetry_option.hpp"
 #include "topology/grid_kind.hpp"
 
 namespace quadrille::stage {
@@ -67,8 +69,9 @@ std::vector<placement::WallClearance> walls_in(const std::vector<placement::Wall
 CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, Run& run) {
   const CadFace& face = field.mesh.face;
   if (face.num_regions() > 1) guide::require_corners(face, options.overrides);
-  topology::require_holes(face, options.topology);
-  const topology::LayerCorners layer_corners = topology::layer_corners(face, options.layer_corners);
+  const CadFace whole = curve::whole_of(face, options.symmetry);
+  topology::require_holes(whole, options.topology);
+  const topology::LayerCorners layer_corners = topology::layer_corners(whole, options.layer_corners);
   std::vector<Field> fields = regions::split(field);
   const auto begin_phase = [&](const char* part) {
     if (fields.size() == 1) run.begin_phase(part);
@@ -136,6 +139,7 @@ void declare(Options& o, CritpointsOptions& critpoints) {
       "not downstream of its centre have two blocks; o: blocks close around the holes, all corners of the outline have "
       "two blocks; h: blocks pass; auto: by a far field, an outline whose curves are all called farfield, o if it has "
       "no corner and one body inside, c with two corners, h with four; none: as in any face");
+  declare_symmetry(o, critpoints.symmetry);
   o.choice("--layer-corners", critpoints.choose.layer_corners,
            "layers between a body and its curve of cad2tri --offset. pass: blocks go on beyond the corners of the "
            "body, with right angles; close: one line at each corner, and blocks close around the body; auto: close "
@@ -158,6 +162,7 @@ CriticalPoints critpoints(const Input<Field>& input, const CritpointsOptions& op
   if (field.kind != FieldKind::harmonic)
     throw FormatError(input.file.name +
                       ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");
+  choosing.symmetry = checked_symmetry(field.mesh.face, options.symmetry, run.report());
   choosing.walls = placement::wall_clearances(field.mesh.face, named_clearances(options));
   CriticalPoints points = chosen(field, choosing, run);
   run.end_phase();
@@ -169,7 +174,9 @@ CriticalPoints critpoints(const Input<Field>& input, const CritpointsOptions& op
 void require_critpoints_of(const CadFace& face, const CritpointsOptions& options) {
   require_intervals(options);
   guide::require_corners(face, parsed(options).overrides);
-  topology::require_holes(face, options.choose.topology);
+  Report not_yet;
+  const std::vector<std::string> symmetry = checked_symmetry(face, options.symmetry, not_yet);
+  topology::require_holes(curve::whole_of(face, symmetry), options.choose.topology);
   placement::wall_clearances(face, named_clearances(options));
 }
 

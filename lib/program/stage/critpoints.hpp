@@ -14,10 +14,11 @@
 namespace quadrille::stage {
 
 struct CritpointsOptions {
-  choice::NodeOptions choose;                ///< overrides, feature size and walls are those of the texts
+  choice::NodeOptions choose;                ///< overrides, feature size, walls and symmetry are those of the texts
   std::vector<std::string> corner_valences;  ///< A:B=V
   std::string feature_size = "auto";         ///< or a length
   std::vector<std::string> clearances;       ///< NAME=L
+  std::vector<std::string> symmetry;         ///< names or patterns (stage/symmetry_option.hpp)
 
   void validate() const;  ///< throws UsageError for texts that mean nothing
 };

@@ -19,6 +19,7 @@
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/make_size_field.hpp"
+#include "stage/symmetry_option.hpp"
 
 namespace quadrille::stage {
 
@@ -85,6 +86,7 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
       "grow from there to --size; 0: no limit; auto: 0 if a size is prescribed, else 4, as far as that makes at most "
       "twice as many elements; with a far field (curves called farfield) however many, and elements grow by 5 % from "
       "one to the next along curves called wake");
+  declare_symmetry(o, options.symmetry);
   o.texts("--size-near", options.near, "NAME=H[:H2]",
           "edge length H along the boundary, interface or embedded curve NAME, growing with the distance from it; with "
           "H2 from H at its left end to H2 at the right one, as along a wake; NAME@REGION: in this region alone");
@@ -191,6 +193,7 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
     sizes.sources = sources->model;
     inputs.push_back(sources->file.digest("size-field"));
   }
+  sizes.symmetry = symmetry_names(layout.face, options.symmetry);
   sizes = sizing::with_curve_sizes(sizing::MeasuredLayout(layout), sizes, refine.size_rule);
   set_sizes(sizes, layout.face, refine);
   run.report().set("sizes.per_curve", sizes.per_curve);

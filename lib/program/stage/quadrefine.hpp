@@ -22,6 +22,7 @@ struct QuadrefineOptions {
   sizing::SizeOptions sizes;
   std::string per_curve = "auto";
   std::vector<std::string> near;      ///< NAME=H[:H2]
+  std::vector<std::string> symmetry;  ///< names or patterns (stage/symmetry_option.hpp)
   std::vector<std::string> counts;    ///< CHORD=N or NAME=N
   std::vector<std::string> gradings;  ///< NAME=FIRST:LAST
   std::string size_field_file;        ///< path of prescribed sizes, which the caller reads

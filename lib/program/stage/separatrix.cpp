@@ -11,12 +11,14 @@
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
 #include "couple/couple_layouts.hpp"
+#include "curve/mirrored_face.hpp"
 #include "field/check_nodes_match_field.hpp"
 #include "graph/open_interfaces.hpp"
 #include "layout/compute_layout.hpp"
 #include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
+#include "stage/symmetry_option.hpp"
 #include "topology/grid_kind.hpp"
 
 namespace quadrille::stage {
@@ -116,10 +118,12 @@ SeparatrixGraph layout_of_regions(const RegionFields& fields, const std::vector<
 }
 
 /// Around bodies in a far field other grids may give a layout.
-void propose_other_grids(const CadFace& face, const SeparatrixGraph& graph, Report& report) {
+void propose_other_grids(const CadFace& face, const SeparatrixOptions& separatrix, const SeparatrixGraph& graph,
+                         Report& report) {
   if (graph.certificate.method != LayoutMethod::midpoint) return;
   std::vector<std::string> options;
-  for (const topology::GridKind grid : topology::other_grids(face))
+  for (const topology::GridKind grid :
+       topology::other_grids(curve::whole_of(face, symmetry_names(face, separatrix.symmetry))))
     options.push_back(fmt::format("--topology {}", enum_name(grid)));
   if (!options.empty()) report.set("other_grids", fmt::format("{}", fmt::join(options, ", ")));
 }
@@ -158,6 +162,7 @@ void declare(Options& o, SeparatrixOptions& options) {
   o.texts("--open", options.open, "NAME",
           "the embedded curve of this name is open, a crack: its nodes are doubled, one for each side in each place, "
           "but at its ends");
+  declare_symmetry(o, options.symmetry);
   o.texts("--interface", options.interfaces, "NAME=nonconforming",
           "no line crosses the interface of this name: the two regions have nodes of their own there");
   o.number("--max-length", options.trace.max_length, 0.01, 1e4, "diameters", "greatest length of a separatrix");
@@ -184,7 +189,7 @@ SeparatrixGraph separatrix(const Input<Field>& field, const std::optional<Input<
     const std::vector<CriticalPoints> parts = points_of(fields, field.file, *points);
     run.begin_phase("trace");
     graph = layout_of_regions(fields, parts, options, run);
-    propose_other_grids(field.model.mesh.face, graph, run.report());
+    propose_other_grids(field.model.mesh.face, options, graph, run.report());
     run.end_phase();
     inputs.push_back(points->file.digest("critical-points"));
   }

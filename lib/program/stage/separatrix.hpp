@@ -20,6 +20,7 @@ namespace quadrille::stage {
 struct SeparatrixOptions : layout::LayoutOptions {
   std::vector<std::string> open;        ///< names of curves
   std::vector<std::string> interfaces;  ///< NAME=nonconforming
+  std::vector<std::string> symmetry;    ///< names or patterns (stage/symmetry_option.hpp)
 };
 void declare(Options& options, SeparatrixOptions& separatrix);
 

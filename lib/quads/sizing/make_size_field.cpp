@@ -15,6 +15,7 @@
 #include "base/tolerance.hpp"
 #include "curve/arc_length.hpp"
 #include "curve/carrier.hpp"
+#include "curve/mirrored_face.hpp"
 #include "curve/named_curves.hpp"
 #include "curve/nurbs.hpp"
 #include "model/special_names.hpp"
@@ -257,7 +258,8 @@ double growth(const SizeOptions& options) {
 
 SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
   options.validate();
-  const double greatest = options.size > 0 ? options.size : greatest_size(face, options.sources);
+  const CadFace whole = curve::whole_of(face, options.symmetry);
+  const double greatest = options.size > 0 ? options.size : greatest_size(whole, options.sources);
   const double slope = std::log(growth(options));
   std::vector<SizeSegment> segments;
   const auto add = [&](const std::vector<SizeSegment>& more) {
@@ -275,7 +277,7 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
     }
   }
   if (options.per_curve > 0)
-    add(segments_by_curves(face, options.per_curve, options.least_along_curves, greatest, slope));
+    add(segments_by_curves(whole, options.per_curve, options.least_along_curves, greatest, slope));
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));
@@ -319,7 +321,8 @@ SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& 
     return num_planned(measured, grade_chords(measured, make_size_field(face, sizes), rule, {}));
   };
   const double greatest = make_size_field(face, none).greatest();
-  const double shortest = least_size(segments_by_curves(face, SizeField::default_per_curve, 0, greatest, 1));
+  const CadFace whole = curve::whole_of(face, options.symmetry);
+  const double shortest = least_size(segments_by_curves(whole, SizeField::default_per_curve, 0, greatest, 1));
   if (shortest >= greatest) return none;
   const double most = most_refined * num_elements(none);
   const auto are_few = [&](const SizeOptions& sizes) { return num_elements(sizes) <= most; };

@@ -14,6 +14,7 @@
 //
 // A run is a part of the boundary between two consecutive corners or ends of given names. Along a run of length L the
 // size is L / n; along a smooth closed loop, a hole, it is L / (3 n), because it has no ends at which elements begin.
+// In one half of a symmetric whole the diameter and the runs are those of the whole.
 // Runs shorter than a thousandth of the diameter per element count as so long: one tiny edge shall not make the mesh of
 // the whole face fine.
 
@@ -72,7 +73,8 @@ struct SizeOptions {
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
   SizeSources sources;
-  void validate() const;  ///< throws UsageError
+  std::vector<std::string> symmetry;  ///< patterns of names of curves (curve/mirrored_face.hpp)
+  void validate() const;              ///< throws UsageError
 };
 
 /// The growth that applies: that of the options, of their sources, or the default.

@@ -1,0 +1,38 @@
+#pragma once
+// The lines along which a face is one half, or one quarter, of a symmetric whole.
+
+#include <string>
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille::curve {
+
+/// A line of symmetry in its direction along the boundary, so that the face is on its left.
+struct SymmetryLine {
+  Vec2 origin, direction;   ///< a point of it, and a unit vector
+  std::vector<int> curves;  ///< of the face that lie on it, ascending
+
+  /// The distance from the line, positive on the side of the face.
+  double height(Vec2 x) const { return cross(direction, x - origin); }
+  /// The image of a direction.
+  Vec2 reflected(Vec2 d) const { return 2 * dot(d, direction) * direction - d; }
+  /// The mirror image of a point.
+  Vec2 operator()(Vec2 x) const { return origin + reflected(x - origin); }
+};
+
+/// The curves, without interfaces, whose names fit one of `patterns` (base/name_text.hpp), ascending.
+std::vector<int> curves_that_fit(const CadFace& face, const std::vector<std::string>& patterns);
+
+struct SymmetryLines {
+  std::vector<SymmetryLine> lines;  ///< in the order of their first curves
+  std::string fault;                ///< which curve can be no line of symmetry, where and why; then there are no lines
+};
+
+/// The lines on which these curves lie. Within 1e-6 diameters each must be straight, and the face on one side of it.
+SymmetryLines symmetry_lines(const CadFace& face, const std::vector<int>& curves);
+
+/// Whether the face is one half of a whole, at one line, or a quarter, at two lines at right angles.
+bool is_part_of_whole(const std::vector<SymmetryLine>& lines);
+
+}  // namespace quadrille::curve

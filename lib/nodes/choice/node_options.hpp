@@ -1,0 +1,37 @@
+#pragma once
+// What a user prescribes of irregular nodes and corner valences.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "guide/divide_corners.hpp"
+#include "guide/find_critical_points.hpp"
+#include "guide/override_corners.hpp"
+#include "placement/keep_clearance.hpp"
+#include "placement/place_nodes.hpp"
+#include "ties/choose_at_ties.hpp"
+#include "topology/apply_topology.hpp"
+
+namespace quadrille::choice {
+
+/// The defaults are those of critpoints.
+struct NodeOptions {
+  guide::SearchOptions search;
+  int max_valence = 6;                           ///< >= 5; clusters that would need a greater one are split
+  std::vector<guide::CornerOverride> overrides;  ///< prescribed corner valences
+  ties::TiePolicy ties = ties::TiePolicy::choose;
+  guide::DegeneratePolicy degenerate = guide::DegeneratePolicy::divide;
+  std::optional<double> feature_size;  ///< length, 0: fillets and holes keep their nodes; none: features/small_features
+  topology::NodeRule nodes = topology::NodeRule::by_grid;
+  topology::GridKind topology = topology::GridKind::by_outline;
+  topology::LayerCorners layer_corners = topology::LayerCorners::by_bodies;
+  placement::PlaceRule place = placement::PlaceRule::keep;
+  placement::PlacementOptions placement;
+  std::vector<placement::WallClearance> walls;  ///< from which nodes keep a distance
+  /// Patterns of the names of curves on lines at which the face is one half, or a quarter, of a whole: then the nodes
+  /// are those of the whole (choice/half_model.hpp). Without effect where curve/symmetry_lines.hpp finds no such lines.
+  std::vector<std::string> symmetry;
+};
+
+}  // namespace quadrille::choice

@@ -1,0 +1,100 @@
+# Half models: faces with curves called symmetry on one line have half of the grid of the mirrored whole.
+load ../tools/common
+
+halves=$ROOT/tests/cases/halves.py
+
+# mesh PART 'FORMULA' OPTION...: meshes PART.step; the formula of jq must hold for the report of the run.
+mesh() {
+  "$ROOT/pipelines/quadmesh" -q "$1.step" "${@:3}" --workdir stages -o "$1.msh" --report "$1.json"
+  jq -e "$2" "$1.json" >verdict ||
+    fail "$(jq -c '[.blocks, .irregular_nodes, .least_scaled_jacobian, .valid, .warnings]' "$1.json")"
+}
+
+# nodes_agree OPTION...: the nodes and corners of half.step are those of whole.step, to a millionth of its size.
+nodes_agree() {
+  local part
+  for part in half whole; do
+    "$ROOT/pipelines/quadmesh" -q $part.step "$@" --until critpoints --workdir stages
+    run -0 stagecheck stages/$part.crit.json
+  done
+  run -0 "$halves" compare stages/half.crit.json stages/whole.crit.json 2e-5
+}
+
+@test "a half C-shaped far field around half an aerofoil has half a C-grid, with and without --topology" {
+  local options
+  "$halves" aerofoil_c
+  for options in '' '--topology c'; do
+    # shellcheck disable=SC2086 # words
+    mesh half '.valid and .blocks == 2 and .irregular_nodes == 0 and .least_scaled_jacobian > 0.3 and .warnings == []' \
+      $options
+    assert_equal "$(jq -c '.corners | map(.valence)' stages/half.crit.json)" '[2,1,1,1,1]'
+  done
+  "$halves" blunt_c
+  mesh half '.valid and .blocks == 3 and .irregular_nodes == 0'
+}
+
+@test "the nodes of a half are those of the whole, in every kind of far field and without one" {
+  local shape
+  for shape in aerofoil_box blunt_o ellipse_box ellipse_o square_box cylinder_channel channel pair; do
+    "$halves" $shape
+    nodes_agree
+  done
+}
+
+@test "kinds of grid, the fewest nodes and walls with layers are those of the whole" {
+  "$halves" ellipse_box
+  nodes_agree --topology c
+  nodes_agree --topology o
+  nodes_agree --nodes none
+  nodes_agree --topology none
+  nodes_agree --clearance body=2.5
+}
+
+@test "a half has half of the blocks, sizes and quality of the whole" {
+  "$halves" ellipse_box
+  mesh whole '.valid and .blocks == 12'
+  mesh half '.valid and .blocks == 8 and .irregular_nodes == 2'
+  jq -e -s '(.[0].least_scaled_jacobian - .[1].least_scaled_jacobian | fabs) < 0.01 and
+    (2 * .[0].quads / .[1].quads | . > 0.9 and . < 1.1)' half.json whole.json
+}
+
+@test "a circle around a sharp tail has its node beside the line, where the whole has it on the line" {
+  "$halves" aerofoil_o
+  mesh half '.valid and .blocks == 5 and .irregular_nodes == 1 and .warnings == []'
+}
+
+@test "--symmetry names the curves, by name, pattern or number; none turns it off" {
+  "$halves" aerofoil_c
+  cp half.step other.step
+  sed -i "s/'symmetry'/'axis'/" other.step
+  mesh other '.blocks == 2' --symmetry axis
+  mesh other '.blocks == 2' --symmetry 'ax*'
+  mesh other '.blocks == 2' --symmetry 0
+  run -2 "$ROOT/pipelines/quadmesh" other.step --topology c -o a.msh
+  assert_line --partial 'a C-, O- or H-grid is made around a hole, and the face has none'
+  run -2 "$ROOT/pipelines/quadmesh" half.step --topology c --symmetry none -o a.msh
+  run -2 "$ROOT/pipelines/quadmesh" other.step --symmetry axes -o a.msh
+  assert_line --index 0 --partial 'there is no boundary "axes" (did you mean axis?)'
+  run -2 "$ROOT/pipelines/quadmesh" other.step --symmetry body -o a.msh
+  assert_line --index 0 --partial 'quadmesh: --symmetry body: curve 5 "body" is not straight: at ('
+  assert_line --index 0 --partial ' off the line between its ends: a half has the curves of its symmetry on one line'
+}
+
+@test "curves called symmetry that are bent or inside the face are reported, and the face is meshed for itself" {
+  "$halves" aerofoil_c
+  run -0 --separate-stderr "$ROOT/pipelines/quadmesh" half.step --name symmetry=5 -o a.msh --report a.json
+  assert_regex "$stderr" 'critpoints: warning W-NODE-005: curve 5 "symmetry" is not straight'
+  "$halves" channel
+  run -0 --separate-stderr "$ROOT/pipelines/quadmesh" half.step --name symmetry=1 -o a.msh --report a.json
+  assert_equal "$stderr" ""
+  assert_equal "$(jq -c '[.blocks, .warnings]' a.json)" '[1,[]]'
+}
+
+@test "groups keep their names, and a quarter has a quarter of the grid" {
+  "$halves" cylinder_channel
+  mesh half '.valid and .blocks == 8'
+  assert_equal "$(grep -c '"symmetry"' half.msh)" 1
+  "$halves" quarter
+  mesh quarter '.valid and .blocks == 5 and .irregular_nodes == 1 and .warnings == []'
+  jq -e '.critical_points[0] | .valence == 5 and (.position[0] - .position[1] | fabs) < 1e-6' stages/quarter.crit.json
+}
