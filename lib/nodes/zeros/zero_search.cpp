@@ -1,13 +1,12 @@
 #include "zeros/zero_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/position_text.hpp"
 
 namespace quadrille::zeros {
 namespace {
@@ -161,8 +160,7 @@ void ZeroSearch::visit(const Cell& cell, int depth) {
 void require_decided(const ZeroSearch& search, Vec2 origin) {
   if (!search.is_budget_exhausted()) return;
   const Vec2 x = search.open_cells().back().centre + origin;
-  throw ComputeError(
-      fmt::format("the guiding field vanishes to higher order, or on a whole curve, near ({:.4g}, {:.4g})", x.x, x.y));
+  throw ComputeError("the guiding field vanishes to higher order, or on a whole curve, near " + position_text(x));
 }
 
 std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros) {
