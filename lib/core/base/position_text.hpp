@@ -7,7 +7,8 @@
 
 namespace quadrille {
 
-/// "(x, y)" with six digits each. `x` must be in the coordinates of the CAD file: a position plus face.origin.
+/// "(x, y)" with six digits each. `x` must be in the coordinates of the CAD file: a position plus face.origin. If a
+/// coordinate is no finite number, the text names an internal error instead: no message has "nan" for a place.
 std::string position_text(Vec2 x);
 
 /// position_text, where a coordinate that is only a rounding error relative to the other one is written as 0.
