@@ -78,7 +78,7 @@ void HalfModel::mirror_override(const guide::CornerOverride& prescribed) {
   if (!joint.is_corner && valence == 1) return;
   if (!joint.is_corner || !guide::is_admissible_valence(degrees(joint.interior_angle), 2 * valence))
     throw ComputeError(
-        fmt::format("it has no valence {} at {}", 2 * valence, position_text(joint.position + face().origin)));
+        fmt::format("it has no valence {} at {}", 2 * valence, rounded_position_text(joint.position + face().origin)));
   const std::array<int, 2> curves{mirrored_.copy[c], mirrored_.image[c]};
   options_.overrides.push_back({curves[c == in ? 0 : 1], curves[c == in ? 1 : 0], 2 * valence});
 }
@@ -112,7 +112,7 @@ int HalfModel::even_half(int valence, Vec2 position) const {
   if (valence % 2 != 0)
     throw ComputeError(
         fmt::format("its grid has a node of valence {} at {}, on that line, where it would need an even one", valence,
-                    position_text(position + face().origin)));
+                    rounded_position_text(position + face().origin)));
   return valence / 2;
 }
 
