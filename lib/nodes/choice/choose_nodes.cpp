@@ -152,11 +152,12 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   try {
     return nodes_of_half(field, options, lines.front(), num_threads, report, begin_part);
   } catch (const ComputeError& error) {
+    const int c = lines.front().curves.front();
     report.warn(
         warning::half_for_itself,
-        fmt::format("the grid is not half of that of the face and its mirror image at curve {} \"{}\": {}; the "
-                    "curve is a boundary like any other",
-                    lines.front().curves.front(), face.curve_names[lines.front().curves.front()], error.what()));
+        fmt::format("{}: the face is meshed for itself, with the line of curve {} \"{}\" as a boundary like any "
+                    "other; another grid of the whole (--topology, --nodes) may have such a line",
+                    error.what(), c, face.curve_names[c]));
   }
   return nodes_of_face(field, options, num_threads, report, begin_part);
 }

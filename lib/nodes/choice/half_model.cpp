@@ -77,8 +77,8 @@ void HalfModel::mirror_override(const guide::CornerOverride& prescribed) {
   const Joint& joint = mirrored_.whole.joints[joint_of_whole(out)];
   if (!joint.is_corner && valence == 1) return;
   if (!joint.is_corner || !guide::is_admissible_valence(degrees(joint.interior_angle), 2 * valence))
-    throw ComputeError(
-        fmt::format("it has no valence {} at {}", 2 * valence, position_text(joint.position + face().origin)));
+    throw ComputeError(fmt::format("the whole cannot have the valence {} at {}, twice the one that is prescribed",
+                                   2 * valence, rounded_position_text(joint.position + face().origin)));
   const std::array<int, 2> curves{mirrored_.copy[c], mirrored_.image[c]};
   options_.overrides.push_back({curves[c == in ? 0 : 1], curves[c == in ? 1 : 0], 2 * valence});
 }
@@ -111,8 +111,9 @@ void HalfModel::mirror_walls() {
 int HalfModel::even_half(int valence, Vec2 position) const {
   if (valence % 2 != 0)
     throw ComputeError(
-        fmt::format("its grid has a node of valence {} at {}, on that line, where it would need an even one", valence,
-                    position_text(position + face().origin)));
+        fmt::format("the grid of the whole has a node of valence {} on the line of symmetry, at {}, so that no line of "
+                    "blocks runs along it",
+                    valence, rounded_position_text(position + face().origin)));
   return valence / 2;
 }
 
@@ -144,7 +145,7 @@ void HalfModel::add_nodes(const CriticalPoints& whole, CriticalPoints& half) con
       --num_images;
     }
   }
-  if (num_images != 0) throw ComputeError("its nodes are not symmetric");
+  if (num_images != 0) throw ComputeError("the nodes of the whole are not symmetric");
 }
 
 /// A node on the line.
@@ -163,7 +164,8 @@ void HalfModel::add_boundary_node(IrregularBoundaryPoint node, CriticalPoints& h
 
 void HalfModel::add_boundary_nodes(const CriticalPoints& whole, CriticalPoints& half) const {
   for (IrregularBoundaryPoint node : whole.boundary_nodes) {
-    if (is_near_line(node.position)) throw ComputeError("its grid has a node on the boundary in that line");
+    if (is_near_line(node.position))
+      throw ComputeError("the grid of the whole has a node on the boundary in the line of symmetry");
     const auto copy = std::find(mirrored_.copy.begin(), mirrored_.copy.end(), node.curve);
     if (copy == mirrored_.copy.end()) continue;  // an image
     node.curve = static_cast<int>(copy - mirrored_.copy.begin());

@@ -159,7 +159,7 @@ void declare_face(Options& o, Cad2triOptions& cad2tri) {
   o.text("--blunt", cad2tri.blunt, "auto|WIDTH",
          "cut off the tips of cusps (edges that meet at an angle of zero), of corners below 0.2 degrees and of corners "
          "in which the boundary touches itself: straight edges of this length, in file units, take their place; auto: "
-         "1e-3 diameters (with curves called farfield, of the box around the others), or half of what fits, with a "
+         "1e-3 diameters (with curves called farfield, of the box around the bodies), or half of what fits, with a "
          "warning; 0: cusps and contacts are refused");
   o.number("--fit-tolerance", cad2tri.fit_tolerance, 0, 1e-3, "diameters",
            "a spline with 32 breaks or more, such as one through many points, is replaced by one with at most half as "

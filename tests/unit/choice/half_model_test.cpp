@@ -5,8 +5,8 @@
 #include "../support/polygon_field.hpp"
 #include "../triangulate/faces.hpp"
 #include "base/warning_codes.hpp"
-#include "choice/choose_nodes.hpp"
 #include "check/check.hpp"
+#include "choice/choose_nodes.hpp"
 
 namespace quadrille::choice {
 namespace {
