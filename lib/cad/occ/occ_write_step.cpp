@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_Static.hxx>
 #include <STEPConstruct.hxx>
@@ -40,6 +42,8 @@ WrittenUnit written_unit(const CadFace& face) {
     if (std::abs(face.metres_per_unit / metres - 1) < 1e-9) return {name, 1};
   for (const SiLength& si : si_lengths)
     if (std::abs(face.metres_per_unit / si.metres - 1) < 1e-9) return {"MM", 1, &si};
+  if (!(face.metres_per_unit > 1e-15 && face.metres_per_unit < 1e15))  // OpenCASCADE would calculate for ever
+    throw ComputeError(fmt::format("a length unit of {} m cannot be written to a STEP file", face.metres_per_unit));
   return {"MM", face.metres_per_unit * 1e3};
 }
 

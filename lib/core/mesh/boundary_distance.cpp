@@ -77,7 +77,8 @@ MeshBoundary mesh_boundary(const QuadMesh& mesh) {
   double length = 0;
   std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
   for (const QuadBoundaryEdge& edge : mesh.interface_edges)
-    if (edge.curve < mesh.face.partners[edge.curve]) edges.push_back(edge);  // both sides have the same nodes
+    if (mesh.face.is_interface(edge.curve) && edge.curve < mesh.face.partners[edge.curve])
+      edges.push_back(edge);  // both sides have the same nodes
   for (const QuadBoundaryEdge& edge : edges) {
     const std::vector<Vec2> nodes = side_positions(mesh, edge);
     boundary.curves.push_back(bezier_curve(mapped(maps.to_bezier, nodes)));

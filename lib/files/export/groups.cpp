@@ -86,7 +86,9 @@ std::vector<bool> inner_curves(const QuadMesh& mesh) {
 
 std::vector<QuadBoundaryEdge> interface_edges_once(const QuadMesh& mesh) {
   std::vector<QuadBoundaryEdge> edges = mesh.interface_edges;
-  std::erase_if(edges, [&](const QuadBoundaryEdge& edge) { return edge.curve > mesh.face.partners[edge.curve]; });
+  std::erase_if(edges, [&](const QuadBoundaryEdge& edge) {
+    return mesh.face.is_interface(edge.curve) && edge.curve > mesh.face.partners[edge.curve];
+  });
   return edges;
 }
 

@@ -151,7 +151,7 @@ class ObjectReader : public TypedArchive<ObjectReader> {
   std::string file_, path_;
 };
 
-constexpr int depth_limit = 100;
+constexpr int depth_limit = 100, key_limit = 10000;
 
 constexpr std::size_t line_width = 110;
 
@@ -257,26 +257,38 @@ void append_pretty(const Json& value, std::size_t indent, std::string& out) {
 
 }  // namespace
 
-bool is_shallow(const std::string& json) {
+namespace {
+
+/// What is too much of the text; empty if nothing is.
+std::string excess_of(const std::string& json) {
   int depth = 0;
+  std::array<int, depth_limit + 1> num_keys{};  // of the objects that are open
   bool in_text = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const char c = json[i];
-    if (in_text && c == '\\')
+    if (in_text && c == '\\') {
       ++i;
-    else if (c == '"')
+    } else if (c == '"') {
       in_text = !in_text;
-    else if (!in_text && (c == '[' || c == '{') && ++depth > depth_limit)
-      return false;
-    else if (!in_text && (c == ']' || c == '}'))
+    } else if (!in_text && (c == '[' || c == '{')) {
+      if (++depth > depth_limit) return fmt::format("nested deeper than {} levels", depth_limit);
+      if (depth > 0) num_keys[depth] = 0;
+    } else if (!in_text && (c == ']' || c == '}')) {
       --depth;
+    } else if (!in_text && c == ':' && depth > 0 && ++num_keys[depth] > key_limit) {
+      return fmt::format("an object has more than {} keys", key_limit);
+    }
   }
-  return true;
+  return {};
 }
 
+}  // namespace
+
+bool is_shallow(const std::string& json) { return excess_of(json).empty(); }
+
 void require_shallow(const std::string& json, const std::string& file_name) {
-  if (!is_shallow(json))
-    throw FormatError(fmt::format("{}: not valid: nested deeper than {} levels", file_name, depth_limit));
+  if (const std::string excess = excess_of(json); !excess.empty())
+    throw FormatError(fmt::format("{}: not valid: {}", file_name, excess));
 }
 
 struct JsonWriter::Impl {

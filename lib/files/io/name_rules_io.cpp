@@ -29,12 +29,17 @@ Json parsed_rules(const InputFile& file) {
   require_shallow(file.bytes, file.name);
   std::set<std::string> keys;
   const auto refuse_twins = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth > 0 && event == Json::parse_event_t::object_start)
+      throw FormatError(file.name + ": the new name must be a text that is not empty, not an object");
     if (depth == 1 && event == Json::parse_event_t::key && !keys.insert(value.get<std::string>()).second)
       throw FormatError(fmt::format("{}: the key \"{}\" occurs twice", file.name, value.get<std::string>()));
     return true;
   };
   try {
-    return Json::parse(file.bytes, refuse_twins);
+    // The parser looks at all members of a list after each one where it calls a function.
+    const std::size_t first = file.bytes.find_first_not_of(" \t\r\n");
+    const bool is_object = first != std::string::npos && file.bytes[first] == '{';
+    return is_object ? Json::parse(file.bytes, refuse_twins) : Json::parse(file.bytes);
   } catch (const Json::parse_error& e) {
     throw FormatError(fmt::format("{}: not JSON (byte {})", file.name, e.byte));
   } catch (const Json::out_of_range&) {

@@ -35,7 +35,8 @@ int spec_of_side(const BlockLayout& layout, const std::vector<int>& curve_spec, 
   const GraphArc& arc = layout.arcs[side.arc];
   if (!is_on_cad_curve(layout, arc)) return spec;
   for (const ArcPiece& piece : arc.pieces) {
-    const bool is_own_curve = arc.is_boundary || side.is_backwards != (piece.t0 < piece.t1);
+    const bool is_own_curve =
+        arc.is_boundary || !layout.face.is_interface(piece.curve) || side.is_backwards != (piece.t0 < piece.t1);
     const int other = curve_spec[is_own_curve ? piece.curve : layout.face.partners[piece.curve]];
     if (other < 0 || other == spec) continue;
     const bool is_finer = choice.is_finer(other, spec);

@@ -14,7 +14,6 @@ import sys
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent.parent)]
 
 import command_frame as frame
-from many_shapes.result_table import write_whole
 from many_shapes.shape_results import Results, message_of
 
 
@@ -51,16 +50,7 @@ def mesh_shape(job):
         return row if row is not None and row["exit_code"] == 0 else new_result(job, results, job["shape"])
 
 
-def row_of_long_name(results, shape):
-    message = f"the name {results.short_name(shape)} is too long for the names of its results: rename the shape"
-    row = results.new_row(shape, results.digests(shape), frame.NOT_WRITTEN, 0.0, message, None)
-    write_whole(results.row_file(shape), json.dumps(row, indent=1) + "\n")
-    return row
-
-
 def new_result(job, results, shape):
-    if results.is_too_long(shape):
-        return row_of_long_name(results, shape)
     for old in (results.row_file(shape), results.mesh(shape), results.report(shape)):
         old.unlink(missing_ok=True)
     work, inputs = results.part(shape), results.digests(shape)

@@ -1,5 +1,6 @@
 #include "io/name_rules_io.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "../support/texts.hpp"
@@ -96,6 +97,12 @@ TEST(NameRules, NumbersOutOfRangeMeetNothing) {
 
 TEST(NameRules, AFileOfBracketsIsRefused) {
   EXPECT_EQ(refusal(std::string(1'000'000, '[')), "names.json: not valid: nested deeper than 100 levels");
+  std::string many = "{";
+  for (int i = 0; i < 20000; ++i) many += fmt::format(R"("{}": "a", )", i);
+  EXPECT_EQ(refusal(many + "\"x\": \"a\"}"), "names.json: not valid: an object has more than 10000 keys");
+  std::string objects = "[";
+  for (int i = 0; i < 400'000; ++i) objects += "{\"a\":{}},";
+  EXPECT_NE(refusal(objects + "{}]"), "") << "in less than a second";
 }
 
 }  // namespace
