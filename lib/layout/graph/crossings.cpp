@@ -28,6 +28,10 @@ bool meet(const Box& a, const Box& b) {
 constexpr double side_by_side = 0.1;  // radians
 constexpr std::size_t most_sought = 100;
 
+// A cache is asked again and again for lines that are continued step by step: the time for all is bounded too.
+constexpr long long searches_of_cache = 4;
+constexpr std::size_t many_curves = 500;
+
 // A piece of a curve as a cubic Bezier over [t0, t1].
 struct Bezier {
   std::array<Vec2, 4> p;
@@ -124,6 +128,7 @@ class Counter {
   explicit Counter(const CrossingBounds& bounds) : bounds_(bounds) {}
 
   void count(const Box& at) {
+    if (bounds_.num_pairs) ++*bounds_.num_pairs;
     if (++num_ <= bounds_.max_pairs) return;
     const Vec2 position = (at.low + at.high) / 2 + bounds_.origin;
     throw ComputeError(
@@ -302,6 +307,9 @@ const std::vector<Crossing>& CrossingCache::find(const std::vector<CurveKey>& ke
     bounds.sought.push_back(known == numbers_.end());
     if (known != numbers_.end()) new_number[known->second] = i;
   }
+  const auto times = static_cast<long long>(std::max(keys.size(), many_curves) / many_curves);
+  bounds.max_pairs = std::min(bounds.max_pairs, searches_of_cache * times * bounds.max_pairs - num_pairs_);
+  bounds.num_pairs = &num_pairs_;
   std::vector<Crossing> all = find_crossings(splines, same, bounds);
   for (Crossing c : crossings_) {
     c.a = new_number[c.a], c.b = new_number[c.b];

@@ -35,7 +35,8 @@ struct CrossingBounds {
   long long max_pairs = 10'000'000;
   std::size_t max_crossings = std::numeric_limits<std::size_t>::max();  ///< of the pairs searched
   Vec2 origin{};                                                        ///< added to positions in messages
-  std::vector<bool> sought;  ///< only pairs with a marked curve are searched; empty: all pairs are
+  std::vector<bool> sought;        ///< only pairs with a marked curve are searched; empty: all pairs are
+  long long* num_pairs = nullptr;  ///< if given, the pairs of the search are added to it
 };
 
 /// Lines cross each other so often that a bound on the number of crossings or arcs is exceeded.
@@ -57,13 +58,15 @@ using CurveKey = std::array<double, 3>;
 class CrossingCache {
  public:
   /// find_crossings(splines, same, bounds), searched only for pairs with a new curve; bounds.sought is not used. Curves
-  /// that occur again must keep their order.
+  /// that occur again must keep their order. The pairs of all searches together are at most four times max_pairs, and
+  /// in proportion more of more than 500 curves; throws ComputeError beyond.
   const std::vector<Crossing>& find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines, double same,
                                     CrossingBounds bounds);
 
  private:
   std::map<CurveKey, int> numbers_;
   std::vector<Crossing> crossings_;
+  long long num_pairs_ = 0;
 };
 
 }  // namespace quadrille::graph
