@@ -131,7 +131,7 @@ class Counter {
     if (bounds_.num_pairs) ++*bounds_.num_pairs;
     if (++num_ <= bounds_.max_pairs) return;
     const Vec2 position = (at.low + at.high) / 2 + bounds_.origin;
-    throw TangledLinesError(
+    throw ComputeError(
         fmt::format("separatrices run beside each other too often: more than {} pairs of their pieces could cross, the "
                     "last near {}",
                     bounds_.max_pairs, position_text(position)));

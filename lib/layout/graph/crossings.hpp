@@ -39,12 +39,6 @@ struct CrossingBounds {
   long long* num_pairs = nullptr;  ///< if given, the pairs of the search are added to it
 };
 
-/// Lines run beside each other so often that the bound on pairs of their pieces is exceeded.
-class TangledLinesError : public ComputeError {
- public:
-  using ComputeError::ComputeError;
-};
-
 /// Lines cross each other so often that a bound on the number of crossings or arcs is exceeded.
 class CrowdedLinesError : public ComputeError {
  public:
@@ -53,8 +47,8 @@ class CrowdedLinesError : public ComputeError {
 
 /// Crossings of non-rational cubic splines (curve/nurbs.hpp, cubic_spline), sorted by (a, s, b). Two finds of one pair
 /// closer than `same` (a length) count as one. Curves that meet at an end are reported there too, where they do not
-/// merely touch within round-off. Throws ComputeError with a position if a limit is reached: TangledLinesError for
-/// max_pairs, CrowdedLinesError for max_crossings.
+/// merely touch within round-off. Throws ComputeError (for max_crossings: CrowdedLinesError) with a position if a limit
+/// is reached.
 std::vector<Crossing> find_crossings(const std::vector<Nurbs>& splines, double same, const CrossingBounds& bounds = {});
 
 /// Curves with equal keys are the same curve in all searches.
@@ -65,7 +59,7 @@ class CrossingCache {
  public:
   /// find_crossings(splines, same, bounds), searched only for pairs with a new curve; bounds.sought is not used. Curves
   /// that occur again must keep their order. The pairs of all searches together are at most four times max_pairs, and
-  /// in proportion more of more than 500 curves; throws TangledLinesError beyond.
+  /// in proportion more of more than 500 curves; throws ComputeError beyond.
   const std::vector<Crossing>& find(const std::vector<CurveKey>& keys, const std::vector<Nurbs>& splines, double same,
                                     CrossingBounds bounds);
 

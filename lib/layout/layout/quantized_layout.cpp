@@ -13,7 +13,6 @@
 #include "base/position_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
-#include "graph/crossings.hpp"
 #include "guide/valence.hpp"
 #include "quantize/quantize_and_extend.hpp"
 #include "quantize/t_mesh.hpp"
@@ -97,9 +96,22 @@ std::vector<CornerChange> corner_changes(const std::vector<Corner>& corners) {
       zero_arcs.size(), position_text(position)));
 }
 
-graph::CandidateLayout quantized_from(quantize::FirstLength length, const field::FieldEvaluator& evaluator,
-                                      const CriticalPoints& points, const LayoutOptions& options, Report& report) {
-  quantize::TMeshTracer tracer(evaluator, points, options.trace, report.progress(), length);
+}  // namespace
+
+std::vector<std::string> strip_remedies(const ArcGraph& t_mesh, const std::vector<int>& strip_arcs,
+                                        const CriticalPoints& points) {
+  const Strip strip = strip_of(t_mesh, strip_arcs, points);
+  std::vector<std::string> remedies;
+  if (has_change(points, ChangeKind::absorb, strip.corners)) remedies.emplace_back("--corner-absorb 0");
+  if (has_change(points, ChangeKind::line, strip.corners)) remedies.emplace_back("--ties field");
+  if (std::any_of(strip.nodes.begin(), strip.nodes.end(), may_move)) remedies.emplace_back("--place energy");
+  for (const CornerChange& change : corner_changes(strip.corners)) remedies.push_back(change.option);
+  return remedies;
+}
+
+graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                                        const LayoutOptions& options, Report& report) {
+  quantize::TMeshTracer tracer(evaluator, points, options.trace, report.progress());
   int num_rejected = 0;
   const auto without_merges = [&](const quantize::InfeasibleTMesh& failed) {
     if (failed.strips.empty() || !tracer.reject_merges(failed.t_mesh.lines, failed.strips))
@@ -118,28 +130,6 @@ graph::CandidateLayout quantized_from(quantize::FirstLength length, const field:
   if (options.simplify != SimplifyLevel::none)
     layout = simplify::simplify(evaluator, std::move(layout), simplify_options(options), report);
   return layout;
-}
-
-}  // namespace
-
-std::vector<std::string> strip_remedies(const ArcGraph& t_mesh, const std::vector<int>& strip_arcs,
-                                        const CriticalPoints& points) {
-  const Strip strip = strip_of(t_mesh, strip_arcs, points);
-  std::vector<std::string> remedies;
-  if (has_change(points, ChangeKind::absorb, strip.corners)) remedies.emplace_back("--corner-absorb 0");
-  if (has_change(points, ChangeKind::line, strip.corners)) remedies.emplace_back("--ties field");
-  if (std::any_of(strip.nodes.begin(), strip.nodes.end(), may_move)) remedies.emplace_back("--place energy");
-  for (const CornerChange& change : corner_changes(strip.corners)) remedies.push_back(change.option);
-  return remedies;
-}
-
-graph::CandidateLayout quantized_layout(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                                        const LayoutOptions& options, Report& report) {
-  try {
-    return quantized_from(quantize::FirstLength::usual, evaluator, points, options, report);
-  } catch (const graph::TangledLinesError&) {
-    return quantized_from(quantize::FirstLength::a_sixteenth, evaluator, points, options, report);
-  }
 }
 
 }  // namespace quadrille::layout

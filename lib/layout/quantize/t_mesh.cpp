@@ -26,10 +26,7 @@ struct FirstLengths {
   int many_lines = 500;
   double squares = 6;
 
-  double of(int num_lines, FirstLength length) const {
-    const double usual = num_lines <= many_lines ? few : squares / std::sqrt(num_lines);
-    return length == FirstLength::usual ? usual : usual / 16;
-  }
+  double of(int num_lines) const { return num_lines <= many_lines ? few : squares / std::sqrt(num_lines); }
 };
 constexpr FirstLengths first_lengths{};
 
@@ -37,12 +34,10 @@ constexpr int max_cuts = 100;
 
 // Traces all lines to the first length, always by the Runge-Kutta integrator.
 trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                              const std::vector<Vec2>& nodes, trace::TraceOptions options, Progress* progress,
-                              FirstLength length) {
+                              const std::vector<Vec2>& nodes, trace::TraceOptions options, Progress* progress) {
   options.integrator = trace::Integrator::runge_kutta;
   trace::LineTracer tracer(evaluator, points, nodes, options);
-  const double diameter = evaluator.field().mesh.face.diameter;
-  tracer.follow_all_to(first_lengths.of(trace::num_launches(points), length) * diameter, progress);
+  tracer.follow_all_to(first_lengths.of(trace::num_launches(points)) * evaluator.field().mesh.face.diameter, progress);
   return tracer;
 }
 
@@ -103,11 +98,11 @@ CutStart cut_from_loop(const CadFace& face, int loop, int k) {
 }
 
 TMeshTracer::TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                         const trace::TraceOptions& options, Progress* progress, FirstLength first_length)
+                         const trace::TraceOptions& options, Progress* progress)
     : evaluator_(evaluator),
       fixed_(trace::fixed_nodes(evaluator.field().mesh.face, points)),
       nodes_(trace::positions(fixed_)),
-      tracer_(first_lines(evaluator, points, nodes_, options, progress, first_length)),
+      tracer_(first_lines(evaluator, points, nodes_, options, progress)),
       lines_(evaluator, tracer_.lines(), nodes_, radians(options.merge_angle), options.merge_distance,
              trace::LineEnds::optional) {
   cuts_.head_starts.resize(tracer_.lines().size(), 0);

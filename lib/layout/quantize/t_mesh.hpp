@@ -36,25 +36,20 @@ std::vector<int> unconnected_loops(const SeparatrixGraph& graph);
 /// der Corput's sequence).
 CutStart cut_from_loop(const CadFace& face, int loop, int k);
 
-/// Lengths to which lines are traced first. From there on, those of lines that are not stopped are doubled.
-enum class FirstLength {
-  usual,       ///< two diameters, or a fraction of one where there are more than 500 lines: most merges are known then
-  a_sixteenth  ///< of the usual ones: the laps of spirals stay few, but also merges
-};
-
 /// Head-on separatrices are merged as in layout/trace_separatrices, then all fronts start together. Cuts are added for
-/// holes and limit cycles that meet no line. Lines are traced no farther than needed.
+/// holes and limit cycles that meet no line. Lines are traced no farther than needed: from two
+/// diameters on, or a fraction of one where there are more than 500, the greatest length of lines that are not stopped
+/// is doubled.
 class TMeshTracer {
  public:
   /// `evaluator` must outlive the tracer. Throws ComputeError as trace::launch_all and trace::advance.
   TMeshTracer(const field::FieldEvaluator& evaluator, const CriticalPoints& points, const trace::TraceOptions& options,
-              Progress* progress = nullptr, FirstLength first_length = FirstLength::usual);
+              Progress* progress = nullptr);
   TMeshTracer(const TMeshTracer&) = delete;  // its members refer to each other
   TMeshTracer& operator=(const TMeshTracer&) = delete;
 
   /// The T-mesh, with merged_lines and the largest deviation of its certificate. Reports t_mesh.*. Throws ComputeError
-  /// if a line cannot be traced, if one that no other stops needs too many steps, or if 100 cuts are not enough, and
-  /// graph::TangledLinesError if there are too many laps of spirals.
+  /// if a line cannot be traced, if one that no other stops needs too many steps, or if 100 cuts are not enough.
   graph::CandidateLayout trace(Report& report);
 
   /// Rejects for each strip, given by its arcs, among the merges of lines with one of these (`lines`: of the T-mesh

@@ -31,6 +31,7 @@ void ChoiceSearch::set_base(const Choice& choice) {
   known_.resize(evaluator.field().mesh.num_elems());
   const std::vector<double> changes = tilted_.changes(before.empty() ? choice : before, choice);
   zeros::ZeroSearch search(evaluator, {}, noise_);
+  zeros::FarLiftings liftings(evaluator);
   for (std::size_t e = 0; e < changes.size(); ++e) {
     Known& known = known_[e];
     if (tilted_.is_empty()[e]) continue;
@@ -39,15 +40,15 @@ void ChoiceSearch::set_base(const Choice& choice) {
     search.search(static_cast<int>(e));
     zeros::require_decided(search, evaluator.field().mesh.face.origin);
     known.found = search.take();
-    known.margin = margin_of(evaluator, static_cast<int>(e), known.found);
+    known.margin = margin_of(evaluator, liftings, static_cast<int>(e), known.found);
   }
 }
 
-double ChoiceSearch::margin_of(const field::FieldEvaluator& evaluator, int elem,
+double ChoiceSearch::margin_of(const field::FieldEvaluator& evaluator, zeros::FarLiftings& liftings, int elem,
                                const zeros::SearchResult& found) const {
   const Field& field = evaluator.field();
   if (!found.open_cells.empty() || field.method != FieldMethod::cg) return 0;
-  if (found.zeros.empty()) return zeros::least_value(evaluator, elem);
+  if (found.zeros.empty()) return zeros::least_value(evaluator, liftings, elem);
   double margin = 1;
   for (const zeros::FoundZero& zero : found.zeros) {
     const Mat2 inverse_jacobian = inverse(evaluator.sample(elem, zero.xi).dv_dx);

@@ -30,7 +30,8 @@ class ChoiceSearch {
     zeros::SearchResult found;
     double margin = -1;  ///< less what the base has changed since; negative: not searched yet
   };
-  double margin_of(const field::FieldEvaluator& evaluator, int elem, const zeros::SearchResult& found) const;
+  double margin_of(const field::FieldEvaluator& evaluator, zeros::FarLiftings& liftings, int elem,
+                   const zeros::SearchResult& found) const;
 
   TiltedField& tilted_;
   double noise_;

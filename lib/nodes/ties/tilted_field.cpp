@@ -156,8 +156,9 @@ void TiltedField::find_empty_elements() {
   std::vector<double> sums(sum_.mesh.num_elems(), 0);
   for (std::size_t i = 0; i < odd_.size(); ++i)
     for (std::size_t k = 0; k < odd_[i].elems.size(); ++k) sums[odd_[i].elems[k]] += greatest_[i][k];
+  zeros::FarLiftings liftings(*evaluator_);
   for (int e = 0; e < sum_.mesh.num_elems(); ++e)
-    is_empty_[e] = zeros::is_surely_empty(*evaluator_, e, sums[e] + tolerance::round_off);
+    is_empty_[e] = zeros::is_surely_empty(*evaluator_, liftings, e, sums[e] + tolerance::round_off);
 }
 
 std::vector<double> TiltedField::changes(const Choice& from, const Choice& to) const {

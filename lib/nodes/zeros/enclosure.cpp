@@ -30,47 +30,69 @@ Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
 
 constexpr int most_bisections = 4;
 
-bool is_cell_empty(const field::FieldEvaluator& evaluator, const Cell& cell, double margin, int bisections) {
+bool is_cell_empty(const Field& field, const LiftingGroup& group, const Cell& cell, double margin, int bisections) {
   Enclosure enclosure;
-  enclosure.set(cell, evaluator.field().liftings, margin);
+  enclosure.set(cell, field, group, margin);
   if (enclosure.excludes_zero()) return true;
   if (bisections == 0) return false;
   Cell first, second;
   bisect(cell, first, second);
-  return is_cell_empty(evaluator, first, margin, bisections - 1) &&
-         is_cell_empty(evaluator, second, margin, bisections - 1);
+  return is_cell_empty(field, group, first, margin, bisections - 1) &&
+         is_cell_empty(field, group, second, margin, bisections - 1);
 }
 
-double least_value_in(const field::FieldEvaluator& evaluator, const Cell& cell, int bisections) {
+double least_value_in(const Field& field, const LiftingGroup& group, const Cell& cell, int bisections) {
   Enclosure enclosure;
-  enclosure.set(cell, evaluator.field().liftings);
+  enclosure.set(cell, field, group);
   const double least = enclosure.least_value();
   if (least > 0 || bisections == 0) return least;
   Cell first, second;
   bisect(cell, first, second);
-  const double in_first = least_value_in(evaluator, first, bisections - 1);
-  return in_first > 0 ? std::min(in_first, least_value_in(evaluator, second, bisections - 1)) : 0;
+  const double in_first = least_value_in(field, group, first, bisections - 1);
+  return in_first > 0 ? std::min(in_first, least_value_in(field, group, second, bisections - 1)) : 0;
 }
 
 }  // namespace
 
 void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, double margin) {
+  set_polynomial(cell, margin);
+  Vec2 shift;
+  Mat2 slope;
+  double size = 0, rounding = 0;
+  add_liftings(liftings, shift, slope, size, rounding);
+  finish(shift, slope, size, rounding);
+}
+
+void Enclosure::set(const Cell& cell, const Field& field, const LiftingGroup& group, double margin) {
+  if (group.jumps == 0) return set(cell, group.near_liftings, margin);
+  set_polynomial(cell, margin);
+  if (!group.contains(centre_, radius_)) return set(cell, field.liftings, margin);
+  Mat2 slope;
+  Vec2 shift = group.far_sum(centre_, slope);
+  double size = group.jumps, rounding = group.rounding;
+  far_rest_ = 0.5 * group.bend * radius_ * radius_;
+  gradient_error_ = group.bend * radius_;
+  add_liftings(group.near_liftings, shift, slope, size, rounding);
+  finish(shift, slope, size, rounding);
+}
+
+void Enclosure::set_polynomial(const Cell& cell, double margin) {
   cell_ = &cell;
   margin_ = margin;
   centre_ = (cell.vertex(0) + cell.vertex(1) + cell.vertex(2)) / 3;
-  double radius2 = 0, size2 = 0, rounding = 0;
+  double radius2 = 0;
   values_.resize(cell.num_coefs());
   for (int i = 0; i < cell.num_coefs(); ++i) {
     values_[i] = cell.value(i);
     radius2 = std::max(radius2, norm2(cell.point(i) - centre_));
-    size2 = std::max(size2, norm2(values_[i]));
   }
   radius_ = std::sqrt(radius2);
-  double size = std::sqrt(size2);
-  Vec2 shift;
-  Mat2 slope;
   ranges_.clear();
-  gradient_error_ = 0;
+  far_rest_ = gradient_error_ = 0;
+}
+
+void Enclosure::add_liftings(const std::vector<Lifting>& liftings, Vec2& shift, Mat2& slope, double& size,
+                             double& rounding) {
   for (const Lifting& lifting : liftings) {
     const double to_apex = distance(lifting.apex, centre_), to_pole = distance(lifting.pole, centre_);
     size += norm(lifting.jump);
@@ -80,10 +102,17 @@ void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, doub
     else
       add_by_angles(lifting);
   }
-  for (int i = 0; i < cell.num_coefs(); ++i) values_[i] += shift + slope * (cell.point(i) - centre_);
+}
+
+void Enclosure::finish(Vec2 shift, const Mat2& slope, double size, double rounding) {
+  double size2 = 0;
+  for (int i = 0; i < cell_->num_coefs(); ++i) {
+    size2 = std::max(size2, norm2(cell_->value(i)));
+    values_[i] += shift + slope * (cell_->point(i) - centre_);
+  }
   // A position is rounded relative to its distance from the origin, which rotates the lifting's angle close to a
   // corner.
-  slack_ = 1e-14 * size + 1e-15 * cell.scale + 4e-16 * (norm(centre_) + radius_) * rounding;
+  slack_ = 1e-14 * (size + std::sqrt(size2)) + 1e-15 * cell_->scale + 4e-16 * (norm(centre_) + radius_) * rounding;
 }
 
 void Enclosure::add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope) {
@@ -110,7 +139,7 @@ void Enclosure::add_by_angles(const Lifting& lifting) {
 
 /// The least value of direction . v over all contributions of the ranges.
 double Enclosure::support(Vec2 direction) const {
-  double sum = 0;
+  double sum = far_rest_;
   for (const Range& range : ranges_) sum += std::abs(dot(direction, range.jump)) * range.half_width;
   return -sum;
 }
@@ -140,6 +169,7 @@ double Enclosure::separation(double enough) const {
       const double side = dot(direction, range.jump) > 0 ? -1 : 1;
       nearest += range.jump * (side * range.half_width);
     }
+    nearest -= far_rest_ * direction;
     const Vec2 chord = nearest - y;
     const double part = -dot(y, chord) / norm2(chord);
     if (!(part > 0)) break;
@@ -186,16 +216,16 @@ double Enclosure::greatest_value() const {
   for (const Vec2 value : values_) greatest2 = std::max(greatest2, norm2(value));
   double greatest = std::sqrt(greatest2);
   for (const Range& range : ranges_) greatest += norm(range.jump) * range.half_width;
-  return greatest;
+  return greatest + far_rest_;
 }
 
-bool is_surely_empty(const field::FieldEvaluator& evaluator, int elem, double margin) {
+bool is_surely_empty(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem, double margin) {
   if (margin >= 1) return false;
-  return is_cell_empty(evaluator, element_cell(evaluator, elem), margin, most_bisections);
+  return is_cell_empty(evaluator.field(), liftings.of(elem), element_cell(evaluator, elem), margin, most_bisections);
 }
 
-double least_value(const field::FieldEvaluator& evaluator, int elem) {
-  return least_value_in(evaluator, element_cell(evaluator, elem), most_bisections);
+double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem) {
+  return least_value_in(evaluator.field(), liftings.of(elem), element_cell(evaluator, elem), most_bisections);
 }
 
 }  // namespace quadrille::zeros

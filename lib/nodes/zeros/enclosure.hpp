@@ -12,6 +12,7 @@
 
 #include "field/evaluate.hpp"
 #include "zeros/cell.hpp"
+#include "zeros/far_liftings.hpp"
 
 namespace quadrille::zeros {
 
@@ -20,6 +21,9 @@ class Enclosure {
   /// Recomputes everything for `cell`, which must live as long as the results are used; storage is reused. `margin`:
   /// uncertainty of the field itself (zeros/zero_search); a value of at most this length may be a zero.
   void set(const Cell& cell, const std::vector<Lifting>& liftings, double margin = 0);
+  /// The same with the liftings of `field` as seen from a group that contains the cell: the rests of the far ones widen
+  /// it in all directions.
+  void set(const Cell& cell, const Field& field, const LiftingGroup& group, double margin = 0);
 
   /// True if the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
   bool excludes_zero() const { return separation(0) > 0; }
@@ -41,6 +45,9 @@ class Enclosure {
     Vec2 jump;
     double half_width;  ///< of the angle's rest
   };
+  void set_polynomial(const Cell& cell, double margin);
+  void add_liftings(const std::vector<Lifting>& liftings, Vec2& shift, Mat2& slope, double& size, double& rounding);
+  void finish(Vec2 shift, const Mat2& slope, double size, double rounding);
   void add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope);  ///< linear parts go into shift and slope
   void add_by_angles(const Lifting& lifting);
   double support(Vec2 direction) const;
@@ -53,15 +60,16 @@ class Enclosure {
   double margin_ = 0;
   std::vector<Vec2> values_;  ///< Bernstein coefficients of the field with linearised liftings
   std::vector<Range> ranges_;
+  double far_rest_ = 0;        ///< bound of the rests of the liftings that are far from a group of elements
   double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised
 };
 
 /// Whether it is proved that each field that differs by at most `margin` from this one on element `elem` has no zero
 /// there. With few cells: false does not mean that there is a zero. For continuous fields.
-bool is_surely_empty(const field::FieldEvaluator& evaluator, int elem, double margin);
+bool is_surely_empty(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem, double margin);
 
 /// A lower bound of |v| over element `elem`: no field that differs by less has a zero there. With few cells: 0 does not
 /// mean that there is a zero. For continuous fields.
-double least_value(const field::FieldEvaluator& evaluator, int elem);
+double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem);
 
 }  // namespace quadrille::zeros

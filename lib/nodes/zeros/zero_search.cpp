@@ -82,6 +82,7 @@ ZeroSearch::ZeroSearch(const field::FieldEvaluator& evaluator, std::vector<Disc>
       ignored_(std::move(ignored)),
       noise_(noise),
       jumps_(edge_jumps(evaluator)),
+      liftings_(evaluator),
       halves_(max_depth) {}
 
 void ZeroSearch::search(int elem) {
@@ -135,7 +136,7 @@ void ZeroSearch::visit(const Cell& cell, int depth) {
   ++found_.counts.examined;
   found_.counts.greatest_depth = std::max(found_.counts.greatest_depth, depth);
   const double jump = margin(cell);
-  enclosure_.set(cell, evaluator_->field().liftings, jump);
+  enclosure_.set(cell, evaluator_->field(), liftings_.of(cell.elem), jump);
   if (enclosure_.excludes_zero()) {
     ++found_.counts.excluded;
     return;

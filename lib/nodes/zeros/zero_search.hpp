@@ -14,6 +14,7 @@
 #include "field/evaluate.hpp"
 #include "zeros/cell.hpp"
 #include "zeros/enclosure.hpp"
+#include "zeros/far_liftings.hpp"
 
 namespace quadrille::zeros {
 
@@ -68,7 +69,7 @@ struct SearchResult {
 
 class ZeroSearch {
  public:
-  /// Cells in which |v| stays below `noise` are not bisected further.
+  /// Cells in which |v| stays below `noise` are not bisected further. The field must stay as it is.
   ZeroSearch(const field::FieldEvaluator& evaluator, std::vector<Disc> ignored, double noise = field_noise);
 
   /// Searches one element. Stops early, with an open cell, if the element needs more cells than zeros ever require.
@@ -97,6 +98,7 @@ class ZeroSearch {
   std::vector<Disc> ignored_;
   double noise_;
   std::vector<Jumps> jumps_;
+  FarLiftings liftings_;
   std::vector<std::array<Cell, 2>> halves_;  ///< by depth: storage of the recursion
   Enclosure enclosure_;
   long long budget_ = 1;  ///< cells left for this element

@@ -190,5 +190,19 @@ TEST(CrossingCache, AreThoseOfANewSearchWhateverHasChanged) {
   expect_all({{0}, {5}, {6}, {3}}, {row(1), row(5), column(6), column(4)});  // one is back, one is new
 }
 
+TEST(CrossingCache, AllItsSearchesTogetherAreBounded) {
+  const std::vector<Nurbs> splines{row(1), row(2), column(3), column(4)};
+  long long num_pairs = 0;
+  CrossingBounds bounds;
+  bounds.num_pairs = &num_pairs;
+  find_crossings(splines, 1e-9, bounds);
+  ASSERT_GT(num_pairs, 0);
+  bounds.max_pairs = num_pairs;
+  CrossingCache known;
+  const auto search = [&](double n) { known.find({{n}, {n + 0.1}, {n + 0.2}, {n + 0.3}}, splines, 1e-9, bounds); };
+  for (int i = 0; i < 4; ++i) EXPECT_NO_THROW(search(i)) << i;
+  EXPECT_THROW(search(4), ComputeError);
+}
+
 }  // namespace
 }  // namespace quadrille::graph

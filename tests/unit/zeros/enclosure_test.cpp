@@ -150,7 +150,8 @@ TEST(Cell, halves_cover_the_element_and_keep_its_polynomials) {
 int num_surely_empty(const Field& field, double margin) {
   const field::FieldEvaluator evaluator(field);
   int count = 0;
-  for (int e = 0; e < field.mesh.num_elems(); ++e) count += is_surely_empty(evaluator, e, margin);
+  FarLiftings liftings(evaluator);
+  for (int e = 0; e < field.mesh.num_elems(); ++e) count += is_surely_empty(evaluator, liftings, e, margin);
   return count;
 }
 

@@ -1,0 +1,124 @@
+#include "zeros/far_liftings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "curve/pole_box.hpp"
+#include "field/explicit_value.hpp"
+
+namespace quadrille::zeros {
+namespace {
+
+constexpr std::size_t least_liftings = 64;  // with fewer, series save nothing
+constexpr int elements_per_group = 64;
+constexpr double least_distance = 3;  // of far liftings, in radii
+constexpr double remainder = 1e-17;   // of a series
+constexpr double margin = 1.1;        // for the bulge of curved edges
+
+double radius_of(const spectral::TriMap& map, Vec2 centre) {
+  double radius = 0;
+  for (const Vec2 xi : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{0, -1}, Vec2{0, 0}, Vec2{-1, 0}})
+    radius = std::max(radius, distance(centre, map.position(xi)));
+  return margin * radius;
+}
+
+// The principal value of theta_c jumps across the segment from the apex to the pole.
+bool is_far(const Lifting& lifting, Vec2 centre, double radius) {
+  const Vec2 along = lifting.pole - lifting.apex;
+  const double length2 = norm2(along);
+  const double f = length2 > 0 ? std::clamp(dot(centre - lifting.apex, along) / length2, 0.0, 1.0) : 0.0;
+  return distance(lifting.apex + f * along, centre) >= least_distance * radius;
+}
+
+void add_series(Vec2 d, double radius, double weight, std::vector<Vec2>& series) {
+  if (weight == 0) return;
+  const Vec2 q = (radius / norm2(d)) * Vec2{d.x, -d.y};
+  Vec2 power = q;
+  for (std::size_t k = 1; norm2(power) > remainder * remainder; ++k, power = field::product(power, q)) {
+    if (series.size() < k) series.emplace_back();
+    series[k - 1] += (-weight / static_cast<double>(k)) * power;
+  }
+}
+
+// Im f(t) for f with these coefficients of t, t^2, ..., and d f / d t.
+double value_at(const std::vector<Vec2>& series, Vec2 t, Vec2& derivative) {
+  Vec2 f;
+  derivative = {};
+  for (std::size_t k = series.size(); k-- > 0;) {
+    derivative = field::product(derivative, t) + f;
+    f = field::product(f, t) + series[k];
+  }
+  derivative = field::product(derivative, t) + f;
+  return field::product(f, t).y;
+}
+
+}  // namespace
+
+Vec2 LiftingGroup::far_sum(Vec2 x, Mat2& gradient) const {
+  const Vec2 t = (x - centre) / radius;
+  Vec2 du, dv;
+  const Vec2 sum{value_at(u, t, du), value_at(v, t, dv)};
+  gradient = {gradient.xx + du.y / radius, gradient.xy + du.x / radius, gradient.yx + dv.y / radius,
+              gradient.yy + dv.x / radius};
+  return at_centre + sum;
+}
+
+FarLiftings::FarLiftings(const field::FieldEvaluator& evaluator) : evaluator_(&evaluator) {
+  if (evaluator.field().liftings.size() >= least_liftings) {
+    group_elements();
+  } else {
+    groups_.emplace_back().near_liftings = evaluator.field().liftings;
+    elem2group_.assign(evaluator.maps().size(), 0);
+    is_filled_.assign(1, true);
+  }
+}
+
+void FarLiftings::group_elements() {
+  std::vector<Vec2> centres;
+  for (const spectral::TriMap& map : evaluator_->maps()) centres.push_back(map.position(field::centroid));
+  curve::PoleBox box{centres.front(), centres.front()};
+  for (const Vec2 x : centres) box.extend({x, x});
+  const auto& [low, high] = box;
+  const int n = 1 + static_cast<int>(std::sqrt(static_cast<double>(centres.size()) / elements_per_group));
+  const double side = std::max(high.x - low.x, high.y - low.y) / n;
+  const auto cell = [&](double offset) { return side > 0 ? std::min(static_cast<int>(offset / side), n - 1) : 0; };
+  groups_.resize(static_cast<std::size_t>(n) * n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) groups_[i + n * j].centre = low + side * Vec2{i + 0.5, j + 0.5};
+  for (std::size_t e = 0; e < centres.size(); ++e) {
+    LiftingGroup& group =
+        groups_[elem2group_.emplace_back(cell(centres[e].x - low.x) + n * cell(centres[e].y - low.y))];
+    group.radius =
+        std::max(group.radius, distance(group.centre, centres[e]) + radius_of(evaluator_->maps()[e], centres[e]));
+  }
+  is_filled_.assign(groups_.size(), false);
+}
+
+void FarLiftings::fill(LiftingGroup& group) const {
+  for (const Lifting& lifting : evaluator_->field().liftings) {
+    if (!is_far(lifting, group.centre, group.radius)) {
+      group.near_liftings.push_back(lifting);
+      continue;
+    }
+    const Vec2 to_apex = lifting.apex - group.centre, to_pole = lifting.pole - group.centre;
+    for (const auto& [d, sign] : {std::pair(to_apex, 1.0), std::pair(to_pole, -1.0)}) {
+      add_series(d, group.radius, sign * lifting.jump.x, group.u);
+      add_series(d, group.radius, sign * lifting.jump.y, group.v);
+      const double nearest = norm(d) - group.radius, size = norm(lifting.jump);
+      group.bend += size / (nearest * nearest);
+      group.rounding += size / nearest;
+    }
+    group.jumps += norm(lifting.jump);
+    group.at_centre += field::lifting_angle(lifting, group.centre) * lifting.jump;
+  }
+}
+
+const LiftingGroup& FarLiftings::of(int elem) {
+  const int g = elem2group_[elem];
+  if (!is_filled_[g]) fill(groups_[g]);
+  is_filled_[g] = true;
+  return groups_[g];
+}
+
+}  // namespace quadrille::zeros
