@@ -97,7 +97,7 @@ accepted() {
 
 # exported NAME OPTION...: files of a periodic mesh in all formats, and how many pairs of edges it has.
 exported() {
-  "$ROOT/pipelines/quadmesh" -q "$DATA/regions/$1.step" "${@:2}" --workdir . -o x.msh
+  "$ROOT/pipelines/quadmesh" -q "$DATA/regions/$1.step" "${@:2}" --inner-edges curved --workdir . -o x.msh
   quadexport -q --format msh22 "$1.quad.h5" -o x22.msh
   quadexport -q --frame 3d "$1.quad.h5" -o space.msh
   for format in re2 mesh xml ism inp; do quadexport -q "$1.quad.h5" -o "x.$format" 2>>messages; done
