@@ -139,16 +139,23 @@ std::vector<bool> elements_that_keep_lengths(const SplitRequest& request, const 
   return keeps;
 }
 
-/// Returns whether vertices were moved; not if the mesh would exceed what is allowed by more.
+/// Returns whether vertices were moved; not if the mesh would exceed what is allowed by more. Edges are relaxed again
+/// with a stricter tolerance if they miss it between the samples of that time.
 bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
-  const SizeRelaxation relaxation{request.sizes,
-                                  request.options.inner_edges,
-                                  request.limits.distance,
-                                  request.options.relax_sweeps,
-                                  elements_that_keep_lengths(request, result),
-                                  elements_on_layered_chords(request.equal.blocks(), result)};
+  SizeRelaxation relaxation{request.sizes,
+                            request.options.inner_edges,
+                            result.settings.tolerance,
+                            request.options.relax_sweeps,
+                            elements_that_keep_lengths(request, result),
+                            elements_on_layered_chords(request.equal.blocks(), result)};
   SizeRelaxed relaxed = relax_to_sizes(result.mesh, relaxation);
   if (relaxed.sweeps == 0) return false;
+  for (int round = 0; round < max_corrections; ++round) {
+    const mesh::BoundaryDistance distance = mesh::boundary_distance(relaxed.mesh);
+    if (distance.is_within(std::max(request.limits.distance, result.distance.worst().distance))) break;
+    relaxation.tolerance *= stricter * request.limits.distance / distance.worst().distance;
+    relaxed = relax_to_sizes(result.mesh, relaxation);
+  }
   SplitMesh next = result;
   next.mesh = std::move(relaxed.mesh);
   next.distance = mesh::boundary_distance(next.mesh);

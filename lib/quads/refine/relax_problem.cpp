@@ -156,10 +156,10 @@ bool BoundarySlide::may_leave(const curve::Chain& chain, int piece) const {
   const CadFace& face = mesh_->face;
   const int before = chain.pieces()[piece].curve, after = chain.pieces()[piece + 1].curve;
   if (is_seam(face, after)) return true;
-  const Joint& joint = face.joints[after];
   const bool is_named = face.curve_names[before] != face.curve_names[after] &&
                         (face.has_given_name(before) || face.has_given_name(after));
-  return leaves_breaks_ && !is_named && !joint.is_corner && std::abs(joint.interior_angle - pi) < tolerance::same_angle;
+  return leaves_breaks_ && !is_named && !face.joints[after].is_corner &&
+         std::abs(face.joints[after].interior_angle - pi) < tolerance::same_angle;
 }
 
 /// An edge that passes a joint keeps its ends.
@@ -193,21 +193,17 @@ void BoundarySlide::fix_at_breaks(int vertex) {
   const curve::Chain& chain = loops_[v.loop];
   const double total = chain.length() / 2;
   if (v.length < 0) {
-    v.length = 0;
-    v.is_fixed = true;
+    v.length = 0, v.is_fixed = true;
     return;
   }
-  const int first_curve = mesh_->face.loop_offsets[v.loop];
   const double same = tolerance::round_off * mesh_->face.diameter;
-  const auto is_here = [&](double f) { return std::abs(std::remainder(v.length - f * 2 * total, total)) < same; };
-  for (const double f : chain.break_fractions()) {
-    const bool is_start = std::abs(std::remainder(f * 2 * total, total)) < same;
-    if (is_here(f) && !(is_start && is_seam(mesh_->face, first_curve))) v.is_at_break = true;
-  }
+  const bool has_seam = is_seam(mesh_->face, mesh_->face.loop_offsets[v.loop]);
+  const auto is_at = [&](double x, double f) { return std::abs(std::remainder(x - f * 2 * total, total)) < same; };
+  for (const double f : chain.break_fractions()) v.is_at_break |= is_at(v.length, f) && !(has_seam && is_at(0, f));
   if (!leaves_breaks_) v.is_fixed |= v.is_at_break;
   const std::vector<double> joints = chain.joint_fractions();
   for (std::size_t k = 0; leaves_breaks_ && k < joints.size(); ++k)
-    if (is_here(joints[k]) && !may_leave(chain, static_cast<int>(k))) v.is_fixed = true;
+    if (is_at(v.length, joints[k]) && !may_leave(chain, static_cast<int>(k))) v.is_fixed = true;
 }
 
 curve::ChainPoint BoundarySlide::at(int vertex, double slide) const {
