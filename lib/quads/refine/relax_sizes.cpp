@@ -31,6 +31,7 @@ struct SizeConstants {
   double shorter = 0.95;      ///< than the length at which the distance would be the tolerance
   double heavier = 3;         ///< the weight of the shape of elements that became too skew, over the one before
   int rounds = 6;             ///< of heavier weights
+  int move_halvings = 4;      ///< of all moves, if elements are too skew all the same
   double good_scaled_jacobian = 0.7, greatest_loss = 0.1;  ///< elements below both are too skew
 };
 constexpr SizeConstants size_constants;
@@ -279,18 +280,28 @@ void relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
   }
 }
 
-/// Makes the shape of elements that are too skew weigh more; returns whether there are any.
-bool weigh_skew_elements(const QuadMesh& before, const QuadMesh& after, SizeEnergy& energy) {
+/// By element that may move: whether it is more skew than it has to be, or not proved valid.
+std::vector<bool> skew_elements(const QuadMesh& before, const QuadMesh& after, const SizeEnergy& energy) {
   const double least =
       std::min(least_scaled_jacobian(before) - size_constants.greatest_loss, size_constants.good_scaled_jacobian);
-  bool is_any = false;
+  std::vector<bool> is_skew;
   for (int elem = 0; elem < after.num_elems(); ++elem)
-    if (energy.is_free(elem) &&
-        (after.elem_scaled_jacobian[elem] < least - tolerance::tied || !(after.elem_jacobian_bound[elem] > 0))) {
-      energy.shape_weights[elem] *= size_constants.heavier;
-      is_any = true;
-    }
-  return is_any;
+    is_skew.push_back(energy.is_free(elem) && (after.elem_scaled_jacobian[elem] < least - tolerance::tied ||
+                                               !(after.elem_jacobian_bound[elem] > 0)));
+  return is_skew;
+}
+
+/// Halves all moves until no element is too skew; if none of them may be made, there are none.
+void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, const QuadMesh& shaped, Relaxer& relaxer,
+                 QuadMesh& mesh) {
+  for (int halving = 0; halving < size_constants.move_halvings; ++halving) {
+    for (Vec2& move : relaxer.moves) move *= 0.5;
+    mesh = moved_mesh(problem, options, relaxer.moves);
+    if (std::ranges::count(skew_elements(shaped, mesh, relaxer.energy), true) == 0) return;
+  }
+  relaxer.moves.assign(relaxer.moves.size(), {});
+  relaxer.num_sweeps = 0;
+  mesh = shaped;
 }
 
 }  // namespace
@@ -313,11 +324,15 @@ SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) 
   if (!mesh.is_valid || !std::isfinite(relaxer.value)) return result;
   const double num_free = std::max(1.0, static_cast<double>(mesh.num_elems()));
   result.energy_before = relaxer.value / num_free;
-  for (int round = 0; round < size_constants.rounds; ++round) {
+  for (int round = 0; round <= size_constants.rounds; ++round) {
     relax_within_tolerance(options, problem, relaxer);
     result.mesh = moved_mesh(problem, options, relaxer.moves);
     if (round == 0) result.energy_after = relaxer.value / num_free;
-    if (!weigh_skew_elements(shaped, result.mesh, relaxer.energy)) break;
+    const std::vector<bool> is_skew = skew_elements(shaped, result.mesh, relaxer.energy);
+    if (std::ranges::count(is_skew, true) == 0) break;
+    if (round == size_constants.rounds) halve_moves(problem, options, shaped, relaxer, result.mesh);
+    for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
+      if (is_skew[elem]) relaxer.energy.shape_weights[elem] *= size_constants.heavier;
   }
   result.sweeps = relaxer.num_sweeps;
   for (const Vec2 move : relaxer.moves) result.largest_move = std::max(result.largest_move, norm(move));
