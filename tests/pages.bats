@@ -51,7 +51,7 @@ chain_with_reports() {
   separatrix $x.phase.h5 $x.crit.json -o $x.sep.json --report separatrix.json
   separatrix --layout quantized $x.phase.h5 $x.crit.json -o $x.2.sep.json --report separatrix.2.json
   blocksplit $x.sep.json -o $x.blocks.h5 --report blocksplit.json
-  quadrefine --relax 2 --wall 0:first=0.01,growth=1.3,layers=3 $x.blocks.h5 -o $x.quad.h5 --report quadrefine.json
+  quadrefine --relax shape --relax-sweeps 2 --wall 0:first=0.01,growth=1.3,layers=3 $x.blocks.h5 -o $x.quad.h5 --report quadrefine.json
   quadexport $x.quad.h5 -o $x.msh --report quadexport.json
   stageview $x.quad.h5 -o $x.svg --report stageview.json
   stagecheck $x.quad.h5 --report stagecheck.json

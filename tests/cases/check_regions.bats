@@ -14,7 +14,7 @@ setup() {
 
 @test "the checker accepts what quadrefine makes of a layout of two regions" {
   blocks=$ROOT/tests/formats/block_layout/passed/regions.blocks.h5
-  for options in "--order 1 --size 0.3" "--order 4 --size 0.5 --relax 5" \
+  for options in "--order 1 --size 0.3" "--order 4 --size 0.5 --relax shape --relax-sweeps 5" \
     "--order 3 --size 0.3 --wall fluid-solid@fluid:first=0.02,layers=3"; do
     # shellcheck disable=SC2086  # several options
     quadrefine $options "$blocks" -o x.quad.h5

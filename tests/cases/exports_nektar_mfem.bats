@@ -35,12 +35,12 @@ exports() {
 }
 
 @test "the XML is well formed, and only elements that their sides do not tell have faces" {
-  quadrefine -q "$blocks/plate_hole.blocks.h5" -o a.quad.h5
+  quadrefine -q --inner-edges curved "$blocks/plate_hole.blocks.h5" -o a.quad.h5
   quadexport a.quad.h5 -o a.xml
   run -0 xmllint --noout a.xml
   run -1 grep -c '<F ' a.xml
   assert_output 0
-  quadrefine -q "$blocks/small_fillets.blocks.h5" -o b.quad.h5
+  quadrefine -q --inner-edges curved "$blocks/small_fillets.blocks.h5" -o b.quad.h5
   quadexport b.quad.h5 -o b.xml
   run -0 xmllint --noout b.xml
   assert [ "$(grep -c '<F ' b.xml)" -gt 50 ]

@@ -50,7 +50,7 @@ accepted() {
 
 @test "sizes, layers and relaxation keep the nodes of both sides" {
   accepted wave --periodic inflow=outflow --geometry-tol 1e-10
-  for options in "--wall wall:first=0.01,layers=4" "--size 0.1 --relax 10" "--size-near wall=0.04"; do
+  for options in "--wall wall:first=0.01,layers=4" "--size 0.1 --relax shape --relax-sweeps 10" "--size-near wall=0.04"; do
     # shellcheck disable=SC2086  # several options
     quadrefine --order 4 $options wave/*.blocks.h5 -o x.quad.h5
     run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" x.quad.h5 --area-tolerance 1e-8
@@ -97,7 +97,7 @@ accepted() {
 
 # exported NAME OPTION...: files of a periodic mesh in all formats, and how many pairs of edges it has.
 exported() {
-  "$ROOT/pipelines/quadmesh" -q "$DATA/regions/$1.step" "${@:2}" --workdir . -o x.msh
+  "$ROOT/pipelines/quadmesh" -q "$DATA/regions/$1.step" "${@:2}" --inner-edges curved --workdir . -o x.msh
   quadexport -q --format msh22 "$1.quad.h5" -o x22.msh
   quadexport -q --frame 3d "$1.quad.h5" -o space.msh
   for format in re2 mesh xml ism inp; do quadexport -q "$1.quad.h5" -o "x.$format" 2>>messages; done

@@ -58,6 +58,9 @@ table() {
 2 | quadrefine --count hole=0 w/half_disc.blocks.h5 | --count: 'hole=0' is not CHORD=N or NAME=N
 2 | quadrefine --grading hole=0.1 w/half_disc.blocks.h5 | --grading: 'hole=0.1' is not NAME=FIRST:LAST
 2 | quadrefine --refine 11 w/half_disc.blocks.h5 | --refine: 11 is outside its interval
+2 | quadrefine --relax 20 w/half_disc.blocks.h5 | --relax 20 is now --relax shape --relax-sweeps 20
+2 | quadrefine --relax even w/half_disc.blocks.h5 | --relax: 'even' is not one of size, shape, none
+2 | quadrefine --inner-edges bent w/half_disc.blocks.h5 | --inner-edges
 2 | quadrefine --per-curve few w/half_disc.blocks.h5 | --per-curve: 'few' is not "auto" or an integer
 2 | quadrefine --wall curve_0:first=1,layers=2,blocks=own w/half_disc.blocks.h5 | blocks=own needs a curve curve_0_offset in the face
 2 | quadrefine --wall curve_0:yplus=1,layers=2 w/half_disc.blocks.h5 | y+ needs the flow as well: give --velocity, --viscosity, --length

@@ -282,15 +282,29 @@ setup() {
   assert_output ""
 }
 
-@test "--relax betters elements, never the worst for worse, and gives the same bytes twice" {
-  quadrefine --relax 20 "$blocks" -o a.quad.h5 --report a.json
-  quadrefine --relax 20 "$blocks" -o b.quad.h5
+@test "--relax shape betters elements, never the worst for worse, and gives the same bytes twice" {
+  options=(--relax shape --relax-sweeps 20 --inner-edges curved)
+  quadrefine "${options[@]}" "$blocks" -o a.quad.h5 --report a.json
+  quadrefine "${options[@]}" "$blocks" -o b.quad.h5
   cmp a.quad.h5 b.quad.h5
   run jq '.relax.least_scaled_jacobian_before + 0.02 < .least_scaled_jacobian and
     .relax.mean_scaled_jacobian_before < .mean_scaled_jacobian and .relax.sweeps <= 20 and .least_jacobian_bound > 0' a.json
   assert_output true
   stagecheck a.quad.h5
-  run -2 quadrefine --relax -1 "$blocks" -o c.quad.h5
+  run -2 quadrefine --relax-sweeps -1 "$blocks" -o c.quad.h5
+}
+
+@test "--relax size makes elements more alike, twice the same; a number is answered with what it is now" {
+  quadrefine --relax size "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --relax size "$blocks" -o b.quad.h5
+  quadrefine "$blocks" -o c.quad.h5 --report c.json
+  cmp a.quad.h5 b.quad.h5
+  jq -e '.relax.energy_after < .relax.energy_before and .relax.sweeps > 0 and .valid' a.json
+  jq -e '.relax == null' c.json
+  stagecheck a.quad.h5
+  run -2 quadrefine --relax 20 "$blocks" -o d.quad.h5
+  assert_line --partial "--relax 20 is now --relax shape --relax-sweeps 20"
+  run -2 quadrefine --relax sizes "$blocks" -o d.quad.h5
 }
 
 @test "--inner-edges: straight by default, curved as the blocks are, or fading; the boundary is the same" {

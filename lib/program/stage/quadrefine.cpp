@@ -44,6 +44,7 @@ Prescribed parsed(const QuadrefineOptions& options) {
   Prescribed prescribed{options.refine, options.sizes};
   auto& [refine, sizes] = prescribed;
   sizes.per_curve = sizing::parse_per_curve(options.per_curve);
+  refine.relax = refine::parse_relax(options.relax);
   for (const std::string& text : options.near) sizes.near.push_back(sizing::parse_near_size(text));
   for (const std::string& text : options.counts) prescribe::parse_count(text, refine.counts, refine.boundary_counts);
   for (const std::string& text : options.gradings) refine.end_gradings.push_back(prescribe::parse_end_grading(text));
@@ -174,8 +175,12 @@ void declare(Options& o, QuadrefineOptions& options) {
            "edges that lie on no CAD curve: straight where elements allow it, which makes solutions most accurate; "
            "curved as the blocks are; fade: curved, by half as much from row to row behind a curved boundary. Layers "
            "along walls keep their shape");
-  o.integer("--relax", options.refine.relax, 0, 1000,
-            "relaxation sweeps, which move vertices to improve the shapes of elements");
+  o.text(
+      "--relax", options.relax, "size|shape|none",
+      "move vertices, also those on sides of blocks and irregular ones, those of boundaries along them: size: to the "
+      "prescribed edge lengths; shape: to the angles of rectangles, with the lengths as they are; none: not. Layers "
+      "along walls, interfaces and periodic sides keep their vertices, and so do all with --blocks");
+  o.integer("--relax-sweeps", options.refine.relax_sweeps, 0, 1000, "greatest number of steps of --relax");
   o.integer("--refine", options.refine.levels, 0, 10,
             "nested refinement, for studies of convergence: at the end each element becomes 2^K x 2^K elements of its "
             "own map, so that the geometry and all vertices stay as they are");

@@ -9,6 +9,7 @@
 #include "refine/chosen_blocks.hpp"
 #include "refine/inner_edges.hpp"
 #include "refine/relax.hpp"
+#include "refine/relax_sizes.hpp"
 #include "sizing/element_limit.hpp"
 
 namespace quadrille::refine {
@@ -126,6 +127,48 @@ std::vector<bool> elements_in_layered_blocks(const SplitMesh& split) {
   return is_layered;
 }
 
+/// By element: whether its chords have layers or prescribed lengths at their ends, from which elements grow.
+std::vector<bool> elements_that_keep_lengths(const SplitRequest& request, const SplitMesh& split) {
+  const BlockLayout& blocks = request.equal.blocks();
+  std::vector<bool> keeps = elements_on_layered_chords(blocks, split);
+  keeps.resize(split.mesh.num_elems(), false);
+  const std::vector<bool> divisions = growth::kept_chords(request.equal, {}, request.options.end_gradings).divisions;
+  for (int elem = 0; elem < split.mesh.num_elems(); ++elem)
+    for (const int side : {0, 1})
+      if (divisions[blocks.arc_chord[blocks.block2arcs[split.mesh.elem_block[elem]][side].arc]]) keeps[elem] = true;
+  return keeps;
+}
+
+/// Returns whether vertices were moved; not if the mesh would exceed what is allowed by more. Edges are relaxed again
+/// with a stricter tolerance if they miss it between the samples of that time.
+bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
+  SizeRelaxation relaxation{request.sizes,
+                            request.options.inner_edges,
+                            result.settings.tolerance,
+                            request.options.relax_sweeps,
+                            elements_that_keep_lengths(request, result),
+                            elements_on_layered_chords(request.equal.blocks(), result)};
+  SizeRelaxed relaxed = relax_to_sizes(result.mesh, relaxation);
+  if (relaxed.sweeps == 0) return false;
+  for (int round = 0; round < max_corrections; ++round) {
+    const mesh::BoundaryDistance distance = mesh::boundary_distance(relaxed.mesh);
+    if (distance.is_within(std::max(request.limits.distance, result.distance.worst().distance))) break;
+    relaxation.tolerance *= stricter * request.limits.distance / distance.worst().distance;
+    relaxed = relax_to_sizes(result.mesh, relaxation);
+  }
+  SplitMesh next = result;
+  next.mesh = std::move(relaxed.mesh);
+  next.distance = mesh::boundary_distance(next.mesh);
+  set_score(request, next);
+  const mesh::MeshScore &before = result.score, &after = next.score;
+  if (after.unproved > before.unproved || mesh::exceeds(after.distance, before.distance) ||
+      mesh::exceeds(after.elongation, before.elongation) || (result.walls && mesh::is_better(before, after)))
+    return false;
+  report_relaxation(request.report, result.mesh, relaxed);
+  result = std::move(next);
+  return true;
+}
+
 }  // namespace
 
 std::span<const Remedy> remedies() { return all_remedies; }
@@ -158,13 +201,14 @@ void place_vertices(const SplitRequest& request, SplitMesh& result) {
     for (int i = 0; i < max_corrections && correct_lines(request, result); ++i) {
     }
   }
-  if (request.options.relax > 0)
+  const RefineOptions& options = request.options;
+  if (options.relax == Relax::shape && options.relax_sweeps > 0)
     relax_and_report(result.mesh,
-                     {request.options.relax, result.settings.tolerance, elements_in_layered_blocks(result),
+                     {options.relax_sweeps, result.settings.tolerance, elements_in_layered_blocks(result),
                       request.report.progress()},
                      request.report);
-  shape_inner_edges(result.mesh, request.options.inner_edges,
-                    elements_on_layered_chords(request.equal.blocks(), result));
+  if (options.relax != Relax::size || !options.blocks.empty() || !relax_sizes(request, result))
+    shape_inner_edges(result.mesh, options.inner_edges, elements_on_layered_chords(request.equal.blocks(), result));
   result.distance = mesh::boundary_distance(result.mesh);
   set_score(request, result);
 }

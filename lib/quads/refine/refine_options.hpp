@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "layers/wall_spec.hpp"
@@ -21,6 +22,17 @@ enum class InnerEdges {
   fade,      ///< the curvature of the blocks, halved from row to row behind a curved boundary
 };
 constexpr auto enum_names(InnerEdges) { return std::to_array({"straight", "curved", "fade"}); }
+
+/// The goal to which vertices are moved.
+enum class Relax {
+  size,   ///< edges have the prescribed lengths (refine/relax_sizes)
+  shape,  ///< elements have the angles of rectangles (refine/relax)
+  none,   ///< vertices are not moved
+};
+constexpr auto enum_names(Relax) { return std::to_array({"size", "shape", "none"}); }
+
+/// Throws UsageError if the text is not the name of a goal.
+Relax parse_relax(const std::string& text);
 
 struct RefineOptions {
   double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
@@ -46,9 +58,10 @@ struct RefineOptions {
   double max_edge_ratio = 0;   ///< a mesh with a higher one is an error, 0: none is, else at least 1
   int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
   InnerEdges inner_edges = InnerEdges::straight;
-  int relax = 0;          ///< sweeps of relaxation (refine/relax)
-  int levels = 0;         ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
-  void validate() const;  ///< throws UsageError
+  Relax relax = Relax::none;
+  int relax_sweeps = 200;  ///< greatest number, 0..1000
+  int levels = 0;          ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
+  void validate() const;   ///< throws UsageError
 };
 
 }  // namespace quadrille::refine

@@ -120,8 +120,11 @@ ElementEnergy ShapeEnergy::with_derivatives(int elem, const std::vector<Vec2>& n
   return energy;
 }
 
-BoundarySlide::BoundarySlide(const QuadMesh& mesh)
-    : mesh_(&mesh), table_(mesh.face, no_splines_), curve_start_(mesh.face.curves.size(), 0.0) {
+BoundarySlide::BoundarySlide(const QuadMesh& mesh, bool leaves_breaks)
+    : mesh_(&mesh),
+      leaves_breaks_(leaves_breaks),
+      table_(mesh.face, no_splines_),
+      curve_start_(mesh.face.curves.size(), 0.0) {
   const CadFace& face = mesh.face;
   for (int loop = 0; loop < face.num_loops(); ++loop) {
     loops_.push_back(walked_twice(face, table_, loop));
@@ -137,24 +140,37 @@ void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
   for (int k = 0; k < count; ++k) {
     const QuadBoundaryEdge& edge = loop_edges[k];
     const int node = side_start(*mesh_, edge.elem, edge.side), loop = mesh_->face.loop_of(edge.curve);
-    vertices_.push_back({node, loop, length_at(loop, edge.curve, mesh_->nodes[node]), false});
+    vertices_.push_back({node, loop, length_at(loop, edge.curve, mesh_->nodes[node])});
     fix_at_breaks(static_cast<int>(vertices_.size()) - 1);
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
   }
   for (int k = 0; k < count; ++k)
     if (is_shared(mesh_->face, loop_edges[k].curve))
       vertices_[first_vertex + k].is_fixed = vertices_[first_vertex + (k + 1) % count].is_fixed = true;
-  for (int e = first; e < first + count; ++e) {
-    const curve::Chain& chain = loops_[vertices_[edges_[e].from].loop];
-    const Ends ends = ends_of(e, 0, 0);
-    const double slack = 2 * tolerance::round_off * mesh_->face.diameter / chain.length();
-    for (const double joint : chain.joint_fractions()) {
-      const bool is_inside = joint > ends.low + slack && joint < ends.high - slack;
-      const int curve = chain.at(joint).piece % static_cast<int>(chain.pieces().size() / 2);
-      if (is_inside && !is_seam(mesh_->face, chain.pieces()[curve].curve))
-        vertices_[edges_[e].from].is_fixed = vertices_[edges_[e].to].is_fixed = true;
-    }
-  }
+  for (int e = first; e < first + count; ++e) fix_beside_joints(e);
+}
+
+/// Whether vertices may slide off the joint after that piece: a seam, or if breaks may be left a smooth joint of curves
+/// whose names are the same, or not given.
+bool BoundarySlide::may_leave(const curve::Chain& chain, int piece) const {
+  const CadFace& face = mesh_->face;
+  const int before = chain.pieces()[piece].curve, after = chain.pieces()[piece + 1].curve;
+  if (is_seam(face, after)) return true;
+  const bool is_named = face.curve_names[before] != face.curve_names[after] &&
+                        (face.has_given_name(before) || face.has_given_name(after));
+  return leaves_breaks_ && !is_named && !face.joints[after].is_corner &&
+         std::abs(face.joints[after].interior_angle - pi) < tolerance::same_angle;
+}
+
+/// An edge that passes a joint keeps its ends.
+void BoundarySlide::fix_beside_joints(int edge) {
+  const curve::Chain& chain = loops_[vertices_[edges_[edge].from].loop];
+  const Ends ends = ends_of(edge, 0, 0);
+  const double slack = 2 * tolerance::round_off * mesh_->face.diameter / chain.length();
+  const std::vector<double> joints = chain.joint_fractions();
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    if (joints[k] > ends.low + slack && joints[k] < ends.high - slack && !may_leave(chain, static_cast<int>(k)))
+      vertices_[edges_[edge].from].is_fixed = vertices_[edges_[edge].to].is_fixed = true;
 }
 
 /// By projection onto the curve of the edge that starts at x, or the one before; negative if it is on neither.
@@ -177,18 +193,17 @@ void BoundarySlide::fix_at_breaks(int vertex) {
   const curve::Chain& chain = loops_[v.loop];
   const double total = chain.length() / 2;
   if (v.length < 0) {
-    v.length = 0;
-    v.is_fixed = true;
+    v.length = 0, v.is_fixed = true;
     return;
   }
-  const int first_curve = mesh_->face.loop_offsets[v.loop];
-  for (const double f : chain.break_fractions()) {
-    const double position = f * 2 * total;
-    const double apart = std::abs(std::remainder(v.length - position, total));
-    const bool is_start = std::abs(std::remainder(position, total)) < tolerance::round_off * mesh_->face.diameter;
-    if (apart < tolerance::round_off * mesh_->face.diameter && !(is_start && is_seam(mesh_->face, first_curve)))
-      v.is_fixed = true;
-  }
+  const double same = tolerance::round_off * mesh_->face.diameter;
+  const bool has_seam = is_seam(mesh_->face, mesh_->face.loop_offsets[v.loop]);
+  const auto is_at = [&](double x, double f) { return std::abs(std::remainder(x - f * 2 * total, total)) < same; };
+  for (const double f : chain.break_fractions()) v.is_at_break |= is_at(v.length, f) && !(has_seam && is_at(0, f));
+  if (!leaves_breaks_) v.is_fixed |= v.is_at_break;
+  const std::vector<double> joints = chain.joint_fractions();
+  for (std::size_t k = 0; leaves_breaks_ && k < joints.size(); ++k)
+    if (is_at(v.length, joints[k]) && !may_leave(chain, static_cast<int>(k))) v.is_fixed = true;
 }
 
 curve::ChainPoint BoundarySlide::at(int vertex, double slide) const {
@@ -206,6 +221,13 @@ BoundarySlide::Ends BoundarySlide::ends_of(int edge, double slide_from, double s
   low += slide_from, high += slide_to;
   if (low < 0) low += total, high += total;
   return {low / (2 * total), high / (2 * total)};
+}
+
+PartnerPoint BoundarySlide::edge_middle(int edge, double slide_from, double slide_to) const {
+  const Ends ends = ends_of(edge, slide_from, slide_to);
+  const curve::Chain& chain = loops_[vertices_[edges_[edge].from].loop];
+  const curve::ChainPoint at = chain.at((ends.low + ends.high) / 2);
+  return {chain.pieces()[at.piece].curve, at.t};
 }
 
 std::vector<Vec2> BoundarySlide::edge_nodes(int edge, double slide_from, double slide_to) const {
@@ -306,8 +328,12 @@ void NodeFollow::shift_inside(int elem, std::vector<Vec2>& shifts) const {
     }
 }
 
-RelaxProblem::RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems)
-    : start(mesh), boundary(start), follow(start, boundary), energy(start), is_fixed(follow.num_vertices(), false) {
+RelaxProblem::RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, bool leaves_breaks)
+    : start(mesh),
+      boundary(start, leaves_breaks),
+      follow(start, boundary),
+      energy(start),
+      is_fixed(follow.num_vertices(), false) {
   for (int v = 0; v < num_vertices(); ++v)
     if (const int b = follow.on_boundary(v); b >= 0) is_fixed[v] = boundary.vertices()[b].is_fixed;
   for (std::size_t elem = 0; elem < frozen_elems.size(); ++elem)

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "curve/chain.hpp"
+#include "model/interfaces.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::refine {
@@ -57,6 +58,7 @@ struct SlidingVertex {
   int loop = 0;
   double length = 0;  ///< along the loop from the start of its first curve
   bool is_fixed = false;
+  bool is_at_break = false;  ///< of its curve
 };
 
 struct SlidingEdge {
@@ -66,8 +68,9 @@ struct SlidingEdge {
 
 class BoundarySlide {
  public:
-  /// `mesh` must outlive it.
-  explicit BoundarySlide(const QuadMesh& mesh);
+  /// `mesh` must outlive it. `leaves_breaks`: vertices slide off breaks of curves and
+  /// smooth joints between curves that have one name or none.
+  explicit BoundarySlide(const QuadMesh& mesh, bool leaves_breaks = false);
   BoundarySlide(const BoundarySlide&) = delete;
   BoundarySlide& operator=(const BoundarySlide&) = delete;
 
@@ -76,6 +79,8 @@ class BoundarySlide {
 
   /// Position and unit tangent of a vertex that has slid by `slide`, a length along the loop.
   curve::ChainPoint at(int vertex, double slide) const;
+  /// The curve at the middle of an edge whose ends have slid, and the parameter on it.
+  PartnerPoint edge_middle(int edge, double slide_from, double slide_to) const;
   /// The N + 1 nodes of an edge whose ends have slid: the Gauss-Lobatto-Legendre points by arc length.
   std::vector<Vec2> edge_nodes(int edge, double slide_from, double slide_to) const;
   /// Distance of the edge's polynomial from the curve (sizing/interval_error).
@@ -89,8 +94,11 @@ class BoundarySlide {
   void add_loop(const std::vector<QuadBoundaryEdge>& loop_edges);
   double length_at(int loop, int curve, Vec2 x) const;
   void fix_at_breaks(int vertex);
+  bool may_leave(const curve::Chain& chain, int joint) const;
+  void fix_beside_joints(int edge);
 
   const QuadMesh* mesh_;
+  bool leaves_breaks_;
   std::vector<Nurbs> no_splines_;
   curve::CurveTable table_;
   std::vector<curve::Chain> loops_;  ///< each doubled: its curves twice in turn
@@ -138,7 +146,7 @@ class NodeFollow {
 /// The data that do not change during the relaxation.
 struct RelaxProblem {
   /// `frozen_elems` by element: keeps all nodes; empty: none does.
-  RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems);
+  RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, bool leaves_breaks = false);
   RelaxProblem(const RelaxProblem&) = delete;
   RelaxProblem& operator=(const RelaxProblem&) = delete;
 

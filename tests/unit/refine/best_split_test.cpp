@@ -158,7 +158,8 @@ TEST(BestSplit, TheBoundaryMeetsItsTolerance) {
 }
 
 TEST(PlaceVertices, NoneMovesWithoutLayersAndRelaxation) {
-  const SplitSample sample(hand_made::s_bend(), {.size = 0.45, .order = 3, .inner_edges = InnerEdges::curved});
+  const SplitSample sample(hand_made::s_bend(),
+                           {.size = 0.45, .order = 3, .inner_edges = InnerEdges::curved, .relax = Relax::none});
   SplitMesh split = best_split(sample.request).split;
   const std::vector<Vec2> before = split.mesh.nodes;
   place_vertices(sample.request, split);
@@ -166,8 +167,9 @@ TEST(PlaceVertices, NoneMovesWithoutLayersAndRelaxation) {
 }
 
 TEST(PlaceVertices, RelaxationNeverLowersTheLeastScaledJacobian) {
-  const SplitSample sample(hand_made::s_bend(),
-                           {.size = 0.45, .order = 3, .inner_edges = InnerEdges::curved, .relax = 5});
+  const SplitSample sample(
+      hand_made::s_bend(),
+      {.size = 0.45, .order = 3, .inner_edges = InnerEdges::curved, .relax = Relax::shape, .relax_sweeps = 5});
   SplitMesh split = best_split(sample.request).split;
   const double before = std::ranges::min(split.mesh.elem_scaled_jacobian);
   place_vertices(sample.request, split);

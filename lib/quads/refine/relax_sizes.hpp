@@ -1,0 +1,40 @@
+#pragma once
+// Relaxation to the prescribed sizes: moves all vertices of a mesh but those that are fixed (refine/relax_problem),
+// also those on sides of blocks and irregular ones, to the least size energy (refine/size_energy).
+//
+// The method is a limited-memory quasi-Newton method (Nocedal 1980), whose first matrix is the inverse of the Hessian's
+// diagonal blocks. Where sizes differ, they are those at the middles of elements, and are taken anew every few sweeps.
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "base/report.hpp"
+#include "refine/inner_edges.hpp"
+#include "sizing/size_field.hpp"
+
+namespace quadrille::refine {
+
+struct SizeRelaxation {
+  const sizing::SizeField& sizes;
+  InnerEdges inner_edges = InnerEdges::straight;
+  double tolerance = 0;                 ///< greatest distance between mesh boundary and CAD curve, a length, > 0
+  int sweeps = 200;                     ///< greatest number
+  std::vector<bool> frozen_elems = {};  ///< elements that keep all nodes; empty: none
+  std::vector<bool> kept_elems = {};    ///< elements whose edges inside keep their curves
+  Progress* progress = nullptr;
+};
+
+struct SizeRelaxed {
+  QuadMesh mesh;   ///< measured (refine/validity), its edges inside shaped (refine/inner_edges)
+  int sweeps = 0;  ///< steps that were made
+  double energy_before = 0, energy_after = 0;  ///< means per element that may move
+  double largest_move = 0;                     ///< of a vertex, a length
+};
+
+/// `mesh`: measured, its edges inside as the blocks are.
+SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options);
+
+/// The keys relax.* of the report. `before`: the mesh that was relaxed.
+void report_relaxation(Report& report, const QuadMesh& before, const SizeRelaxed& relaxed);
+
+}  // namespace quadrille::refine

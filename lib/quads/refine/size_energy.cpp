@@ -1,0 +1,329 @@
+#include "refine/size_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/tolerance.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/quadrature.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+constexpr double first_shape_weight = 2;  ///< w
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double point_value(Vec2 a, Vec2 b, double weight) {
+  const double det = cross(a, b);
+  if (!(det > 0)) return infinity;
+  const double aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
+  return (aa * aa * aa + bb * bb * bb) / 2 * det + weight * mu * mu * mu;
+}
+
+struct SidePoint {
+  int point = 0;  ///< s fastest
+  bool is_along_a = true;
+  double along = 1, across = 1;  ///< signs of the derivatives along the side and away from it
+};
+
+/// Point p along a side, r away from it.
+SidePoint side_point(int side, int p, int r, int n) {
+  switch (side) {
+    case 0:
+      return {r * n + p, true, 1, 1};
+    case 1:
+      return {p * n + n - 1 - r, false, 1, -1};
+    case 2:
+      return {(n - 1 - r) * n + n - 1 - p, true, -1, -1};
+    default:
+      return {(n - 1 - p) * n + r, false, -1, 1};
+  }
+}
+
+/// Derivatives by s and t of the bilinear functions of the corners.
+std::array<Vec2, 4> corner_slopes(double s, double t) { return {{{t - 1, s - 1}, {1 - t, -s}, {t, s}, {-t, 1 - s}}}; }
+
+}  // namespace
+
+/// The energy at one point, its derivatives by a and b, and what the second derivatives are made of.
+struct SizeEnergy::PointEnergy {
+  double value = 0;
+  Vec2 by_a, by_b;
+  double mu_slope = 0, mu_bend = 0, size_a = 0, size_b = 0, turn_a = 0, turn_b = 0;
+  Vec2 mu_a, mu_b;
+
+  PointEnergy(Vec2 a, Vec2 b, double weight);
+};
+
+SizeEnergy::PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) {
+  const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
+  const double size = (aa * aa * aa + bb * bb * bb) / 2;
+  const Vec2 det_a{b.y, -b.x}, det_b{-a.y, a.x};
+  value = size * det + weight * mu * mu * mu;
+  mu_slope = 3 * weight * mu * mu / det;
+  mu_bend = 6 * weight * mu;
+  mu_a = (a - mu * det_a) / det, mu_b = (b - mu * det_b) / det;
+  size_a = 3 * aa * aa * det, size_b = 3 * bb * bb * det;
+  turn_a = 12 * aa * det, turn_b = 12 * bb * det;
+  by_a = size_a * a + size * det_a + mu_slope * det * mu_a;
+  by_b = size_b * b + size * det_b + mu_slope * det * mu_b;
+}
+
+SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
+    : problem_(problem), loops_(shaped), start_(problem.num_vertices()), inverse_size_(shaped.num_elems(), {1, 1}) {
+  const spectral::Quadrature rule = spectral::gauss_lobatto(points);
+  const Eigen::MatrixXd slopes = spectral::differentiation_matrix(rule.points);
+  for (int i = 0; i < points; ++i) {
+    at_[i] = (1 + rule.points[i]) / 2;
+    weight_[i] = rule.weights[i] / 2;
+    for (int j = 0; j < points; ++j) slope_[i][j] = 2 * slopes(i, j);
+  }
+  shape_weights.assign(shaped.num_elems(), first_shape_weight);
+  for (int elem = 0; elem < shaped.num_elems(); ++elem) {
+    const auto& vertices = problem.follow.elem_vertices()[elem];
+    for (int c = 0; c < 4; ++c) start_[vertices[c]] = shaped.nodes[side_start(shaped, elem, c)];
+    is_free_.push_back(!std::ranges::all_of(vertices, [&](int v) { return problem.is_fixed[v]; }));
+  }
+  position_ = start_;
+  tangent_.resize(start_.size());
+  add_curved_sides(shaped);
+}
+
+void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
+  elem_sides_.assign(shaped.num_elems(), -1);
+  const std::vector<double>& xi = spectral::gll_points(shaped.order);
+  std::vector<double> sampled;
+  for (const double t : at_) sampled.push_back(2 * t - 1);
+  const Eigen::MatrixXd interpolate = spectral::interpolation_matrix(xi, sampled);
+  const auto add = [&](int elem, int side, const CurvedSide& curved) {
+    if (elem_sides_[elem] < 0) elem_sides_[elem] = static_cast<int>(curved_.size()), curved_.emplace_back();
+    curved_[elem_sides_[elem]].side[side] = static_cast<int>(sides_.size());
+    sides_.push_back(curved);
+  };
+  std::vector<std::array<int, 4>> sliding(shaped.num_elems(), {-1, -1, -1, -1});
+  const std::vector<SlidingEdge>& edges = problem_.boundary.edges();
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (!problem_.is_fixed[problem_.follow.vertex_of(edges[e].from)] ||
+        !problem_.is_fixed[problem_.follow.vertex_of(edges[e].to)])
+      sliding[edges[e].elem][edges[e].side] = static_cast<int>(e);
+  for (int elem = 0; shaped.order > 1 && elem < shaped.num_elems(); ++elem) {
+    if (!is_free_[elem]) continue;
+    for (int side = 0; side < 4; ++side) {
+      CurvedSide curved{.edge = sliding[elem][side]};
+      const Vec2 from = shaped.nodes[side_node(shaped, elem, side, 0)];
+      const Vec2 to = shaped.nodes[side_node(shaped, elem, side, shaped.order)];
+      double bend = 0;
+      for (int p = 0; p < points; ++p) {
+        Vec2 x;
+        for (int k = 0; k <= shaped.order; ++k) x += interpolate(p, k) * shaped.nodes[side_node(shaped, elem, side, k)];
+        curved.shift[p] = x - ((1 - at_[p]) * from + at_[p] * to);
+        bend = std::max(bend, norm(curved.shift[p]));
+      }
+      if (curved.edge >= 0 || bend > tolerance::tied * distance(from, to)) add(elem, side, curved);
+    }
+    if (elem_sides_[elem] < 0) continue;
+    Sides& sides = curved_[elem_sides_[elem]];
+    for (int k = 0; k < 2; ++k) sides.is_linear[k] = sides.side[k] >= 0 && sides.side[k + 2] >= 0;
+  }
+}
+
+void SizeEnergy::place(const VertexMoves& moves) {
+  for (int v = 0; v < problem_.num_vertices(); ++v) {
+    if (problem_.is_fixed[v]) {
+      position_[v] = start_[v];
+      continue;
+    }
+    const int b = problem_.follow.on_boundary(v);
+    if (b < 0) {
+      position_[v] = start_[v] + moves[v];
+      continue;
+    }
+    const SlidingVertex& on_curve = problem_.boundary.vertices()[b];
+    const LoopPoint at = loops_.at(on_curve.loop, on_curve.length + moves[v].x);
+    position_[v] = at.position;
+    tangent_[v] = at.tangent;
+  }
+  for (CurvedSide& side : sides_)
+    if (side.edge >= 0) place_side(side, moves);
+}
+
+void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {
+  const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
+  const int from = problem_.follow.vertex_of(edge.from), to = problem_.follow.vertex_of(edge.to);
+  side.tangent[0] = tangent_[from], side.tangent[points - 1] = tangent_[to];
+  const SlidingVertex &start = problem_.boundary.vertices()[edge.from], &end = problem_.boundary.vertices()[edge.to];
+  const double low = start.length + moves[from].x, beyond = end.length <= start.length ? loops_.length(end.loop) : 0;
+  const double length = end.length + beyond + moves[to].x - low;
+  for (int p = 1; p < points - 1; ++p) {
+    const LoopPoint at = loops_.at(start.loop, low + at_[p] * length);
+    side.tangent[p] = at.tangent;
+    side.shift[p] = at.position - ((1 - at_[p]) * position_[from] + at_[p] * position_[to]);
+  }
+}
+
+double SizeEnergy::blend(const Sides& sides, int side, double eta) const {
+  return sides.is_linear[side % 2] ? 1 - eta : (1 - eta) * (1 - eta);
+}
+
+double SizeEnergy::blend_slope(const Sides& sides, int side, double eta) const {
+  return sides.is_linear[side % 2] ? -1 : -2 * (1 - eta);
+}
+
+SizeEnergy::Tangents SizeEnergy::tangents(int elem) const {
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  const Vec2 c0 = position_[v[0]], c1 = position_[v[1]], c2 = position_[v[2]], c3 = position_[v[3]];
+  const Vec2 scale = inverse_size_[elem];
+  Tangents at;
+  for (int j = 0; j < points; ++j)
+    for (int i = 0; i < points; ++i) {
+      at.a[j * points + i] = scale.x * ((1 - at_[j]) * (c1 - c0) + at_[j] * (c2 - c3));
+      at.b[j * points + i] = scale.y * ((1 - at_[i]) * (c3 - c0) + at_[i] * (c2 - c1));
+    }
+  if (elem_sides_[elem] < 0) return at;
+  const Sides& sides = curved_[elem_sides_[elem]];
+  for (int k = 0; k < 4; ++k) {
+    if (sides.side[k] < 0) continue;
+    const SidePoints& shift = sides_[sides.side[k]].shift;
+    for (int p = 0; p < points; ++p) {
+      Vec2 slope;
+      for (int q = 0; q < points; ++q) slope += slope_[p][q] * shift[q];
+      for (int r = 0; r < points; ++r) {
+        const SidePoint x = side_point(k, p, r, points);
+        (x.is_along_a ? at.a : at.b)[x.point] +=
+            (x.is_along_a ? scale.x : scale.y) * x.along * blend(sides, k, at_[r]) * slope;
+        (x.is_along_a ? at.b : at.a)[x.point] +=
+            (x.is_along_a ? scale.y : scale.x) * x.across * blend_slope(sides, k, at_[r]) * shift[p];
+      }
+    }
+  }
+  return at;
+}
+
+void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
+  double squares = 0, count = 0;
+  inverse_size_.assign(sizes.size(), {1, 1});
+  for (int elem = 0; elem < static_cast<int>(sizes.size()); ++elem) {
+    if (!is_free_[elem]) continue;
+    const Tangents at = tangents(elem);
+    double area = 0;
+    for (int k = 0; k < points * points; ++k)
+      area += weight_[k / points] * weight_[k % points] * cross(at.a[k], at.b[k]);
+    squares += area / (sizes[elem].x * sizes[elem].y);
+    ++count;
+  }
+  const double factor = std::sqrt(count / squares);
+  for (std::size_t elem = 0; elem < sizes.size(); ++elem)
+    inverse_size_[elem] = {factor / sizes[elem].x, factor / sizes[elem].y};
+}
+
+double SizeEnergy::element_value(int elem) const {
+  const Tangents at = tangents(elem);
+  double sum = 0;
+  for (int k = 0; k < points * points; ++k)
+    sum += weight_[k / points] * weight_[k % points] * point_value(at.a[k], at.b[k], shape_weights[elem]);
+  return sum;
+}
+
+double SizeEnergy::value(const VertexMoves& moves) {
+  place(moves);
+  double sum = 0;
+  for (int elem = 0; elem < static_cast<int>(is_free_.size()) && sum < infinity; ++elem)
+    if (is_free_[elem]) sum += element_value(elem);
+  return sum;
+}
+
+void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
+  const Tangents at = tangents(elem);
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  Tangents by;
+  for (int k = 0; k < points * points; ++k) {
+    const double weight = weight_[k / points] * weight_[k % points];
+    const PointEnergy e(at.a[k], at.b[k], shape_weights[elem]);
+    sum.value += weight * e.value;
+    by.a[k] = weight * inverse_size_[elem].x * e.by_a;
+    by.b[k] = weight * inverse_size_[elem].y * e.by_b;
+    const std::array<Vec2, 4> slopes = corner_slopes(at_[k % points], at_[k / points]);
+    for (int c = 0; c < 4; ++c) sum.gradient[v[c]] += slopes[c].x * by.a[k] + slopes[c].y * by.b[k];
+    if (!sum.hessian.empty()) add_hessian(elem, at, k, e, sum);
+  }
+  if (elem_sides_[elem] >= 0) pull_back_sides(elem, by);
+}
+
+void SizeEnergy::add_hessian(int elem, const Tangents& at, int point, const PointEnergy& e,
+                             EnergyDerivatives& sum) const {
+  const double weight = weight_[point / points] * weight_[point % points];
+  const std::array<Vec2, 4> slopes = corner_slopes(at_[point % points], at_[point / points]);
+  const Vec2 a = at.a[point], b = at.b[point];
+  for (int c = 0; c < 4; ++c) {
+    const double e1 = inverse_size_[elem].x * slopes[c].x, e2 = inverse_size_[elem].y * slopes[c].y;
+    const Vec2 g = e1 * e.mu_a + e2 * e.mu_b;
+    const double round = e.mu_slope * (e1 * e1 + e2 * e2) + e.size_a * e1 * e1 + e.size_b * e2 * e2;
+    const double turn_a = e.turn_a * e1 * e1, turn_b = e.turn_b * e2 * e2;
+    std::array<double, 3>& h = sum.hessian[problem_.follow.elem_vertices()[elem][c]];
+    h[0] += weight * (round + e.mu_bend * g.x * g.x + turn_a * a.x * a.x + turn_b * b.x * b.x);
+    h[1] += weight * (e.mu_bend * g.x * g.y + turn_a * a.x * a.y + turn_b * b.x * b.y);
+    h[2] += weight * (round + e.mu_bend * g.y * g.y + turn_a * a.y * a.y + turn_b * b.y * b.y);
+  }
+}
+
+/// Adds the derivatives by the slides of the ends of curved sides, whose points slide with them.
+void SizeEnergy::pull_back_sides(int elem, const Tangents& by) {
+  const Sides& sides = curved_[elem_sides_[elem]];
+  for (int k = 0; k < 4; ++k) {
+    if (sides.side[k] < 0 || sides_[sides.side[k]].edge < 0) continue;
+    const CurvedSide& side = sides_[sides.side[k]];
+    SidePoints by_shift{};
+    for (int p = 0; p < points; ++p)
+      for (int r = 0; r < points; ++r) {
+        const SidePoint x = side_point(k, p, r, points);
+        const Vec2 along = x.along * blend(sides, k, at_[r]) * (x.is_along_a ? by.a : by.b)[x.point];
+        by_shift[p] += x.across * blend_slope(sides, k, at_[r]) * (x.is_along_a ? by.b : by.a)[x.point];
+        for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * along;
+      }
+    const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
+    double from = 0, to = 0;
+    for (int p = 1; p < points - 1; ++p) {
+      from += (1 - at_[p]) * dot(by_shift[p], side.tangent[p] - side.tangent[0]);
+      to += at_[p] * dot(by_shift[p], side.tangent[p] - side.tangent[points - 1]);
+    }
+    slide_gradient_[problem_.follow.vertex_of(edge.from)] += from;
+    slide_gradient_[problem_.follow.vertex_of(edge.to)] += to;
+  }
+}
+
+void SizeEnergy::reduce_to_curves(EnergyDerivatives& sum) const {
+  for (int v = 0; v < problem_.num_vertices(); ++v) {
+    if (problem_.is_fixed[v]) {
+      sum.gradient[v] = {};
+    } else if (problem_.follow.on_boundary(v) >= 0) {
+      const Vec2 t = tangent_[v];
+      if (!sum.hessian.empty()) {
+        std::array<double, 3>& h = sum.hessian[v];
+        h = {h[0] * t.x * t.x + 2 * h[1] * t.x * t.y + h[2] * t.y * t.y, 0, 1};
+      }
+      sum.gradient[v] = {dot(sum.gradient[v], t) + slide_gradient_[v], 0};
+    }
+  }
+}
+
+EnergyDerivatives SizeEnergy::with_derivatives(const VertexMoves& moves, bool has_hessian) {
+  place(moves);
+  const std::size_t count = start_.size();
+  EnergyDerivatives sum{0, VertexMoves(count), std::vector<std::array<double, 3>>(has_hessian ? count : 0)};
+  slide_gradient_.assign(count, 0);
+  for (int elem = 0; elem < static_cast<int>(is_free_.size()); ++elem)
+    if (is_free_[elem]) add_element(elem, sum);
+  reduce_to_curves(sum);
+  return sum;
+}
+
+std::vector<Vec2> SizeEnergy::middles(const VertexMoves& moves) {
+  place(moves);
+  std::vector<Vec2> middles;
+  for (const auto& v : problem_.follow.elem_vertices())
+    middles.push_back((position_[v[0]] + position_[v[1]] + position_[v[2]] + position_[v[3]]) / 4);
+  return middles;
+}
+
+}  // namespace quadrille::refine

@@ -1,0 +1,91 @@
+#pragma once
+// The energy that vertices minimise so that elements have the prescribed size, and the shape of squares as far as that
+// allows.
+//
+// With h the prescribed size of an element (h_s and h_t where they differ), a = x_s / h and b = x_t / h the derivatives
+// of its map from the unit square, J = a x b and mu = (|a|^2 + |b|^2) / (2 J) >= 1:
+//
+//   F = sum over elements of the mean of  (|a|^2q + |b|^2q) J / 2 + w mu^3,    q = 3, w = 2.
+//
+// The first term is that by which the error of elements of order q - 1 grows with their lengths for a solution that
+// has no preferred direction; for equal areas it is least for equal squares. The second one has no bound where J tends
+// to 0. A mesh is bilinear in its vertices but for sides that are curved: those on CAD curves, which follow their ends
+// along the curve, and edges inside that keep their curves, whose displacement from the chord does not change.
+
+#include <array>
+#include <vector>
+
+#include "refine/relax_problem.hpp"
+#include "refine/sampled_loops.hpp"
+
+namespace quadrille::refine {
+
+/// Derivatives of the energy by the moves of the vertices, along the curve for those that slide.
+struct EnergyDerivatives {
+  double value = 0;  ///< infinite if det J is not positive
+  VertexMoves gradient;
+  std::vector<std::array<double, 3>> hessian;  ///< positive parts of the diagonal blocks: xx, xy, yy; if asked for
+};
+
+class SizeEnergy {
+ public:
+  /// `shaped`: the mesh of the problem with its edges inside as they are to be (refine/inner_edges).
+  SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped);
+
+  /// The prescribed lengths of each element along s and t; scaled by one factor, so that as many rectangles of these
+  /// lengths as there are elements fill the mesh.
+  void set_sizes(const std::vector<Vec2>& sizes);
+  /// The weight w of the shape of each element.
+  std::vector<double> shape_weights;
+
+  double value(const VertexMoves& moves);
+  EnergyDerivatives with_derivatives(const VertexMoves& moves, bool has_hessian = false);
+  /// Of the vertices, where the energy was computed last.
+  const std::vector<Vec2>& positions() const { return position_; }
+  /// Middle of each element's vertices.
+  std::vector<Vec2> middles(const VertexMoves& moves);
+  bool is_free(int elem) const { return is_free_[elem]; }
+
+ private:
+  static constexpr int points = 4;  ///< Gauss-Lobatto-Legendre points in each direction
+  using SidePoints = std::array<Vec2, points>;
+  struct CurvedSide {
+    int edge = -1;         ///< of BoundarySlide; -1: inside, or its ends are fixed
+    SidePoints shift{};    ///< from the chord
+    SidePoints tangent{};  ///< of the curve
+  };
+  struct Sides {
+    std::array<int, 4> side{-1, -1, -1, -1};  ///< into sides_, in the side's own direction
+    std::array<bool, 2> is_linear{};          ///< of sides 0 and 2, 1 and 3: both are curved
+  };
+  struct PointEnergy;
+  struct Tangents {
+    std::array<Vec2, points * points> a, b;  ///< x_s, x_t; s fastest
+  };
+
+  void add_curved_sides(const QuadMesh& shaped);
+  void place(const VertexMoves& moves);
+  void place_side(CurvedSide& side, const VertexMoves& moves) const;
+  Tangents tangents(int elem) const;
+  double element_value(int elem) const;
+  void add_element(int elem, EnergyDerivatives& sum);
+  void add_hessian(int elem, const Tangents& at, int point, const PointEnergy& e, EnergyDerivatives& sum) const;
+  void pull_back_sides(int elem, const Tangents& by);
+  void reduce_to_curves(EnergyDerivatives& sum) const;
+  double blend(const Sides& sides, int side, double eta) const;
+  double blend_slope(const Sides& sides, int side, double eta) const;
+
+  const RelaxProblem& problem_;
+  const SampledLoops loops_;
+  std::array<double, points> at_{}, weight_{};
+  std::array<std::array<double, points>, points> slope_{};  ///< row: of the derivatives at a point
+  std::vector<Vec2> start_, position_, tangent_;            ///< by vertex
+  std::vector<double> slide_gradient_;                      ///< by vertex, from the points between vertices
+  std::vector<CurvedSide> sides_;
+  std::vector<int> elem_sides_;  ///< into curved_, -1: bilinear
+  std::vector<Sides> curved_;
+  std::vector<bool> is_free_;
+  std::vector<Vec2> inverse_size_;  ///< along s and t
+};
+
+}  // namespace quadrille::refine

@@ -1,0 +1,127 @@
+#include "refine/relax_sizes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../hand_made.hpp"
+#include "../support/refined.hpp"
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "mesh/boundary_distance.hpp"
+#include "refine/validity.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+QuadMesh mesh_of(const SeparatrixGraph& graph, double size, int order) {
+  return refined(
+      graph,
+      {.size = size, .order = order, .geometry_tol = 1e-3, .inner_edges = InnerEdges::curved, .relax = Relax::none});
+}
+
+/// The unit square in equal squares, with its lines moved.
+QuadMesh uneven_square(int order) {
+  QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, order);
+  for (Vec2& x : mesh.nodes) x += {0.1 * std::sin(pi * x.x), -0.08 * std::sin(pi * x.y)};
+  measure_elements(mesh);
+  return mesh;
+}
+
+std::vector<Vec2> corners(const QuadMesh& mesh) {
+  std::vector<Vec2> corners;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int c = 0; c < 4; ++c) corners.push_back(mesh.nodes[side_start(mesh, elem, c)]);
+  return corners;
+}
+
+TEST(RelaxSizes, UnevenLinesBecomeEven) {
+  const sizing::SizeField sizes(0.25);
+  const SizeRelaxed relaxed = relax_to_sizes(uneven_square(3), {.sizes = sizes, .tolerance = 1e-3});
+  for (const Vec2 x : corners(relaxed.mesh)) {
+    EXPECT_NEAR(std::remainder(x.x, 0.25), 0, 2e-3);
+    EXPECT_NEAR(std::remainder(x.y, 0.25), 0, 2e-3);
+  }
+  EXPECT_NEAR(relaxed.energy_after, 3, 1e-3);
+  EXPECT_GT(relaxed.energy_before, 3.2);
+  EXPECT_NEAR(relaxed.largest_move, 0.1, 0.03);
+  EXPECT_TRUE(relaxed.mesh.is_valid);
+}
+
+TEST(RelaxSizes, EqualSquaresStayBitForBit) {
+  const sizing::SizeField sizes(0.3);
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 3);
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+  EXPECT_EQ(relaxed.sweeps, 0);
+  EXPECT_EQ(corners(relaxed.mesh), corners(mesh));
+}
+
+TEST(RelaxSizes, SizesOfAFieldAreObeyed) {
+  // Half as long at the left side as at the right one.
+  const sizing::SizeField sizes(0.3, {{{{0, 0.5}, 0.15, 0}}, {}, 0}, {}, 1.2);
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.2, 2);
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+  double shortest = 1, longest = 0;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const double length =
+        distance(relaxed.mesh.nodes[side_start(mesh, elem, 0)], relaxed.mesh.nodes[side_start(mesh, elem, 1)]);
+    shortest = std::min(shortest, length), longest = std::max(longest, length);
+  }
+  EXPECT_GT(longest / shortest, 1.3);
+}
+
+TEST(RelaxSizes, FrozenElementsKeepTheirVertices) {
+  const sizing::SizeField sizes(0.25);
+  const QuadMesh mesh = uneven_square(2);
+  std::vector<bool> frozen(mesh.num_elems(), false);
+  frozen[5] = true;
+  const SizeRelaxed relaxed =
+      relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3, .frozen_elems = frozen, .kept_elems = frozen});
+  EXPECT_EQ(element_nodes(relaxed.mesh, 5), element_nodes(mesh, 5));
+  EXPECT_GT(relaxed.sweeps, 0);
+}
+
+TEST(RelaxSizes, TheBoundaryMeetsItsTolerance) {
+  // Equal lengths would make the edges of the outer circle as long as those of the inner one.
+  const QuadMesh mesh = mesh_of(hand_made::cut_annulus(3), 0.2, 2);
+  const double tolerance = mesh::boundary_distance(mesh).worst().distance * 1.01;
+  const sizing::SizeField sizes(0.2);
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = tolerance});
+  EXPECT_LE(mesh::boundary_distance(relaxed.mesh).worst().distance, tolerance * (1 + 1e-6));
+}
+
+TEST(RelaxSizes, MirrorImagesStayMirrorImages) {
+  QuadMesh mesh = mesh_of(hand_made::quarter_annulus(), 0.25, 3);
+  const sizing::SizeField sizes(0.25);
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+  EXPECT_GT(relaxed.sweeps, 0);
+  const std::vector<Vec2> all = corners(relaxed.mesh);
+  for (const Vec2 x : all) {
+    double gap = 1;
+    for (const Vec2 y : all) gap = std::min(gap, distance(x, {y.y, y.x}));
+    EXPECT_LT(gap, 1e-6);
+  }
+}
+
+TEST(RelaxSizes, AMeshThatIsNotValidIsNotMoved) {
+  QuadMesh mesh = uneven_square(2);
+  mesh.is_valid = false;
+  const sizing::SizeField sizes(0.25);
+  EXPECT_EQ(relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3}).sweeps, 0);
+}
+
+TEST(ParseRelax, NamesAreGoalsAndANumberIsAnsweredWithItsNewForm) {
+  EXPECT_EQ(parse_relax("shape"), Relax::shape);
+  EXPECT_EQ(parse_relax("none"), Relax::none);
+  try {
+    parse_relax("20");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(), "--relax 20 is now --relax shape --relax-sweeps 20");
+  }
+  EXPECT_THROW(parse_relax("sizes"), UsageError);
+}
+
+}  // namespace
+}  // namespace quadrille::refine

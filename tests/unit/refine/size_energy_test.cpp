@@ -1,0 +1,83 @@
+#include "refine/size_energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../hand_made.hpp"
+#include "../support/refined.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+QuadMesh mesh_of(const SeparatrixGraph& graph, double size, int order) {
+  return refined(graph, {.size = size, .order = order, .geometry_tol = 1e-2, .relax = Relax::none});
+}
+
+std::vector<Vec2> equal_sizes(const QuadMesh& mesh, double size) {
+  return std::vector<Vec2>(mesh.num_elems(), Vec2{size, size});
+}
+
+TEST(SizeEnergy, OfSquaresOfThePrescribedSizeIsThreeForEachWhateverTheUnit) {
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 3);
+  const RelaxProblem problem(mesh, {});
+  SizeEnergy energy(problem, mesh);
+  for (const double size : {0.25, 1.0}) {  // sizes count but for a common factor
+    energy.set_sizes(equal_sizes(mesh, size));
+    EXPECT_NEAR(energy.value(VertexMoves(problem.num_vertices())), 3 * 16, 1e-9);
+  }
+}
+
+TEST(SizeEnergy, OfRectanglesOfThePrescribedLengthsIsTheSame) {
+  QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 2);
+  const RelaxProblem problem(mesh, {});
+  SizeEnergy energy(problem, mesh);
+  energy.set_sizes(std::vector<Vec2>(mesh.num_elems(), Vec2{0.25, 0.5}));
+  // Squares in place of rectangles 1 : 2: a^2 = 2, b^2 = 1/2, J = 1, mu = 5/4.
+  EXPECT_NEAR(energy.value(VertexMoves(problem.num_vertices())), 16 * ((8 + 1.0 / 8) / 2 + 2 * std::pow(1.25, 3)),
+              1e-9);
+}
+
+TEST(SizeEnergy, OfAFoldedMeshIsInfinite) {
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.5, 2);
+  const RelaxProblem problem(mesh, {});
+  SizeEnergy energy(problem, mesh);
+  VertexMoves moves(problem.num_vertices());
+  for (int v = 0; v < problem.num_vertices(); ++v)
+    if (problem.follow.on_boundary(v) < 0) moves[v] = {0.7, 0};
+  EXPECT_EQ(energy.value(moves), std::numeric_limits<double>::infinity());
+}
+
+/// On a ring all kinds of vertices occur but fixed ones; on a rectangle some are fixed.
+TEST(SizeEnergy, GradientIsThatOfDifferencesAlsoAlongCurves) {
+  for (const SeparatrixGraph& graph : {hand_made::cut_annulus(3), hand_made::quarter_annulus()})
+    for (const int order : {1, 4}) {
+      const QuadMesh mesh = mesh_of(graph, 0.4, order);
+      const RelaxProblem problem(mesh, {});
+      SizeEnergy energy(problem, mesh);
+      energy.set_sizes(equal_sizes(mesh, 0.4));
+      VertexMoves moves(problem.num_vertices());
+      for (int v = 0; v < problem.num_vertices(); ++v) {
+        moves[v] = 0.02 * Vec2{std::sin(5.0 * v), std::cos(3.0 * v)};
+        if (problem.is_fixed[v]) moves[v] = {};
+        if (problem.follow.on_boundary(v) >= 0) moves[v].y = 0;
+      }
+      const EnergyDerivatives at = energy.with_derivatives(moves, true);
+      EXPECT_NEAR(at.value, energy.value(moves), 1e-10);
+      for (int v = 0; v < problem.num_vertices(); ++v)
+        for (const Vec2 d : {Vec2{1, 0}, Vec2{0, 1}}) {
+          const bool is_along = problem.follow.on_boundary(v) < 0 || d.x == 1;
+          const double h = 1e-6;
+          VertexMoves more = moves, less = moves;
+          more[v] += h * d, less[v] += -h * d;
+          const double slope = (energy.value(more) - energy.value(less)) / (2 * h);
+          const double expected = problem.is_fixed[v] || !is_along ? 0 : slope;
+          EXPECT_NEAR(dot(at.gradient[v], d), expected, 2e-6 * (1 + std::abs(slope))) << order << ", vertex " << v;
+          EXPECT_GT(at.hessian[v][0] * at.hessian[v][2], at.hessian[v][1] * at.hessian[v][1]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace quadrille::refine
