@@ -80,7 +80,7 @@ std::string resolution_warning(double ratio, const std::vector<ChordError>& erro
   const double of_squares = worst.num_elems / (2.0 * num_elems * ratio);
   return fmt::format(
       "elements are of so unequal sizes that the squared error of a smooth solution is about {:.3g} times that of as "
-      "many equal squares, {:.0f} % of it along chord {} of {}: give --count {}={:.0f}",
+      "many equal squares, {:.0f} % of it along chord {} of {}: give --relax size or --count {}={:.0f}",
       ratio, 100 * worst.part, worst.chord, counted(worst.count, "element"), worst.chord,
       std::ceil(worst.count * std::pow(worst.part / of_squares, 1.0 / 8)));
 }
