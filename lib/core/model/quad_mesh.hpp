@@ -32,9 +32,9 @@ struct QuadMesh {
   std::vector<double> elem_jacobian_bound;   ///< least Bernstein coefficient of det J: a proved lower bound
   std::vector<double> elem_scaled_jacobian;  ///< least sampled det J / (|x_xi1| |x_xi2|)
   // Lengths, which the scaled Jacobian does not see (mesh/element_sizes); empty in files before version 1.3.
-  std::vector<double> elem_edge_ratio;           ///< longest over shortest side
-  std::vector<double> elem_area_jump;            ///< greatest ratio of its area and a neighbour's, either way
-  std::vector<double> elem_node_distance;        ///< least distance of neighbours in its grid of nodes, a length
+  std::vector<double> elem_edge_ratio;     ///< longest over shortest side
+  std::vector<double> elem_area_jump;      ///< greatest ratio of its area and a neighbour's, either way
+  std::vector<double> elem_node_distance;  ///< least distance of neighbours in its grid of nodes, a length
   /// Prescribed edge length at its middle, after --refine a part of it; 0 where wall layers prescribe others. Empty in
   /// files before version 2.1.
   std::vector<double> elem_prescribed_length;

@@ -9,8 +9,9 @@
 
 namespace quadrille::io {
 
-/// Whether the text has no more than 100 levels of brackets, since printing a value recurses and a file that consists of
-/// brackets must not exhaust the stack, and no object of more than 10,000 keys, since each is compared with the others.
+/// Whether the text has no more than 100 levels of brackets, since printing a value recurses and a file that consists
+/// of brackets must not exhaust the stack, and no object of more than 10,000 keys, since each is compared with the
+/// others.
 bool is_shallow(const std::string& json);
 /// Throws FormatError unless it is.
 void require_shallow(const std::string& json, const std::string& file_name);
