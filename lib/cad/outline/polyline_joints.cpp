@@ -41,18 +41,19 @@ std::vector<bool> curves_of_polylines(const CadFace& face) {
 
 }  // namespace
 
-int smooth_polylines(CadFace& face, double kink) {
+int smooth_polylines(CadFace& face, double kink, int many) {
   if (face.num_regions() > 1) return 0;
   const std::vector<bool> is_part = curves_of_polylines(face);
-  int count = 0;
+  std::vector<int> kinks;
   for (int j = 0; j < face.num_curves(); ++j) {
-    Joint& joint = face.joints[j];
-    if (!joint.is_corner || !is_part[j] || !is_part[face.previous_in_loop(j)]) continue;
-    if (std::abs(joint.interior_angle - pi) > kink * (1 + tolerance::tied)) continue;
-    joint.is_corner = false;
-    ++count;
+    const Joint& joint = face.joints[j];
+    if (joint.is_corner && is_part[j] && is_part[face.previous_in_loop(j)] &&
+        std::abs(joint.interior_angle - pi) <= kink * (1 + tolerance::tied))
+      kinks.push_back(j);
   }
-  return count;
+  if (std::ssize(kinks) < many) return 0;
+  for (const int j : kinks) face.joints[j].is_corner = false;
+  return static_cast<int>(kinks.size());
 }
 
 }  // namespace quadrille::outline

@@ -150,8 +150,8 @@ void declare_face(Options& o, Cad2triOptions& cad2tri) {
   o.number("--corner-angle", cad2tri.corner_angle, 0, 90, "degrees",
            "tangent discontinuities greater than this are corners of the layout");
   o.number("--polyline-angle", cad2tri.polyline_angle, 0, outline::greatest_polyline_kink, "degrees",
-           "tangent discontinuities up to this are no corners inside a polyline: eight straight edges or more, each "
-           "shorter than a fiftieth of the diameter; in a face of one region");
+           "tangent discontinuities up to this are no corners inside polylines (eight straight edges or more, each "
+           "shorter than a fiftieth of the diameter), where there are 200 or more of them in a face of one region");
   o.number("--heal-tolerance", cad2tri.heal_tolerance, -1, 5e-3, "diameters",
            "the most that edges and vertices which do not meet, or leave the plane, are moved (lines as near as that "
            "slide to their crossing, by up to four times as much); edges shorter than this are removed; 0: no healing; "

@@ -23,17 +23,24 @@ int num_corners(const CadFace& face) {
 
 TEST(SmoothPolylines, small_kinks_of_a_closed_polyline_are_no_corners) {
   CadFace face = with_hole(12, 0.4);  // sides of 0.2, the fiftieth of the diameter is 0.28
-  EXPECT_EQ(smooth_polylines(face, radians(43)), 12);
+  EXPECT_EQ(smooth_polylines(face, radians(43), 1), 12);
   EXPECT_EQ(num_corners(face), 4);
+}
+
+TEST(SmoothPolylines, few_kinks_stay_corners) {
+  CadFace face = with_hole(12, 0.4);
+  EXPECT_EQ(smooth_polylines(face, radians(43), 13), 0);
+  EXPECT_EQ(num_corners(face), 16);
+  EXPECT_EQ(smooth_polylines(face, radians(43), 12), 12);
 }
 
 TEST(SmoothPolylines, kinks_above_the_angle_and_long_edges_stay) {
   CadFace eight = with_hole(8, 0.3);  // 45 degrees
-  EXPECT_EQ(smooth_polylines(eight, radians(43)), 0);
+  EXPECT_EQ(smooth_polylines(eight, radians(43), 1), 0);
   CadFace long_edges = with_hole(12, 1);
-  EXPECT_EQ(smooth_polylines(long_edges, radians(43)), 0);
+  EXPECT_EQ(smooth_polylines(long_edges, radians(43), 1), 0);
   CadFace none = with_hole(12, 0.4);
-  EXPECT_EQ(smooth_polylines(none, 0), 0);
+  EXPECT_EQ(smooth_polylines(none, 0, 1), 0);
 }
 
 /// A square of side 10 whose lower side begins with `num` short edges that go up and down by 17 degrees.
@@ -47,13 +54,13 @@ CadFace with_coast(int num) {
 
 TEST(SmoothPolylines, the_ends_of_an_open_polyline_stay_corners) {
   CadFace face = with_coast(8);
-  EXPECT_EQ(smooth_polylines(face, radians(43)), 7);
+  EXPECT_EQ(smooth_polylines(face, radians(43), 1), 7);
   EXPECT_EQ(num_corners(face), 6);  // those of the square, and both ends
 }
 
 TEST(SmoothPolylines, seven_short_edges_are_no_polyline) {
   CadFace face = with_coast(7);
-  EXPECT_EQ(smooth_polylines(face, radians(43)), 0);
+  EXPECT_EQ(smooth_polylines(face, radians(43), 1), 0);
 }
 
 }  // namespace
