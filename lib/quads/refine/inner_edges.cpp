@@ -182,7 +182,7 @@ std::vector<int> EdgeShaper::restore_curves(const std::vector<int>& elems) {
       if (elem >= 0) touched.push_back(elem);
   }
   std::ranges::sort(touched);
-  touched.erase(std::ranges::unique(touched).begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   return touched;
 }
 
