@@ -37,34 +37,34 @@ keeps() {
   keeps 8 chequerboard_4_hole
   has 4 0.99 t_joint
   has 4 0.99 t_joint_open
-  has 8 0.8 half_disc_cut
+  has 8 0.79 half_disc_cut
   keeps 4 half_disc_cut
-  has 210 0.3 voronoi_20
+  has 210 0.5 voronoi_20
 }
 
 @test "regions inside each other: discs, rings, a channel" {
-  has 17 0.86 disc_in_square
+  has 17 0.83 disc_in_square
   keeps 8 disc_in_square
-  has 13 0.86 nested_rings
-  has 9 0.86 pipe_wall
+  has 13 0.85 nested_rings
+  has 9 0.85 pipe_wall
   keeps 2 pipe_wall
-  has 17 0.86 pin_in_channel
+  has 17 0.79 pin_in_channel
 }
 
 @test "layered parts" {
-  has 132 0.7 coated_gear
+  has 132 0.75 coated_gear
   keeps 12 coated_gear
-  has 12 0.7 coated_cam
+  has 12 0.75 coated_cam
   has 30 0.4 layered_beam
-  has 125 0.86 layered_cable
+  has 125 0.79 layered_cable
   keeps 6 layered_cable --tolerance 1e-6
-  has 57 0.83 layered_seal
+  has 57 0.75 layered_seal
   has 80 0.75 pins
   keeps 4 pins
 }
 
 @test "embedded curves, closed, open, and a wake" {
-  has 17 0.86 plate_circle
+  has 17 0.83 plate_circle
   keeps 4 plate_circle
   has 20 0.58 plate_curve
   has 6 0.99 inner_curve

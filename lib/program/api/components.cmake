@@ -23,7 +23,7 @@ endfunction()
 quadrille_component(files FOLDERS base spectral check io) # model has headers only
 quadrille_component(fields STAGES fieldsolve padapt
                     FOLDERS curve heal outline regions mesh field stiffness galerkin adapt)
-quadrille_component(layouts STAGES critpoints separatrix blocksplit quadrefine
+quadrille_component(layouts STAGES critpoints separatrix blocksplit quadrefine symmetry_option
                     FOLDERS zeros placement guide ties features topology choice graph trace simplify quantize
                     layout couple block sizing prescribe layers growth refine)
 quadrille_component(triangles STAGES triangulate_face FOLDERS triangulate)

@@ -80,7 +80,7 @@ std::string resolution_warning(double ratio, const std::vector<ChordError>& erro
   const double of_squares = worst.num_elems / (2.0 * num_elems * ratio);
   return fmt::format(
       "elements are of so unequal sizes that the squared error of a smooth solution is about {:.3g} times that of as "
-      "many equal squares, {:.0f} % of it along chord {} of {}: give --relax size or --count {}={:.0f}",
+      "many equal squares, {:.0f} % of it along chord {} of {}: give --count {}={:.0f}",
       ratio, 100 * worst.part, worst.chord, counted(worst.count, "element"), worst.chord,
       std::ceil(worst.count * std::pow(worst.part / of_squares, 1.0 / 8)));
 }
@@ -125,14 +125,14 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
 }
 
 void report_resolution(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
-                       Report& report) {
+                       bool are_sizes_wanted, Report& report) {
   const mesh::Resolution measure = mesh::resolution(mesh);
   const std::vector<ChordError> errors = chord_errors(measured, divisions, mesh, measure);
   std::vector<double> parts;
   for (const ChordError& error : errors) parts.push_back(error.part);
   report.set("resolution.ratio", measure.ratio);
   report.set("resolution.chord.part", std::move(parts));
-  if (measure.ratio > greatest_resolution)
+  if (are_sizes_wanted && measure.ratio > greatest_resolution)
     report.warn(warning::unequal_sizes, resolution_warning(measure.ratio, errors, mesh.num_elems()));
 }
 

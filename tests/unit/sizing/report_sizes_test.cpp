@@ -34,6 +34,7 @@ double of_chord(const Report& report, const std::string& key, std::size_t chord)
 
 TEST(ReportSizes, AWarningNamesTheChordThatNeedsMoreElements) {
   refine::RefineOptions options;
+  options.relax = refine::Relax::size;
   options.counts = {{0, 2}, {1, 20}};
   const Report report = report_of(hand_made::unit_square(), options);
   EXPECT_NEAR(number(report, "resolution.ratio") / ((1 + 1e-8) / (2 * 1e-4)), 1, 1e-6);
@@ -41,7 +42,7 @@ TEST(ReportSizes, AWarningNamesTheChordThatNeedsMoreElements) {
   ASSERT_EQ(report.warnings().size(), 1U);
   EXPECT_EQ(report.warnings()[0].code, "W-QUA-005");
   EXPECT_NE(
-      report.warnings()[0].message.find("100 % of it along chord 0 of 2 elements: give --relax size or --count 0="),
+      report.warnings()[0].message.find("100 % of it along chord 0 of 2 elements: give --count 0="),
       std::string::npos)
       << report.warnings()[0].message;
 }
