@@ -26,7 +26,8 @@ constexpr FanConstants fan_constants;
 
 /// Whether two curves at a place are so close to each other, inside or outside the face, that segments along them would
 /// be bisected without end. `group`: the junctions there. Outside is between the end of a sector and the start of the
-/// next one, unless both are the sides of a slit.
+/// next one, unless both are the sides of a slit. The end of a slit is sharp: without vertices beside it the slit could
+/// be one edge, at which nothing is cut.
 bool is_sharp(const Outline& outline, const std::vector<int>& group) {
   const auto direction = [&](int piece) {
     const SmoothPiece& out = outline.pieces()[piece];
@@ -42,7 +43,7 @@ bool is_sharp(const Outline& outline, const std::vector<int>& group) {
       const double gap = std::max(0.0, wrap_two_pi(turn + tolerance::same_angle) - tolerance::same_angle);
       if (gap < outside) outside = gap, next = other;
     }
-    const bool is_slit = outline.pieces()[outline.pieces()[junction].previous].partner == next;
+    const bool is_slit = next != junction && outline.pieces()[outline.pieces()[junction].previous].partner == next;
     return inside < fan_constants.acute_angle || (!is_slit && outside < fan_constants.acute_angle);
   });
 }
