@@ -48,7 +48,7 @@ keeps() {
   has 13 0.85 nested_rings
   has 9 0.85 pipe_wall
   keeps 2 pipe_wall
-  has 17 0.79 pin_in_channel
+  has 17 0.7 pin_in_channel
 }
 
 @test "layered parts" {
