@@ -23,7 +23,7 @@ struct MirroredFace {
 MirroredFace mirrored_face(const CadFace& half, const SymmetryLine& line);
 
 /// The whole of which the face is one half or a quarter at the curves whose names fit these patterns; the face itself
-/// if it is none.
+/// if it is neither.
 CadFace whole_of(CadFace face, const std::vector<std::string>& symmetry);
 
 }  // namespace quadrille::curve

@@ -17,7 +17,7 @@ inline bool is_far_field(const CadFace& face, int curve) {
   return face.has_given_name(curve) && face.curve_names[curve] == far_field_name;
 }
 
-/// What names of curves fit at which the face is one half of a symmetric whole, or a quarter.
+/// Pattern of the names of curves on lines at which the face is one half, or a quarter, of a symmetric whole.
 inline constexpr const char* symmetry_pattern = "symmetry*";
 
 /// The name of the curves along which elements stay small downstream of a body.

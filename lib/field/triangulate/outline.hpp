@@ -29,8 +29,8 @@ struct Junction {
   Vec2 position;
   int place = 0;  ///< lowest number of the junctions in this place: where slits end, or a region touches itself
   double interior_angle = 0;  ///< radians
-  bool has_bridge =
-      false;  ///< an enclosed joint, where the boundary data jump without a lifting (field/boundary_values.hpp)
+  /// An enclosed joint, where the boundary data jump without a lifting (field/boundary_values.hpp).
+  bool has_bridge = false;
   double curvature_in = 0, curvature_out = 0;              ///< of the pieces on both sides, 1 / length
   double curvature_slope_in = 0, curvature_slope_out = 0;  ///< d curvature / d arc length
 };

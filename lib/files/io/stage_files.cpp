@@ -177,7 +177,7 @@ std::optional<InputFile> rewritten(const InputFile& file) {
   if (checksum == Checksum::wrong)
     throw FormatError(fmt::format("{}: damaged: its checksum does not match its data", file.name));
   if (checksum == Checksum::right && has_own_layout(image)) return std::nullopt;
-  // Compressed bytes of a sound file have room; a file that needs more is none.
+  // Enough for the data of a sound file, even a compressed one; a file that needs more is damaged.
   const ChildLimits limits{10 + static_cast<int>(file.bytes.size() / 10'000'000),
                            (128ULL << 20) + 16 * file.bytes.size()};
   return InputFile{

@@ -125,14 +125,14 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
 }
 
 void report_resolution(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
-                       bool are_sizes_wanted, Report& report) {
+                       bool is_relaxed_to_sizes, Report& report) {
   const mesh::Resolution measure = mesh::resolution(mesh);
   const std::vector<ChordError> errors = chord_errors(measured, divisions, mesh, measure);
   std::vector<double> parts;
   for (const ChordError& error : errors) parts.push_back(error.part);
   report.set("resolution.ratio", measure.ratio);
   report.set("resolution.chord.part", std::move(parts));
-  if (are_sizes_wanted && measure.ratio > greatest_resolution)
+  if (is_relaxed_to_sizes && measure.ratio > greatest_resolution)
     report.warn(warning::unequal_sizes, resolution_warning(measure.ratio, errors, mesh.num_elems()));
 }
 

@@ -18,6 +18,6 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
 /// above 5 issues a warning that names the worst chord. xi1 and xi2 of elements run along the sides 0 and 1 of their
 /// blocks.
 void report_resolution(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
-                       bool are_sizes_wanted, Report& report);
+                       bool is_relaxed_to_sizes, Report& report);
 
 }  // namespace quadrille::sizing
