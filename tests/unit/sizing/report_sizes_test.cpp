@@ -41,9 +41,8 @@ TEST(ReportSizes, AWarningNamesTheChordThatNeedsMoreElements) {
   EXPECT_NEAR(std::get<std::vector<double>>(value(report, "resolution.chord.part"))[0], 1, 1e-6);
   ASSERT_EQ(report.warnings().size(), 1U);
   EXPECT_EQ(report.warnings()[0].code, "W-QUA-005");
-  EXPECT_NE(
-      report.warnings()[0].message.find("100 % of it along chord 0 of 2 elements: give --count 0="),
-      std::string::npos)
+  EXPECT_NE(report.warnings()[0].message.find("100 % of it along chord 0 of 2 elements: give --count 0="),
+            std::string::npos)
       << report.warnings()[0].message;
 }
 
