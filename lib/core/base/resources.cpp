@@ -1,6 +1,7 @@
 #include "base/resources.hpp"
 
 #include <malloc.h>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -36,6 +37,14 @@ void limit_data([[maybe_unused]] std::uint64_t bytes) {
   limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
   setrlimit(RLIMIT_DATA, &limit);
 #endif
+}
+
+void limit_stacks(std::size_t bytes) {
+  pthread_attr_t attributes;
+  if (pthread_attr_init(&attributes) != 0) return;
+  pthread_attr_setstacksize(&attributes, bytes);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
 }
 
 }  // namespace quadrille

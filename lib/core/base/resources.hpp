@@ -20,4 +20,7 @@ MemoryUse memory_use();
 /// system where that is more than half of them. Programs that it starts may raise the limit. Nothing with sanitizers.
 void limit_data(std::uint64_t bytes);
 
+/// The stack of each thread that is started from now on: all of it counts as data, whether it is used or not.
+void limit_stacks(std::size_t bytes);
+
 }  // namespace quadrille

@@ -75,10 +75,11 @@ std::string report_in(const std::string& path) {
 /// stacks of threads too.
 void limit_own_memory(const Budget& budget, int num_threads) {
   constexpr double most_excess = 0.08;  // of what is allowed
-  constexpr std::size_t stack = 8 << 20;
+  constexpr std::size_t stack = 1 << 20;
   if (!budget.limits().memory) return;
   const auto most = static_cast<std::size_t>((1 + most_excess) * static_cast<double>(*budget.limits().memory));
   const std::size_t of_files = memory_use().of_files, num_stacks = static_cast<std::size_t>(num_threads) - 1;
+  limit_stacks(stack);
   limit_data(most - std::min<std::size_t>(most, of_files) + num_stacks * stack);
 }
 
