@@ -188,6 +188,11 @@ sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const s
   return divisions;
 }
 
+int divided_count(const sizing::MeasuredLayout& measured, int chord, const sizing::ChordPlan& plan,
+                  const DivideOptions& options) {
+  return divide_chord({measured, measured.chords()[chord], plan, options})[0].num_intervals();
+}
+
 void match_fractions(const PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second) {
   if (first.size() != second.size()) return;
   // With the face on the left of both, the image of the first runs against the second.

@@ -57,6 +57,10 @@ sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const s
                                  const DivideOptions& options, Progress* progress = nullptr,
                                  const KnownDivisions& known = {});
 
+/// The number of intervals that a chord with this plan gets. Throws as divide_arcs.
+int divided_count(const sizing::MeasuredLayout& measured, int chord, const sizing::ChordPlan& plan,
+                  const DivideOptions& options);
+
 /// Replaces rising fractions from 0 to 1 of both arcs, each in the arc's own direction, by their means; lists of
 /// different lengths are not changed. Both arcs belong to one chord, so they have the same number of elements; their
 /// own divisions differ where the blocks beside them do.
