@@ -27,7 +27,8 @@ namespace quadrille::sizing {
 enum class SizeRule {
   nearest,  ///< least deviation (ChordSections)
   at_most,  ///< no edge is longer than prescribed
-  error     ///< first nearest, then least error of a smooth solution (refine/lower_error)
+  error     ///< first nearest, with elements shorter only where the boundary needs it, then least error
+            ///< of a smooth solution (refine/lower_error)
 };
 constexpr auto enum_names(SizeRule) { return std::to_array({"nearest", "at-most", "error"}); }
 
