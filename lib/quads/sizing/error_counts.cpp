@@ -16,6 +16,7 @@ struct CountConstants {
   int rounds = 60;          ///< of the fixed point
   double num_slack = 0.05;  ///< part of N that whole counts may miss
   double num_weight = 40;   ///< of what they miss beyond, over a part of E N^q
+  double same = 1e-3;       ///< part by which mirror images differ: vertices are relaxed to less
   int whole_step = 2;
   int sweeps = 20;
 };
@@ -85,7 +86,8 @@ struct Orbit {
   std::vector<int> chords, blocks;
 };
 
-/// Of the free chords, by their parts, counts and real counts, whatever their numbers are.
+/// Of the free chords, by their parts, counts and real counts, whatever their numbers are. Chords that are equal by
+/// chance lose a choice, no more.
 std::vector<Orbit> orbits_of(const ErrorParts& of, const std::vector<double>& real) {
   std::vector<int> chords;
   for (int c = 0; c < std::ssize(of.counts); ++c)
@@ -93,7 +95,7 @@ std::vector<Orbit> orbits_of(const ErrorParts& of, const std::vector<double>& re
   std::ranges::sort(chords, [&](int a, int b) {
     return std::tie(real[a], of.counts[a], of.parts[a], a) < std::tie(real[b], of.counts[b], of.parts[b], b);
   });
-  const auto is_same = [&](double a, double b) { return std::abs(a - b) <= tolerance::tied * std::max(a, b); };
+  const auto is_same = [&](double a, double b) { return std::abs(a - b) <= count_constants.same * std::max(a, b); };
   std::vector<Orbit> orbits;
   for (const int c : chords) {
     const auto is_image = [&](const Orbit& orbit) {

@@ -52,9 +52,9 @@ TEST(ErrorCounts, NoCountLeavesTheRangeOfTheEstimate) {
 }
 
 TEST(ErrorCounts, MirrorImagesGetTheSameCount) {
-  // Chord 0 crosses 1 and 2, which are equal but for rounding: 11 x (5 + 5) would be 11 x (5 + 6) if each counted
+  // Chord 0 crosses 1 and 2, which are equal but for 1e-5: 11 x (5 + 5) would be 11 x (5 + 6) if each counted
   // alone.
-  const ErrorParts of{{0.5, 0.25, 0.25 * (1 + 1e-12)}, {10, 5, 5}, {true, false, false}, {{0, 1}, {2, 0}}, 107};
+  const ErrorParts of{{0.5, 0.25, 0.25 * (1 + 1e-5)}, {10, 5, 5}, {true, false, false}, {{0, 1}, {2, 0}}, 107};
   const ErrorCounts least = least_error_counts(of, as_asked);
   EXPECT_EQ(least.counts[1], least.counts[2]);
 }
