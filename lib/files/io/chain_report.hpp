@@ -21,11 +21,20 @@ std::vector<ReportedWarning> warnings_of(const StageReport& report);
 /// The number, text or flag of a dotted key as text ("certificate.method"); nothing if it is missing or null.
 std::optional<std::string> value_of(const StageReport& report, const std::string& key);
 
+/// A mesh that was made to compare layouts.
+struct LayoutTrial {
+  std::string options;  ///< of critpoints that were added; empty: none
+  bool is_valid = false;
+  double edge_ratio = 0, scaled_jacobian = 0, resolution = 0;  ///< greatest, least, resolution ratio
+  int blocks = 0;
+};
+
 /// What no stage reports.
 struct ChainFacts {
   std::optional<std::string> form;  ///< of the nodes; none: there are no nodes
   std::size_t num_nodes = 0;
   std::string remedy;  ///< options of critpoints that were added; empty: none
+  std::vector<LayoutTrial> trials;
   std::string version;
   double wall_seconds = 0;
   int exit_code = 0;
