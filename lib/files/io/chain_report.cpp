@@ -54,7 +54,7 @@ Json warnings_in(const Json& report) {
 struct StageRun {
   std::string stage;
   Json report;
-  bool is_used = true;  ///< not one of failed_*
+  bool is_used = true;  ///< not one of trial_*
 };
 
 std::vector<StageRun> runs_of(const std::vector<StageReport>& stages) {
@@ -62,7 +62,7 @@ std::vector<StageRun> runs_of(const std::vector<StageReport>& stages) {
   for (const StageReport& stage : stages) {
     Json report = parsed(stage.json);
     if (!text_at(report, "tool").empty())
-      runs.push_back({stage.stage, std::move(report), !stage.stage.starts_with("failed_")});
+      runs.push_back({stage.stage, std::move(report), !stage.stage.starts_with("trial_")});
   }
   return runs;
 }

@@ -9,7 +9,7 @@ namespace quadrille::io {
 
 /// The report of one run of a stage, as its command writes it.
 struct StageReport {
-  std::string stage;  ///< in the report of the whole: the tool with a prefix, such as failed_separatrix
+  std::string stage;  ///< in the report of the whole: the tool with a prefix, such as trial_separatrix
   std::string json;   ///< text of a JSON object; anything else counts as empty
 };
 
@@ -41,7 +41,7 @@ struct ChainFacts {
   std::optional<std::string> failed_stage, error;  ///< after a failure
 };
 
-/// Runs of stages failed_* count with their times alone, and with the warning that one of them was stopped.
+/// Runs of stages trial_* count with their times alone, and with the warning that one of them was stopped.
 class ChainReport {
  public:
   ChainReport(const std::vector<StageReport>& stages, const ChainFacts& facts);

@@ -54,7 +54,7 @@ struct ChainFailure {
 };
 
 /// Of the names of stages in the report: runs whose results are not used.
-inline constexpr const char* prefix_of_trials = "failed_";
+inline constexpr const char* prefix_of_trials = "trial_";
 
 struct ChainState {
   ChainState(const ChainOptions& chosen, const StageOptions& of_stages, StageRunner& of_run, const std::string& stem)

@@ -138,8 +138,9 @@ bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options) {
 bool may_try_nodes(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   return !chain.has_fixed_nodes && !options.is_dry_run && chain.has_other_way && chain.remedy.empty() &&
-         options.programs.empty() && chain.is_due(ChainStage::critpoints) && chain.is_due(ChainStage::blocksplit) &&
-         !options.has("critpoints", "--place") && !options.has("critpoints", "--nodes");
+         options.programs.empty() && chain.num_nodes > 0 && chain.is_due(ChainStage::critpoints) &&
+         chain.is_due(ChainStage::blocksplit) && !options.has("critpoints", "--place") &&
+         !options.has("critpoints", "--nodes");
 }
 
 bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
@@ -160,7 +161,7 @@ bool try_nodes_at_least_energy(ChainState& chain, std::size_t first_replaced) {
       make_graph(chain, files) && io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint" &&
       make_blocks(chain, files) && try_mesh(chain, files, options_text(remedy)) &&
       is_better(chain.trials.back(), first)) {
-    inform(chain, fmt::format("{} makes a better mesh", options_text(remedy)));
+    if (chain.options.is_verbose) inform(chain, fmt::format("{} makes a better mesh", options_text(remedy)));
     take_remedy(chain, files, remedy, first_replaced, first_run);
     return true;
   }
