@@ -220,6 +220,15 @@ setup() {
   assert_output true
 }
 
+@test "counts by the error lower the resolution ratio at the number of elements of the nearest counts" {
+  quadrefine --relax size "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --relax size --size-rule error "$blocks" -o b.quad.h5 --report b.json
+  quadrefine --relax size --size-rule error --count 0=9 "$blocks" -o c.quad.h5 --report c.json
+  run jq -n 'input as $a | input as $b | input as $c | [$b.resolution.ratio < 0.9 * $a.resolution.ratio,
+    ($b.quads / $a.quads | 0.94 < . and . < 1.06), $b.valid, $c.sizes.chord.count[0]]' -c a.json b.json c.json
+  assert_output '[true,true,true,9]'
+}
+
 @test "mistakes in sizes end with 2" {
   run quadrefine --size-near roof=0.1 "$blocks" -o a.quad.h5
   assert_failure 2

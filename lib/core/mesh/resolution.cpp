@@ -70,7 +70,7 @@ Resolution resolution(const QuadMesh& mesh) {
     ++num;
   }
   if (!(total > 0)) return result;
-  result.ratio = total / (2 * area * std::pow(area / num, 4));
+  result.ratio = total / (2 * area * std::pow(area / num, resolution_power));
   for (auto& parts : result.parts)
     for (double& part : parts) part /= total;
   return result;

@@ -18,6 +18,8 @@
 
 namespace quadrille::mesh {
 
+constexpr int resolution_power = 4;  ///< q
+
 struct Resolution {
   double ratio = 1;  ///< R of the elements that count; 1 if none does
   /// By element: the parts of E that its lengths along xi1 and xi2 have, of all 1. 0 where it does not count.

@@ -54,7 +54,7 @@ Json warnings_in(const Json& report) {
 struct StageRun {
   std::string stage;
   Json report;
-  bool is_used = true;  ///< not one of failed_*
+  bool is_used = true;  ///< not one of trial_*
 };
 
 std::vector<StageRun> runs_of(const std::vector<StageReport>& stages) {
@@ -62,7 +62,7 @@ std::vector<StageRun> runs_of(const std::vector<StageReport>& stages) {
   for (const StageReport& stage : stages) {
     Json report = parsed(stage.json);
     if (!text_at(report, "tool").empty())
-      runs.push_back({stage.stage, std::move(report), !stage.stage.starts_with("failed_")});
+      runs.push_back({stage.stage, std::move(report), !stage.stage.starts_with("trial_")});
   }
   return runs;
 }
@@ -139,6 +139,18 @@ constexpr const char* mesh_keys[] = {"least_jacobian_bound",
                                      "growth",
                                      "boundary"};
 
+Json trials_of(const ChainFacts& facts) {
+  Json trials = Json::array();
+  for (const LayoutTrial& trial : facts.trials)
+    trials.push_back({{"options", trial.options.empty() ? Json() : Json(trial.options)},
+                      {"valid", trial.is_valid},
+                      {"greatest_edge_ratio", trial.edge_ratio},
+                      {"least_scaled_jacobian", trial.scaled_jacobian},
+                      {"resolution", trial.resolution},
+                      {"blocks", trial.blocks}});
+  return trials;
+}
+
 Json composed(const std::vector<StageReport>& stages, const ChainFacts& facts) {
   const std::vector<StageRun> runs = runs_of(stages);
   const Json refine = report_of(runs, "quadrefine"), exported = report_of(runs, "quadexport");
@@ -152,6 +164,7 @@ Json composed(const std::vector<StageReport>& stages, const ChainFacts& facts) {
   root["certificate"] = at(report_of(runs, "separatrix"), "certificate");
   root["given_up"] = given_up(runs);
   root["remedy"] = facts.remedy.empty() ? Json() : Json(facts.remedy);
+  root["trials"] = trials_of(facts);
   root["estimated_quads"] = at(refine, "estimated_quads");
   root["quads"] = at(refine, "quads").is_null() ? at(exported, "quads") : at(refine, "quads");
   for (const char* key : mesh_keys) root[key] = at(refine, key);

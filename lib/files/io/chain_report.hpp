@@ -9,7 +9,7 @@ namespace quadrille::io {
 
 /// The report of one run of a stage, as its command writes it.
 struct StageReport {
-  std::string stage;  ///< in the report of the whole: the tool with a prefix, such as failed_separatrix
+  std::string stage;  ///< in the report of the whole: the tool with a prefix, such as trial_separatrix
   std::string json;   ///< text of a JSON object; anything else counts as empty
 };
 
@@ -21,18 +21,27 @@ std::vector<ReportedWarning> warnings_of(const StageReport& report);
 /// The number, text or flag of a dotted key as text ("certificate.method"); nothing if it is missing or null.
 std::optional<std::string> value_of(const StageReport& report, const std::string& key);
 
+/// A mesh that was made to compare layouts.
+struct LayoutTrial {
+  std::string options;  ///< of critpoints that were added; empty: none
+  bool is_valid = false;
+  double edge_ratio = 0, scaled_jacobian = 0, resolution = 0;  ///< greatest, least, resolution ratio
+  int blocks = 0;
+};
+
 /// What no stage reports.
 struct ChainFacts {
   std::optional<std::string> form;  ///< of the nodes; none: there are no nodes
   std::size_t num_nodes = 0;
   std::string remedy;  ///< options of critpoints that were added; empty: none
+  std::vector<LayoutTrial> trials;
   std::string version;
   double wall_seconds = 0;
   int exit_code = 0;
   std::optional<std::string> failed_stage, error;  ///< after a failure
 };
 
-/// Runs of stages failed_* count with their times alone, and with the warning that one of them was stopped.
+/// Runs of stages trial_* count with their times alone, and with the warning that one of them was stopped.
 class ChainReport {
  public:
   ChainReport(const std::vector<StageReport>& stages, const ChainFacts& facts);

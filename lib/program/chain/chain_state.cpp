@@ -22,9 +22,9 @@ bool may_go_on(const ChainState& chain, ChainStage stage, const StageEnd& end) {
     case ChainStage::separatrix:
       return true;
     case ChainStage::quadrefine:
-      return io::value_of(end.report, "valid") == "false";
+      return chain.prefix == prefix_of_trials || io::value_of(end.report, "valid") == "false";
     default:
-      return false;
+      return chain.prefix == prefix_of_trials;
   }
 }
 
@@ -38,7 +38,7 @@ void print_warnings(ChainState& chain, std::size_t first_run) {
   if (chain.options.is_quiet) return;
   const std::vector<io::StageReport>& reports = chain.runner.reports();
   for (std::size_t i = first_run; i < reports.size(); ++i) {
-    if (reports[i].stage.starts_with("failed_")) continue;
+    if (reports[i].stage.starts_with(prefix_of_trials)) continue;
     for (io::ReportedWarning& warning : io::warnings_of(reports[i])) {
       std::replace(warning.message.begin(), warning.message.end(), '\n', ' ');
       const std::string text = fmt::format("warning {}: {}", warning.code, warning.message);

@@ -19,11 +19,13 @@ struct NodeFiles {
       : nodes(stem + ".crit.json"),
         phase_solve(stem + ".phase.solve.h5"),
         phase(stem + ".phase.h5"),
-        graph(stem + ".sep.json") {}
+        graph(stem + ".sep.json"),
+        blocks(stem + ".blocks.h5") {}
 
   StageFile<CriticalPoints> nodes;
   StageFile<Field> phase_solve, phase;
   StageFile<SeparatrixGraph> graph;
+  StageFile<BlockLayout> blocks;
 };
 
 /// All files of a run, STEM.tri.h5 and so on.
@@ -34,14 +36,12 @@ struct ChainFiles {
         solve(stem + ".solve.h5"),
         field(stem + ".field.h5"),
         of_nodes(stem),
-        blocks(stem + ".blocks.h5"),
         quads(stem + ".quad.h5") {}
 
   std::string stem;
   StageFile<TriMesh> triangles;
   StageFile<Field> solve, field;
   NodeFiles of_nodes;
-  StageFile<BlockLayout> blocks;
   StageFile<QuadMesh> quads;
 };
 
@@ -52,6 +52,9 @@ struct ChainFailure {
   std::string message;  ///< for the report
   bool is_printed = true;
 };
+
+/// Of the names of stages in the report: runs whose results are not used.
+inline constexpr const char* prefix_of_trials = "trial_";
 
 struct ChainState {
   ChainState(const ChainOptions& chosen, const StageOptions& of_stages, StageRunner& of_run, const std::string& stem)
@@ -72,7 +75,8 @@ struct ChainState {
   std::string comment;                     ///< before the commands of --dry-run
   std::set<std::string> printed_warnings;  ///< codes and texts
   std::string last;                        ///< path of the last file that was made
-  std::string remedy;                      ///< words for critpoints that gave a layout
+  std::string remedy;                      ///< words for critpoints that gave a layout, or a better one
+  std::vector<io::LayoutTrial> trials;     ///< meshes that were compared, in the order of their runs
   std::optional<StageEnd> given_up;        ///< the stage without a valid result after which the run went on
 
   bool is_due(ChainStage stage) const { return !is_before(stage, options.first) && !is_before(options.last, stage); }

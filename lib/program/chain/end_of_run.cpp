@@ -21,6 +21,7 @@ io::ChainFacts facts_of(const ChainState& chain) {
   if (chain.form) facts.form = enum_name(*chain.form);
   facts.num_nodes = chain.num_nodes;
   facts.remedy = chain.remedy;
+  facts.trials = chain.trials;
   facts.version = version;
   facts.wall_seconds = chain.runner.seconds();
   return facts;

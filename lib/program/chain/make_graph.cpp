@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "chain/chain_nodes.hpp"
+#include "chain/quad_inputs.hpp"
 #include "cli/messages.hpp"
 #include "triangulate/triangulate.hpp"
 
@@ -79,7 +80,10 @@ stage::SeparatrixOptions layout_options(const ChainState& chain) {
 }
 
 bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::string>& node_words) {
-  if (!make_nodes(chain, files, node_words)) return false;
+  return make_nodes(chain, files, node_words) && make_graph(chain, files);
+}
+
+bool make_graph(ChainState& chain, NodeFiles& files) {
   StageFile<Field>* field = &chain.files.field;
   if (chain.options.is_dry_run && !have_phase_form(chain, files)) {
     print_phase_stages(chain, files);
@@ -89,6 +93,21 @@ bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::stri
     if (!is_before(chain.options.last, ChainStage::separatrix)) chain.last = files.nodes.path();
   }
   return trace(chain, files, *field);
+}
+
+bool make_blocks(ChainState& chain, NodeFiles& files) {
+  StageTask task;
+  task.stage = ChainStage::blocksplit;
+  task.output = files.blocks.path();
+  task.words = {files.graph.path()};
+  task.compute = [&](Run& run) {
+    const Names names = block_names(chain);
+    files.blocks.set(stage::blocksplit(files.graph.input(), names.input(), chain.values.blocksplit, run),
+                     chain.keeps_files);
+  };
+  task.write_inputs = [&] { files.graph.write(); };
+  task.drop_result = [&] { files.blocks.forget(); };
+  return run_stage(chain, task);
 }
 
 }  // namespace quadrille::chain

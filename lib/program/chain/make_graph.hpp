@@ -1,5 +1,5 @@
 #pragma once
-// The separatrix graph for one choice of nodes.
+// The separatrix graph and the blocks for one choice of nodes.
 
 #include "chain/chain_state.hpp"
 
@@ -8,6 +8,12 @@ namespace quadrille::chain {
 /// The graph of `files.graph` for the triangles and the field, with these words for critpoints beside the chosen ones;
 /// first a field of their own, if the nodes need one. Returns false as run_stage does.
 bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::string>& node_words);
+
+/// The same for nodes that are made.
+bool make_graph(ChainState& chain, NodeFiles& files);
+
+/// The blocks of `files.graph`. Returns false as run_stage does.
+bool make_blocks(ChainState& chain, NodeFiles& files);
 
 /// The options of separatrix, with what makes midpoint division possible.
 stage::SeparatrixOptions layout_options(const ChainState& chain);

@@ -50,46 +50,32 @@ bool divide_triangles(ChainState& chain) {
   return run_stage(chain, task);
 }
 
-bool make_blocks(ChainState& chain) {
-  ChainFiles& files = chain.files;
-  StageTask task;
-  task.stage = ChainStage::blocksplit;
-  task.output = files.blocks.path();
-  task.words = {files.of_nodes.graph.path()};
-  task.compute = [&](Run& run) {
-    const Names names = block_names(chain);
-    files.blocks.set(stage::blocksplit(files.of_nodes.graph.input(), names.input(), chain.values.blocksplit, run),
-                     chain.keeps_files);
-  };
-  task.write_inputs = [&] { files.of_nodes.graph.write(); };
-  task.drop_result = [&] { files.blocks.forget(); };
-  return run_stage(chain, task);
-}
-
 bool refine_blocks(ChainState& chain) {
   ChainFiles& files = chain.files;
   StageTask task;
   task.stage = ChainStage::quadrefine;
   task.output = files.quads.path();
-  task.words = {files.blocks.path()};
+  task.words = {files.of_nodes.blocks.path()};
   task.compute = [&](Run& run) {
-    const stage::Input<BlockLayout> layout = files.blocks.input();
+    const stage::Input<BlockLayout> layout = files.of_nodes.blocks.input();
     const PrescribedSizes sizes = prescribed_sizes(chain, layout.model.face);
     files.quads.set(stage::quadrefine(layout, sizes.input(), chain.values.quadrefine, run), chain.keeps_files);
   };
-  task.write_inputs = [&] { files.blocks.write(); };
+  task.write_inputs = [&] { files.of_nodes.blocks.write(); };
   task.drop_result = [&] { files.quads.forget(); };
   return run_stage(chain, task);
 }
 
-bool quads_of_graph(ChainState& chain) { return make_blocks(chain) && refine_blocks(chain); }
-
-bool quads_of_triangles(ChainState& chain) { return divide_triangles(chain) && quads_of_graph(chain); }
+bool quads_of_triangles(ChainState& chain) {
+  return divide_triangles(chain) && make_blocks(chain, chain.files.of_nodes) && refine_blocks(chain);
+}
 
 bool quads_of_field(ChainState& chain) {
   if (!solve_field(chain) || !make_graph(chain, chain.files.of_nodes, {})) return false;
   try_remedies(chain);
-  return quads_of_graph(chain);
+  if (!make_blocks(chain, chain.files.of_nodes)) return false;
+  try_better_nodes(chain);
+  return refine_blocks(chain);
 }
 
 /// That the quads are made without a field.

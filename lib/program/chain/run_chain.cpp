@@ -62,15 +62,15 @@ void export_mesh(ChainState& chain) {
     const std::string output = chain.options.output.empty() ? "-" : chain.options.output;
     std::vector<stage::OutputFile> written;
     if (is_step) {
-      const std::string bytes = io::stage_bytes(files.blocks.model());
-      written = {stage::quadexport_step({bytes, io::identity_of(files.blocks.path(), bytes)}, output,
+      const std::string bytes = io::stage_bytes(files.of_nodes.blocks.model());
+      written = {stage::quadexport_step({bytes, io::identity_of(files.of_nodes.blocks.path(), bytes)}, output,
                                         chain.values.quadexport, run)};
     } else {
       written = stage::quadexport(files.quads.release(), files.quads.path(), output, chain.values.quadexport, run);
     }
     for (const stage::OutputFile& file : written) io::write_output(file.path, file.bytes, file.is_binary);
   };
-  task.write_inputs = [&, is_step] { is_step ? files.blocks.write() : files.quads.write(); };
+  task.write_inputs = [&, is_step] { is_step ? files.of_nodes.blocks.write() : files.quads.write(); };
   run_stage(chain, task);
 }
 

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <tuple>
 
+#include "base/tolerance.hpp"
+#include "chain/chain_nodes.hpp"
 #include "chain/make_graph.hpp"
 
 namespace quadrille::chain {
@@ -13,6 +17,8 @@ namespace {
 
 /// Words for critpoints, such as "--ties", "field".
 using Remedy = std::vector<std::string>;
+
+std::string options_text(const Remedy& remedy) { return fmt::format("critpoints {}", fmt::join(remedy, " ")); }
 
 std::vector<Remedy> remedies_of(const io::StageReport& report) {
   std::vector<Remedy> remedies;
@@ -31,7 +37,8 @@ std::vector<Remedy> remedies_of(const io::StageReport& report) {
 
 void remove_files(NodeFiles& files) {
   std::error_code ignored;
-  for (const std::string& path : {files.nodes.path(), files.phase_solve.path(), files.phase.path(), files.graph.path()})
+  for (const std::string& path :
+       {files.nodes.path(), files.phase_solve.path(), files.phase.path(), files.graph.path(), files.blocks.path()})
     std::filesystem::remove(path, ignored);
 }
 
@@ -43,26 +50,123 @@ void replace(StageFile<Model>& file, StageFile<Model>& other) {
   file.take(other);
 }
 
-/// The runs of the remedy count, that of the graph which it replaces does not.
-void take_remedy(ChainState& chain, NodeFiles& files, std::size_t replaced_run, std::size_t first_run) {
+/// The runs of the remedy count, those of the stages that it replaces do not.
+void take_remedy(ChainState& chain, NodeFiles& files, const Remedy& remedy, std::size_t first_replaced,
+                 std::size_t first_run) {
   std::vector<io::StageReport>& reports = chain.runner.reports();
-  reports[replaced_run].stage = "failed_" + reports[replaced_run].stage;
-  for (std::size_t i = first_run; i < reports.size(); ++i)
-    reports[i].stage = "remedy_" + reports[i].stage.substr(std::string("failed_").size());
+  for (std::size_t i = first_replaced; i < reports.size(); ++i) {
+    std::string& stage = reports[i].stage;
+    const bool is_trial = stage.starts_with(prefix_of_trials);
+    if (i < first_run && !is_trial) stage = prefix_of_trials + stage;
+    if (i >= first_run && io::value_of(reports[i], "tool") != "quadrefine")
+      stage = "remedy_" + stage.substr(std::string(prefix_of_trials).size());
+  }
   NodeFiles& usual = chain.files.of_nodes;
   replace(usual.nodes, files.nodes);
   replace(usual.phase_solve, files.phase_solve);
   replace(usual.phase, files.phase);
   replace(usual.graph, files.graph);
-  chain.last = usual.graph.path();
+  const bool has_blocks = files.blocks.is_in_memory() || std::filesystem::exists(files.blocks.path());
+  if (has_blocks) replace(usual.blocks, files.blocks);
+  chain.last = (has_blocks ? usual.blocks.path() : usual.graph.path());
+  chain.remedy = options_text(remedy);
+  print_warnings(chain, first_run);
 }
 
 bool gives_layout(ChainState& chain, NodeFiles& files, const Remedy& remedy) {
-  chain.prefix = "failed_";
+  chain.prefix = prefix_of_trials;
   const bool is_made = make_graph(chain, files, remedy) &&
                        io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint";
   chain.prefix.clear();
   return is_made;
+}
+
+struct TrialLimits {
+  double edge_ratio = 100;
+  double scaled_jacobian = 0.3;
+  double resolution = 2;
+  double gain = 0.95;  ///< of the resolution ratio
+};
+constexpr TrialLimits trial_limits;
+
+/// What a mesh exceeds, the worst first.
+std::array<bool, 3> faults_of(const io::LayoutTrial& trial) {
+  return {!trial.is_valid, trial.edge_ratio > trial_limits.edge_ratio,
+          trial.scaled_jacobian < trial_limits.scaled_jacobian};
+}
+
+bool is_good(const io::LayoutTrial& trial) {
+  return faults_of(trial) == std::array{false, false, false} && trial.resolution <= trial_limits.resolution;
+}
+
+bool is_better(const io::LayoutTrial& a, const io::LayoutTrial& b) {
+  const auto faults_a = faults_of(a), faults_b = faults_of(b);
+  return faults_a != faults_b ? faults_a < faults_b : a.resolution < trial_limits.gain * b.resolution;
+}
+
+stage::QuadrefineOptions trial_options(const ChainState& chain) {
+  stage::QuadrefineOptions options;
+  options.refine.order = 2;
+  options.refine.size_rule = sizing::SizeRule::error;
+  options.refine.allow_invalid = true;
+  options.relax = "size";
+  options.symmetry = chain.values.quadrefine.symmetry;
+  return options;
+}
+
+/// Makes a mesh, whose figures are the last of chain.trials. Returns false if there is none.
+bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options) {
+  StageFile<QuadMesh> quads(chain.runner.scratch() + "/trial.quad.h5");
+  StageTask task;
+  task.stage = ChainStage::quadrefine;
+  task.output = quads.path();
+  task.words = {files.blocks.path()};
+  task.compute = [&](Run& run) {
+    quads.set(stage::quadrefine(files.blocks.input(), {}, trial_options(chain), run), chain.keeps_files);
+  };
+  task.write_inputs = [&] { files.blocks.write(); };
+  if (!run_stage(chain, task)) return false;
+  const io::StageReport& report = chain.runner.reports().back();
+  const auto number = [&](const char* key) { return std::stod(io::value_of(report, key).value_or("0")); };
+  chain.trials.push_back({options, io::value_of(report, "valid") == "true", number("greatest_edge_ratio.value"),
+                          number("least_scaled_jacobian"), number("resolution.ratio"),
+                          static_cast<int>(number("blocks"))});
+  return true;
+}
+
+/// Whether this run finds the nodes, as it pleases, and the blocks.
+bool may_try_nodes(const ChainState& chain) {
+  const ChainOptions& options = chain.options;
+  return !chain.has_fixed_nodes && !options.is_dry_run && chain.has_other_way && chain.remedy.empty() &&
+         options.programs.empty() && chain.num_nodes > 0 && chain.is_due(ChainStage::critpoints) &&
+         chain.is_due(ChainStage::blocksplit) && !options.has("critpoints", "--place") &&
+         !options.has("critpoints", "--nodes");
+}
+
+bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
+  return std::ranges::equal(a.critical_points, b.critical_points, [&](const CriticalPoint& p, const CriticalPoint& q) {
+    return p.valence == q.valence && distance(p.position, q.position) <= tolerance::same_point * a.face.diameter;
+  });
+}
+
+/// Returns whether they are taken.
+bool try_nodes_at_least_energy(ChainState& chain, std::size_t first_replaced) {
+  NodeFiles& usual = chain.files.of_nodes;
+  if (!try_mesh(chain, usual, {}) || is_good(chain.trials.back())) return false;
+  const io::LayoutTrial first = chain.trials.back();
+  const Remedy remedy{"--place", "energy"};
+  const std::size_t first_run = chain.runner.reports().size();
+  NodeFiles files(chain.files.stem + ".remedy");
+  if (make_nodes(chain, files, remedy) && !are_same_nodes(files.nodes.model(), usual.nodes.model()) &&
+      make_graph(chain, files) && io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint" &&
+      make_blocks(chain, files) && try_mesh(chain, files, options_text(remedy)) &&
+      is_better(chain.trials.back(), first)) {
+    if (chain.options.is_verbose) inform(chain, fmt::format("{} makes a better mesh", options_text(remedy)));
+    take_remedy(chain, files, remedy, first_replaced, first_run);
+    return true;
+  }
+  remove_files(files);
+  return false;
 }
 
 }  // namespace
@@ -76,13 +180,11 @@ void try_remedies(ChainState& chain) {
   const std::vector<Remedy> remedies = remedies_of(chain.runner.reports()[replaced_run]);
   for (const Remedy& remedy : remedies) {
     if (chain.options.has("critpoints", remedy.front())) continue;
-    inform(chain, fmt::format("no layout with these nodes: trying critpoints {} {}", remedy[0], remedy[1]));
+    inform(chain, fmt::format("no layout with these nodes: trying {}", options_text(remedy)));
     const std::size_t first_run = chain.runner.reports().size();
     NodeFiles files(chain.files.stem + ".remedy");
     if (gives_layout(chain, files, remedy)) {
-      take_remedy(chain, files, replaced_run, first_run);
-      print_warnings(chain, first_run);
-      chain.remedy = fmt::format("critpoints {} {}", remedy[0], remedy[1]);
+      take_remedy(chain, files, remedy, replaced_run, first_run);
       return;
     }
     remove_files(files);
@@ -92,6 +194,21 @@ void try_remedies(ChainState& chain) {
       break;
     }
   }
+  chain.given_up.reset();
+  std::tie(chain.form, chain.num_nodes, chain.last) = before;
+}
+
+void try_better_nodes(ChainState& chain) {
+  if (!may_try_nodes(chain)) return;
+  const std::vector<io::StageReport>& reports = chain.runner.reports();
+  const auto first_replaced = std::ranges::find(reports, std::string("separatrix"), &io::StageReport::stage);
+  if (first_replaced == reports.end() || io::value_of(*first_replaced, "certificate.method") == "midpoint") return;
+  const std::size_t first_run = first_replaced - reports.begin();
+  const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);
+  chain.prefix = prefix_of_trials;
+  const bool is_better = try_nodes_at_least_energy(chain, first_run);
+  chain.prefix.clear();
+  if (is_better) return;
   chain.given_up.reset();
   std::tie(chain.form, chain.num_nodes, chain.last) = before;
 }

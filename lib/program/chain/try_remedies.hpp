@@ -1,5 +1,5 @@
 #pragma once
-// Other nodes where those of the field give no layout.
+// Other nodes where those of the field give no layout, or a poor one.
 
 #include "chain/chain_state.hpp"
 
@@ -10,5 +10,11 @@ namespace quadrille::chain {
 /// gives a layout replaces nodes, field and graph; if none does, or a stage is stopped, they stay. Options that the
 /// user chose are not replaced, nor nodes that a user gave or edited.
 void try_remedies(ChainState& chain);
+
+/// Where the mesh of the blocks exceeds what is allowed, or has a resolution ratio above 2, nodes at the least energy
+/// are tried (critpoints --place energy), and taken if their mesh is better: with fewer faults, else with a resolution
+/// ratio that is less by 5 %. Both meshes have edges of diameter / 20 and order 2 whatever the user asks for, so that
+/// blocks do not depend on sizes. Nothing changes where a user chose nodes or where they are placed. Needs the blocks.
+void try_better_nodes(ChainState& chain);
 
 }  // namespace quadrille::chain

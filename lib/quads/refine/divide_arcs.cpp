@@ -142,7 +142,7 @@ Corrections find_corrections(const ChordTask& task, const ChordDivision& divisio
         anchors_that_end_elements(task, division.anchored.anchors, i, arc.low(k), arc.high(k));
     found.anchors.insert(found.anchors.end(), anchors.begin(), anchors.end());
     if (!anchors.empty()) continue;
-    if (division.grading.is_identity()) {
+    if (division.grading.is_identity() && task.plan.slope == 0) {
       const int along_chord = task.chord.backwards[i] ? arc.num_intervals() - 1 - k : k;
       double& worst = found.worst_errors[segment_of(division.counts, along_chord)];
       worst = std::max(worst, error);
@@ -186,6 +186,11 @@ sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const s
     for (std::size_t i = 0; i < divided.size(); ++i) divisions[chords[c].arcs[i]] = std::move(divided[i]);
   }
   return divisions;
+}
+
+int divided_count(const sizing::MeasuredLayout& measured, int chord, const sizing::ChordPlan& plan,
+                  const DivideOptions& options) {
+  return divide_chord({measured, measured.chords()[chord], plan, options})[0].num_intervals();
 }
 
 void match_fractions(const PeriodicArcs& arcs, std::vector<double>& first, std::vector<double>& second) {

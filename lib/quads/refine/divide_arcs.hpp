@@ -12,8 +12,8 @@
 //   contains breaks: at most two, or all in less than half of its length     elements end at them; at one of those that
 //                                                                            nearly coincide
 //   but if all are near its ends and the rest misses the tolerance as well   as if it contained none
-//   else, in a chord of equal elements                                       its segment gets more elements
-//   else, in a graded chord                                                  this interval alone becomes shorter
+//   else, in a chord whose elements are to be equal (slope 0)               its segment gets more elements
+//   else                                                                     this interval alone becomes shorter
 //
 // Elements that end at two breaks, or a break and an end, that are near each other are thin, so they come last. An
 // interval over which many breaks are spread is too long to be cured at the breaks: it must become shorter first. In
@@ -56,6 +56,10 @@ struct KnownDivisions {
 sizing::ArcDivisions divide_arcs(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
                                  const DivideOptions& options, Progress* progress = nullptr,
                                  const KnownDivisions& known = {});
+
+/// The number of intervals that a chord with this plan gets. Throws as divide_arcs.
+int divided_count(const sizing::MeasuredLayout& measured, int chord, const sizing::ChordPlan& plan,
+                  const DivideOptions& options);
 
 /// Replaces rising fractions from 0 to 1 of both arcs, each in the arc's own direction, by their means; lists of
 /// different lengths are not changed. Both arcs belong to one chord, so they have the same number of elements; their

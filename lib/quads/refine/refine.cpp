@@ -9,6 +9,7 @@
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
+#include "refine/lower_error.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/report_sizes.hpp"
@@ -36,19 +37,6 @@ std::vector<prescribe::LayeredCount> layered_counts(const SplitRequest& request)
   settings.is_aligned = false;
   return layers::layered_counts(wall_input(request, settings),
                                 sizing::grade_chords(request.equal, request.sizes, options.size_rule, options.counts));
-}
-
-/// Of all elements, at their middles; 0 on the chords that layers divide.
-void set_prescribed_lengths(const SplitRequest& request, SplitMesh& split) {
-  QuadMesh& mesh = split.mesh;
-  const std::vector<bool> is_layered = elements_on_layered_chords(request.equal.blocks(), split);
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    Vec2 sum;
-    for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
-    const bool is_by_layers = !is_layered.empty() && is_layered[elem];
-    mesh.elem_prescribed_length.push_back(
-        is_by_layers ? 0 : request.sizes.at(sum / 4, request.equal.region_of_block(mesh.elem_block[elem])));
-  }
 }
 
 /// The parts of an element are the same map: the distance from the CAD curves does not change.
@@ -102,6 +90,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   SplitMesh split = best_split(request).split;
   place_vertices(request, split);
   set_prescribed_lengths(request, split);
+  if (options.size_rule == sizing::SizeRule::error && options.blocks.empty()) lower_error(request, split);
   refine_nested(split.mesh, options, report);
   report_split(request, split);
   report_prescribed(request, split, prescribed.counts, layered);

@@ -71,4 +71,7 @@ void set_score(const SplitRequest& request, SplitMesh& result);
 /// behind the layers, through which the chord runs on. Empty: there are no layers.
 std::vector<bool> elements_on_layered_chords(const BlockLayout& blocks, const SplitMesh& split);
 
+/// Of all elements, at their middles; 0 on the chords that layers divide.
+void set_prescribed_lengths(const SplitRequest& request, SplitMesh& split);
+
 }  // namespace quadrille::refine

@@ -26,9 +26,11 @@ namespace quadrille::sizing {
 /// The rule for the single count of a chord whose arcs have different prescribed lengths.
 enum class SizeRule {
   nearest,  ///< least deviation (ChordSections)
-  at_most   ///< no edge is longer than prescribed
+  at_most,  ///< no edge is longer than prescribed
+  error     ///< first nearest, with elements shorter only where the boundary needs it, then least error
+            ///< of a smooth solution (refine/lower_error)
 };
-constexpr auto enum_names(SizeRule) { return std::to_array({"nearest", "at-most"}); }
+constexpr auto enum_names(SizeRule) { return std::to_array({"nearest", "at-most", "error"}); }
 
 /// A prescribed count.
 struct ChordCount {

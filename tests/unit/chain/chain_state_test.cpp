@@ -120,7 +120,7 @@ TEST(RunStage, prints_each_warning_once) {
 
 TEST(RunStage, warnings_of_remedies_wait_until_one_is_taken) {
   SampleChain run;
-  run.chain.prefix = "failed_";
+  run.chain.prefix = "trial_";
   const StageTask task =
       task_of(ChainStage::separatrix, [](quadrille::Run& stage_run) { stage_run.report().warn("W-X-001", "odd"); });
   EXPECT_EQ(errors_of([&] { run_stage(run.chain, task); }), "");

@@ -234,7 +234,7 @@ TEST(CheckFace, reads_the_first_file_that_there_is) {
   SampleChain run;
   run.read({"--size-near", "hole=0.1"});
   EXPECT_NO_THROW(check_face(run.chain)) << "there is no file yet";
-  io::write_stage(run.chain.files.blocks.path(), samples::block_layout());
+  io::write_stage(run.chain.files.of_nodes.blocks.path(), samples::block_layout());
   EXPECT_NO_THROW(check_face(run.chain)) << "from the triangles on";
   run.options.first = ChainStage::quadrefine;
   errors_of([&] { EXPECT_EQ(failure_of([&] { check_face(run.chain); }).code, ExitCode::usage); });

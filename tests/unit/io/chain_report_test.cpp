@@ -102,7 +102,7 @@ TEST(ChainReport, NamesTheFirstFailureAfterWhichARunWentOn) {
 
 TEST(ChainReport, RunsOfRemediesThatFailedCountWithTheirTimesAlone) {
   std::vector<StageReport> stages = usual_stages();
-  stages.push_back(stage("failed_separatrix", "separatrix", 2,
+  stages.push_back(stage("trial_separatrix", "separatrix", 2,
                          R"(, "exit_code": 1, "error": "no", "certificate": {"method": "midpoint"},)"
                          R"( "warnings": [{"code": "W-1", "message": "odd"}])"));
   const Json root = composed(stages);
@@ -110,8 +110,8 @@ TEST(ChainReport, RunsOfRemediesThatFailedCountWithTheirTimesAlone) {
   EXPECT_TRUE(root["given_up"].is_null());
   EXPECT_TRUE(root["warnings"].empty());
   EXPECT_EQ(root["cpu_seconds"], 3);
-  EXPECT_EQ(root["stages"]["failed_separatrix"]["wall_seconds"], 4);
-  stages.back() = stage("failed_separatrix", "separatrix", 2,
+  EXPECT_EQ(root["stages"]["trial_separatrix"]["wall_seconds"], 4);
+  stages.back() = stage("trial_separatrix", "separatrix", 2,
                         R"(, "warnings": [{"tool": "quadmesh", "code": "W-RUN-001", "message": "stopped"}])");
   EXPECT_EQ(composed(stages)["warnings"][0]["code"], "W-RUN-001");
 }
