@@ -265,7 +265,7 @@ def source_keys():
     return found
 
 
-FIXED_KEYS = {"tool", "version", "warnings"}  # written by io/report_io for every tool
+FIXED_KEYS = {"tool", "version", "warnings"}  # written by io/chain_report for every tool
 
 
 def page_keys():

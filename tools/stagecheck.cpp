@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "cli/messages.hpp"
 #include "cli/tool_main.hpp"
 #include "io/stage_files.hpp"

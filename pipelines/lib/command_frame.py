@@ -35,7 +35,7 @@ def mistake(message):
 
 def is_answered(command, words, help_text):
     """Prints help_text() or the version if a word asks for it, wherever that stands: no other word is then read, so
-    that none is refused. The rule is that of lib/program/cli/request."""
+    that none is refused. The rule is that of lib/program/cli/outcome."""
     for word in words:
         if word == "--help" or re.fullmatch("-[vq]*h[vqh]*", word):
             print(help_text(), end="")

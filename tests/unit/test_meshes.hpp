@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/angle.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"

@@ -1,6 +1,8 @@
 #pragma once
-// Names of the boundary curves: chosen among the labels in a CAD file, then renamed by rules. No OpenCASCADE types.
+// Names of the boundary curves: chosen among the labels in a CAD file, then renamed by rules, also by those of options.
+// No OpenCASCADE types.
 
+#include <string>
 #include <vector>
 
 #include "base/report.hpp"
@@ -31,5 +33,18 @@ void choose_names(heal::RawFace& raw);
 /// agree.
 void rename_curves(CadFace& face, const std::vector<NameRule>& rules, const std::vector<NameRule>& overriding,
                    Report& report);
+
+// The options --name and --region-name of cad2tri (formats/boundary-names.md, "On the command line"): names of boundary
+// curves and of regions without a file.
+
+/// The greatest distance of a point of --name from its curve, in diameters: a point farther away was taken from another
+/// picture, or is in another unit.
+constexpr double max_option_distance = 0.1;
+
+/// One rule for each item of "NAME=LIST", a list of numbers, ranges a-b, names and patterns (base/name_text), or for
+/// "NAME@X,Y[,Z]". The item "*" is the rest; "boundary:" and "interface:" before a pattern or "*" are its part. Throws
+/// UsageError, with the option, for anything else. `option_name`: for messages.
+std::vector<NameRule> name_option_rules(const std::vector<std::string>& options,
+                                        const std::string& option_name = "--name");
 
 }  // namespace quadrille::cad

@@ -1,13 +1,20 @@
 #include "cad/load_face.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
-#include "cad/face_bytes.hpp"
-#include "cad/step_faults.hpp"
+#include "base/warning_codes.hpp"
+#include "cad/file_kind.hpp"
+#include "cad/loaded_face.hpp"
 
 namespace quadrille::cad {
+
 namespace {
 
 // Time limit of the program; a face with thousands of edges takes less than a second.
@@ -53,6 +60,97 @@ std::string file_of_face(const CadFace& face, CadFormat format) {
   request.face = face;
   return answer(format, request,
                 "the face cannot be written: the " + format_name(format) + " writer crashed or did not end");
+}
+
+namespace {
+
+using Row = std::array<std::string, 8>;
+
+double greatest_coordinate(const FaceList& list) {
+  double greatest = 0;
+  for (const ListedFace& face : list.faces)
+    for (const double x : face.face.place) greatest = std::max({greatest, std::abs(x), face.face.length});
+  return greatest;
+}
+
+// Coordinates below `noise` are rounding errors of a placement and are shown as 0.
+std::string place_text(std::array<double, 3> place, double noise) {
+  for (double& x : place) x = std::abs(x) <= noise ? 0 : x;
+  return fmt::format("({:.6g})", fmt::join(place, ", "));
+}
+
+Row row(const std::string& face, const std::string& edge, const ListedShape& shape, double noise) {
+  return {face,       edge, shape.kind, fmt::format("{:.6g}", shape.length), place_text(shape.place, noise),
+          shape.name, "",   ""};
+}
+
+Row face_row(int number, const ListedFace& listed, double noise) {
+  Row cells = row(std::to_string(number), "", listed.face, noise);
+  cells[6] = listed.part, cells[7] = listed.layer;
+  return cells;
+}
+
+std::vector<Row> rows_of(const FaceList& list) {
+  const double noise = 1e-12 * greatest_coordinate(list);
+  std::vector<Row> rows{{"face", "edge", "kind", "length", "place", "name", "part", "layer"}};
+  for (size_t f = 0; f < list.faces.size(); ++f) {
+    rows.push_back(face_row(static_cast<int>(f), list.faces[f], noise));
+    for (size_t e = 0; e < list.faces[f].edges.size(); ++e)
+      rows.push_back(row("", std::to_string(e), list.faces[f].edges[e], noise));
+  }
+  return rows;
+}
+
+void report_shape(const std::string& key, const ListedShape& shape, Report& report) {
+  report.set(key + "name", shape.name);
+  report.set(key + "kind", shape.kind);
+  report.set(key + "length", shape.length);
+  report.set(key + "place", std::vector<double>(shape.place.begin(), shape.place.end()));
+}
+
+constexpr size_t most_named = 20;  // in the warning
+
+std::string not_built_text(const std::vector<std::string>& entities) {
+  const auto shown = static_cast<long>(std::min(entities.size(), most_named));
+  const std::string rest = entities.size() > most_named ? fmt::format(" and {} more", entities.size() - shown) : "";
+  const bool is_one = entities.size() == 1;
+  return fmt::format("{} not listed, because the CAD kernel could not build {}: {}{}: repair or export {} again",
+                     is_one ? "1 face is" : fmt::format("{} faces are", entities.size()), is_one ? "it" : "them",
+                     fmt::join(entities.begin(), entities.begin() + shown, ", "), rest, is_one ? "it" : "them");
+}
+
+}  // namespace
+
+std::string face_table(const FaceList& list) {
+  const std::vector<Row> rows = rows_of(list);
+  std::array<size_t, 8> widths{};
+  for (const Row& cells : rows)
+    for (size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+  std::string table;
+  for (const Row& cells : rows) {
+    std::string line;
+    for (size_t i = 0; i + 1 < cells.size(); ++i) line += fmt::format("{:<{}}  ", cells[i], widths[i]);
+    line += cells.back();
+    line.erase(line.find_last_not_of(' ') + 1);
+    table += line + "\n";
+  }
+  return table;
+}
+
+void report_faces(const FaceList& list, Report& report) {
+  report.set("list.length_unit", list.length_unit);
+  report.set("list.faces", list.faces.size());
+  report.set("list.not_built", list.not_built.size());
+  if (!list.not_built.empty()) report.warn(warning::faces_not_built, not_built_text(list.not_built));
+  for (size_t f = 0; f < list.faces.size(); ++f) {
+    const std::string key = fmt::format("list.face.{}.", f);
+    report_shape(key, list.faces[f].face, report);
+    report.set(key + "part", list.faces[f].part);
+    report.set(key + "layer", list.faces[f].layer);
+    report.set(key + "edges", list.faces[f].edges.size());
+    for (size_t e = 0; e < list.faces[f].edges.size(); ++e)
+      report_shape(fmt::format("{}edge.{}.", key, e), list.faces[f].edges[e], report);
+  }
 }
 
 }  // namespace quadrille::cad

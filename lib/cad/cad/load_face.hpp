@@ -6,7 +6,6 @@
 #include <string>
 
 #include "base/report.hpp"
-#include "cad/cad_request.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/loaded_face.hpp"
 
@@ -24,5 +23,14 @@ FaceList list_faces_guarded(const std::string& bytes, const std::string& name);
 
 /// The face as a file in `format`, STEP or BREP (occ/write_cad.hpp). Throws ComputeError if the kernel cannot write it.
 std::string file_of_face(const CadFace& face, CadFormat format);
+
+// The faces of a CAD file for a person, as a table, and for programs, as keys of a report. No OpenCASCADE types.
+
+/// One line for each face and, below it, one for each of its edges: number, kind, length, place, name; for faces also
+/// part and layer.
+std::string face_table(const FaceList& list);
+
+/// Adds the keys `list.*` (formats/report.md), and a warning that names the faces which could not be built.
+void report_faces(const FaceList& list, Report& report);
 
 }  // namespace quadrille::cad

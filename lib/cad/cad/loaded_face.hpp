@@ -1,14 +1,39 @@
 #pragma once
-// What is read from a CAD file.
+// What cad2tri asks of the programs that are linked with the CAD kernel's libraries, what they read from a CAD file,
+// and
+// the bytes in which these pass requests and answers to each other: exact, and not a file format.
 
 #include <array>
 #include <string>
 #include <vector>
 
+#include "base/report.hpp"
 #include "model/cad_face.hpp"
 #include "model/repair.hpp"
 
 namespace quadrille::cad {
+
+struct LoadOptions {
+  double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
+  double heal_tolerance = -1;                  ///< as in heal::HealOptions
+  std::string face = {};                       ///< number or name; empty: the only face
+  double blunt_width = 0;                      ///< as in heal::BluntOptions
+  double fit_tolerance = 0;                    ///< as in outline::AssembleOptions
+};
+
+enum class CadTask : int {
+  load,  ///< answered by to_bytes(LoadedFace, Report)
+  list,  ///< answered by to_bytes(FaceList)
+  write  ///< answered by the bytes of a CAD file
+};
+
+struct CadRequest {
+  CadTask task = CadTask::load;
+  std::string name;     ///< of the file, for messages
+  std::string bytes;    ///< contents of the file to load or list
+  LoadOptions options;  ///< of load
+  CadFace face;         ///< to write
+};
 
 struct LoadedFace {
   CadFace face;
@@ -35,5 +60,23 @@ struct FaceList {
   std::vector<ListedFace> faces;
   std::vector<std::string> not_built;  ///< entities of faces that could not be built: "#40 'lid'"
 };
+
+// Exact serialisation of what cad2tri and the programs that are linked with the CAD kernel pass to each other: a
+// request, a LoadedFace with its Report, or a FaceList. Not a file format.
+
+/// Serialises the face and the report.
+std::string to_bytes(const LoadedFace& loaded, const Report& report);
+
+/// Returns the face and adds the contents of the serialised report to `report`. Throws Defect for bytes that were not
+/// written by to_bytes.
+LoadedFace from_bytes(const std::string& bytes, Report& report);
+
+/// The same for a list of faces.
+std::string to_bytes(const FaceList& list);
+FaceList list_from_bytes(const std::string& bytes);
+
+/// The same for a request.
+std::string to_bytes(const CadRequest& request);
+CadRequest request_from_bytes(const std::string& bytes);
 
 }  // namespace quadrille::cad

@@ -1,5 +1,3 @@
-#include "cad/periodic_options.hpp"
-
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -7,6 +5,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "cad/periodic_sides.hpp"
 
 namespace quadrille::cad {
 namespace {

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
-#include "base/position_text.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "model/periodic.hpp"

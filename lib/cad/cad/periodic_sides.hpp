@@ -1,12 +1,30 @@
 #pragma once
-// Periodic sides of a face, from the names of their curves.
+// Periodic sides of a face: the option --periodic of cad2tri, and the pairs of curves that it names.
 
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "cad/periodic_options.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::cad {
+
+/// A translation, or a rotation about a point, in file coordinates: x -> R(angle) x + shift.
+struct GivenMotion {
+  double angle = 0;  ///< radians
+  Vec2 shift;        ///< a length
+};
+
+/// Sides, named by their curves, that are to be periodic.
+struct PeriodicRequest {
+  std::string first, second;
+  std::optional<GivenMotion> motion;  ///< from the first to the second; none: from the curves
+  std::string where;                  ///< the option, for messages
+};
+
+/// "A=B", "A=B:translate=DX,DY" or "A=B:rotate=DEGREES[,CX,CY]", about (0, 0) without a centre. Throws UsageError, with
+/// the option, for anything else.
+std::vector<PeriodicRequest> periodic_options(const std::vector<std::string>& options);
 
 /// Fills face.periodic_pairs. The curves of a name or pattern are one chain or several, as many as on the other side. A
 /// motion that maps a chain onto another one, reversed, is unique: it is found from their ends, such that all chains

@@ -1,13 +1,22 @@
 #pragma once
-// Cusps of the boundary, and corners in which it touches itself: cut off at a width, or refused.
+// Cusps of the boundary, where the interior angle is zero, and corners in which it touches itself: cut off at a width,
+// or refused.
 
 #include <vector>
 
 #include "base/report.hpp"
-#include "heal/loop.hpp"
+#include "heal/raw_face.hpp"
+#include "model/cad_face.hpp"
 #include "model/repair.hpp"
 
 namespace quadrille::heal {
+
+/// The angle between `in`, which ends where `out` starts, with the face on their left: 0 to 2 pi. If the tangents are
+/// opposite, points of the curves near the joint decide between 0 and 2 pi.
+double interior_angle(const Nurbs& in, const Nurbs& out);
+
+/// Whether an interior angle is zero, up to rounding: the joint is a cusp, which holds no quad.
+bool is_cusp(double interior_angle);
 
 struct BluntOptions {
   std::string file;     ///< for messages

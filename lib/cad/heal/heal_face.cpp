@@ -3,21 +3,127 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
-#include "heal/chain_edges.hpp"
+#include "curve/chain.hpp"
+#include "curve/nurbs.hpp"
 #include "heal/heal_rules.hpp"
-#include "heal/heal_scale.hpp"
-#include "heal/joint_limit.hpp"
-#include "heal/merge_knots.hpp"
-#include "heal/report_repair.hpp"
-#include "heal/short_edges.hpp"
-#include "heal/unfold.hpp"
-#include "heal/yield_curve.hpp"
+#include "heal/joint_target.hpp"
+#include "heal/wire_edges.hpp"
 
 namespace quadrille::heal {
+
+namespace {
+
+// Whether the leg from pole i to the next one runs against the legs before and behind it. The ends of the curve stay.
+bool is_fold(const std::vector<Vec2>& poles, size_t i, double most) {
+  const Vec2 before = poles[i] - poles[i - 1], leg = poles[i + 1] - poles[i], behind = poles[i + 2] - poles[i + 1];
+  return norm(leg) <= most && dot(before, leg) < 0 && dot(leg, behind) < 0;
+}
+
+// Exchanges the two poles of the first fold. Returns false if no leg is a fold.
+bool exchange_one(std::vector<Vec2>& poles, double most) {
+  for (size_t i = 1; i + 2 < poles.size(); ++i) {
+    if (!is_fold(poles, i, most)) continue;
+    std::swap(poles[i], poles[i + 1]);
+    return true;
+  }
+  return false;
+}
+
+double greatest_distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  double greatest = 0;
+  for (size_t i = 0; i < a.size(); ++i) greatest = std::max(greatest, distance(a[i], b[i]));
+  return greatest;
+}
+
+}  // namespace
+
+double unfold(Nurbs& curve, double most) {
+  std::vector<Vec2> poles = curve.poles;
+  // An exchange can make the leg before it a fold, which comes next: as when sorting by insertion, each pole passes
+  // every other one at most once.
+  for (size_t left = poles.size() * poles.size(); exchange_one(poles, most); --left)
+    if (left == 0) return 0;
+  const double moved = greatest_distance(poles, curve.poles);
+  if (moved > most) return 0;
+  curve.poles = std::move(poles);
+  return moved;
+}
+
+namespace {
+
+// Breaks that become one, with their parameter from then on.
+struct Cluster {
+  double low = 0, high = 0, target = 0;
+  MergedKnots merged;
+};
+
+std::vector<Cluster> clusters_of(const Nurbs& curve, double most) {
+  std::vector<double> breaks{curve.begin()};
+  for (const double t : curve::smoothness_breaks(curve)) breaks.push_back(t);
+  breaks.push_back(curve.end());
+  const curve::ArcLength length(curve);
+  std::vector<Cluster> clusters;
+  for (size_t i = 0, next = 1; i < breaks.size(); i = next, ++next) {
+    while (next < breaks.size() && length.between(breaks[i], breaks[next]) <= most) ++next;
+    if (next == i + 1) continue;
+    const double low = breaks[i], high = breaks[next - 1];
+    const double target = i == 0 ? low : next == breaks.size() ? high : (low + high) / 2;
+    clusters.push_back({low, high, target, {curve::point(curve, target), length.between(low, high)}});
+  }
+  return clusters;
+}
+
+// Poles from number `first` on, `count` of them, become one between the first and the last of them.
+void unite_poles(Nurbs& curve, size_t first, size_t count) {
+  const size_t last = first + count - 1;
+  curve.poles[first] = 0.5 * (curve.poles[first] + curve.poles[last]);
+  curve.weights[first] = 0.5 * (curve.weights[first] + curve.weights[last]);
+  const auto erase = [&](auto& values) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                 values.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  };
+  erase(curve.poles), erase(curve.weights);
+}
+
+// A knot of multiplicity m > degree inside the curve has m - degree + 1 poles that the curve comes to, from its left,
+// nowhere or from its right; the ends of the curve, of multiplicity degree + 1, keep their outermost pole.
+void limit_multiplicity(Nurbs& curve, double knot) {
+  const auto first = std::lower_bound(curve.knots.begin(), curve.knots.end(), knot);
+  const auto last = std::upper_bound(first, curve.knots.end(), knot);
+  const bool is_begin = first == curve.knots.begin(), is_end = last == curve.knots.end();
+  const std::ptrdiff_t most = curve.degree + (is_begin || is_end ? 1 : 0), excess = (last - first) - most;
+  if (excess <= 0) return;
+  const size_t before = static_cast<size_t>(first - curve.knots.begin());
+  const size_t num_united = static_cast<size_t>(excess) + 1;
+  const size_t start = is_begin ? 0 : is_end ? curve.poles.size() - num_united : before - 1;
+  const Vec2 outer = is_begin ? curve.poles.front() : curve.poles.back();
+  const double weight = is_begin ? curve.weights.front() : curve.weights.back();
+  unite_poles(curve, start, num_united);
+  if (is_begin || is_end) curve.poles[start] = outer, curve.weights[start] = weight;
+  curve.knots.erase(first, first + excess);
+}
+
+}  // namespace
+
+std::optional<MergedKnots> merge_knots(Nurbs& curve, double most) {
+  const std::vector<Cluster> clusters = clusters_of(curve, most);
+  if (clusters.empty()) return std::nullopt;
+  if (clusters.front().low == curve.begin() && clusters.front().high == curve.end()) return std::nullopt;
+  for (const Cluster& c : clusters) {
+    for (double& knot : curve.knots)
+      if (c.low <= knot && knot <= c.high) knot = c.target;
+    limit_multiplicity(curve, c.target);
+  }
+  return std::max_element(clusters.begin(), clusters.end(),
+                          [](const Cluster& a, const Cluster& b) { return a.merged.length < b.merged.length; })
+      ->merged;
+}
+
 namespace {
 
 using Wires = std::vector<std::vector<RawEdge>>;

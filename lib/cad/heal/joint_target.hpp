@@ -1,10 +1,13 @@
 #pragma once
-// The point at which two consecutive curves are made to meet.
+// The point at which two consecutive curves are made to meet, and how far healing may move
+// their ends to it, and the curves with these ends.
 
 #include <optional>
 #include <vector>
 
-#include "curve/carrier.hpp"
+#include "curve/pole_box.hpp"
+#include "heal/raw_face.hpp"
+#include "model/cad_face.hpp"
 
 namespace quadrille::heal {
 
@@ -40,5 +43,56 @@ double needed_tolerance(const JointSide& a, const JointSide& b);
 ///
 /// Two kept lines that meet at more than 1 degree have their intersection only. std::nullopt if there is no point.
 std::optional<Vec2> joint_target(const JointSide& a, const JointSide& b);
+
+struct MeasuredEdge {
+  const RawEdge* raw = nullptr;
+  curve::Carrier carrier;
+  Rank rank = Rank::spline;
+  double length = 0;
+};
+
+/// The edges of all wires; pointers into `wires`.
+std::vector<std::vector<MeasuredEdge>> measured(const std::vector<std::vector<RawEdge>>& wires);
+
+/// The end of an edge at a joint, or its start, without limits of its movement (see JointLimit).
+JointSide end_of(const MeasuredEdge& edge);
+JointSide start_of(const MeasuredEdge& edge);
+
+/// What sets the limit of a joint.
+enum class LimitReason { tolerance, edge, clearance };
+
+/// The ends of two consecutive edges, with how far they may move.
+struct LimitedJoint {
+  JointSide in, out;
+  LimitReason reason = LimitReason::tolerance;  ///< of the lower limit
+};
+
+class JointLimit {
+ public:
+  /// `wires` must outlive the object. `tolerance`: greatest limit, a length.
+  JointLimit(const std::vector<std::vector<RawEdge>>& wires, double tolerance);
+
+  /// The limit of each end is the least of the tolerance, a tenth of its edge's length (a quarter if the end slides
+  /// along a line), and a quarter of the distance of the joint from all edges that are not in `near`. `near`: the two
+  /// edges themselves and their neighbours. Cost: a projection to each edge nearer than the limit.
+  LimitedJoint joint(const MeasuredEdge& in, const MeasuredEdge& out, const std::vector<const RawEdge*>& near) const;
+
+ private:
+  double clearance(Vec2 x, const std::vector<const RawEdge*>& ignored, double most) const;
+
+  struct BoxedEdge {
+    const RawEdge* edge;
+    curve::PoleBox box;
+  };
+  std::vector<BoxedEdge> edges_;
+  double tolerance_;
+};
+
+/// The curve from `start` to `end`, in one piece or more. A line stays a line. An arc is first made longer or shorter
+/// on its circle; then any curve is mapped by the one similarity that takes its ends to the new ones: an arc stays an
+/// arc, and no tangent turns by more than the distance moved over the chord. A curve whose chord is short against its
+/// reach (an arc above 300 degrees, a closed curve) is cut in its middle, which does not move. End poles are exactly
+/// `start` and `end`.
+std::vector<Nurbs> moved_curve(const Nurbs& curve, Vec2 start, Vec2 end);
 
 }  // namespace quadrille::heal

@@ -33,4 +33,15 @@ struct RawFace {
   std::vector<RawEdge> inner_edges;         ///< with the face on both sides; not healed
 };
 
+// A closed loop of boundary curves, in the order of the loop, each ending where the next one starts.
+
+/// A curve of the loop without inner tangent jumps, and its edge in the file.
+struct LoopCurve {
+  Nurbs curve;
+  int cad_edge = 0;
+  std::string name;
+};
+
+using Loop = std::vector<LoopCurve>;
+
 }  // namespace quadrille::heal

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "heal/loop.hpp"
+#include "heal/raw_face.hpp"
 
 namespace quadrille::heal {
 

@@ -28,7 +28,7 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::occ {

@@ -8,6 +8,7 @@
 #include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -18,11 +19,63 @@
 
 #include "base/error.hpp"
 #include "occ/occ_face.hpp"
-#include "occ/occ_placed_faces.hpp"
 #include "sew/one_sheet.hpp"
 
 namespace quadrille::occ {
 namespace {
+
+/// A face at its place, with the parts that hold it.
+struct PlacedFace {
+  TopoDS_Face face;
+  std::vector<std::string> parts;  ///< names of the products, solids and shells around it, outermost first
+  std::string layer;               ///< of the face, else of the innermost part that has one
+
+  /// "rig/bolt"
+  std::string part_path() const { return fmt::format("{}", fmt::join(parts, "/")); }
+};
+
+/// All of an OpenCASCADE model.
+class FaceCollector {
+ public:
+  explicit FaceCollector(const OccModel& model) : model_(model) {}
+
+  void collect(const TopoDS_Shape& shape, PlacedFace around) {
+    if (shape.ShapeType() > TopAbs_FACE) return;
+    if (shape.ShapeType() == TopAbs_FACE) return add(TopoDS::Face(shape), std::move(around));
+    const auto part = model_.parts.find(shape.TShape().get());
+    if (part != model_.parts.end()) enter(part->second, around);
+    for (TopoDS_Iterator i(shape); i.More(); i.Next()) collect(i.Value(), around);
+  }
+
+  std::vector<PlacedFace> faces;
+
+ private:
+  // CAD programs give a product and its solid the same name: it is listed once.
+  static void enter(const PartLabel& part, PlacedFace& around) {
+    for (const std::string& name : part.names)
+      if (around.parts.empty() || around.parts.back() != name) around.parts.push_back(name);
+    if (!part.layer.empty()) around.layer = part.layer;
+  }
+
+  void add(const TopoDS_Face& face, PlacedFace placed) {
+    if (!seen_.Add(face)) return;
+    const std::string own_layer = model_.label_of(face).layer;
+    if (!own_layer.empty()) placed.layer = own_layer;
+    placed.face = face;
+    faces.push_back(std::move(placed));
+  }
+
+  const OccModel& model_;
+  TopTools_MapOfShape seen_;  ///< keys: shape and place, without orientation
+};
+
+/// In the order of the file. A face that an assembly places several times is found at each place; one that two parts
+/// share is found once, in the first of them.
+std::vector<PlacedFace> placed_faces(const OccModel& model) {
+  FaceCollector collector(model);
+  collector.collect(model.shape, {});
+  return std::move(collector.faces);
+}
 
 // In the order of GeomAbs_CurveType and GeomAbs_SurfaceType.
 constexpr std::array curve_kinds{"line",   "circle", "ellipse", "hyperbola", "parabola",

@@ -22,9 +22,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
 #include "occ/occ_curves.hpp"

@@ -11,7 +11,7 @@
 #include "cad/loaded_face.hpp"
 #include "heal/raw_face.hpp"
 #include "occ/occ_model.hpp"
-#include "outline/face_pieces.hpp"
+#include "outline/face_of_loops.hpp"
 
 namespace quadrille::occ {
 

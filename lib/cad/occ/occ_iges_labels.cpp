@@ -24,7 +24,7 @@
 #include <optional>
 #include <vector>
 
-#include "occ/occ_labels.hpp"
+#include "occ/occ_model.hpp"
 
 namespace quadrille::occ {
 namespace {

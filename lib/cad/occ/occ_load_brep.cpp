@@ -3,7 +3,7 @@
 #include <BinTools.hxx>
 #include <sstream>
 
-#include "occ/occ_load.hpp"
+#include "occ/occ_model.hpp"
 #include "occ/write_cad.hpp"
 
 namespace quadrille::occ {

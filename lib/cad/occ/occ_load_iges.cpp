@@ -10,8 +10,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "base/error.hpp"
-#include "occ/occ_labels.hpp"
-#include "occ/occ_load.hpp"
+#include "occ/occ_model.hpp"
 
 namespace quadrille::occ {
 namespace {

@@ -1,7 +1,7 @@
 #include <XSAlgo.hxx>
 #include <XSAlgo_AlgoContainer.hxx>
 
-#include "occ/occ_load.hpp"
+#include "occ/occ_model.hpp"
 
 namespace quadrille::occ {
 namespace {

@@ -27,7 +27,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "occ/occ_labels.hpp"
+#include "occ/occ_model.hpp"
 
 namespace quadrille::occ {
 namespace {

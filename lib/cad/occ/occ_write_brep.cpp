@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "occ/occ_blocks.hpp"
-#include "occ/occ_written.hpp"
+#include "occ/occ_quiet.hpp"
 #include "occ/write_cad.hpp"
 
 namespace quadrille::occ {

@@ -19,8 +19,8 @@
 
 #include "base/error.hpp"
 #include "occ/occ_blocks.hpp"
+#include "occ/occ_quiet.hpp"
 #include "occ/occ_si_lengths.hpp"
-#include "occ/occ_written.hpp"
 #include "occ/write_cad.hpp"
 
 namespace quadrille::occ {

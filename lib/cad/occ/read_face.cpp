@@ -4,21 +4,22 @@
 
 #include <Standard_Failure.hxx>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "cad/curve_names.hpp"
-#include "cad/face_bytes.hpp"
+#include "cad/loaded_face.hpp"
 #include "cad/region_names.hpp"
-#include "heal/close_wires.hpp"
 #include "heal/heal_face.hpp"
-#include "heal/heal_scale.hpp"
+#include "heal/heal_rules.hpp"
+#include "heal/wire_edges.hpp"
 #include "occ/occ_face.hpp"
-#include "occ/occ_load.hpp"
+#include "occ/occ_model.hpp"
 #include "outline/assemble_face.hpp"
 #include "sew/sewn_face.hpp"
 
 namespace quadrille::occ {
+
 namespace {
 
 // Errors of the kernel and of computations in `work` become errors of the file.

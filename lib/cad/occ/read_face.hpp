@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/report.hpp"
-#include "cad/cad_request.hpp"
 #include "cad/loaded_face.hpp"
 #include "occ/kernel_format.hpp"
 

@@ -7,19 +7,18 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
 #include "heal/raw_face.hpp"
 #include "model/interfaces.hpp"
 #include "offset/offset_chain.hpp"
 #include "offset/offset_profile.hpp"
-#include "offset/offset_rules.hpp"
 #include "offset/wall_chains.hpp"
 #include "outline/outline_checks.hpp"
 #include "sew/embed_curves.hpp"
-#include "sew/face_of_regions.hpp"
 #include "sew/sew_regions.hpp"
+#include "sew/sewn_face.hpp"
 
 namespace quadrille::offset {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/report.hpp"
 #include "model/cad_face.hpp"
-#include "offset/offset_request.hpp"
+#include "offset/wall_chains.hpp"
 
 namespace quadrille::offset {
 

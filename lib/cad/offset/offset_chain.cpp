@@ -2,19 +2,153 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
-#include "curve/carrier.hpp"
+#include "base/message_text.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
-#include "model/special_names.hpp"
-#include "offset/extended_curve.hpp"
-#include "offset/offset_curve.hpp"
-#include "offset/offset_rules.hpp"
+#include "curve/pole_box.hpp"
+#include "curve/simplify_spline.hpp"
+#include "model/name_rules.hpp"
+#include "offset/wall_chains.hpp"
 
 namespace quadrille::offset {
+
+namespace {
+
+constexpr int max_steps = 60;
+
+}  // namespace
+
+Vec2 ExtendedCurve::point(double t) const {
+  const double inside = std::clamp(t, curve_->begin(), curve_->end());
+  return curve::point(*curve_, inside) + (t - inside) * derivative(inside);
+}
+
+Vec2 ExtendedCurve::derivative(double t) const {
+  const double inside = std::clamp(t, curve_->begin(), curve_->end());
+  return curve::derivative(*curve_, inside, inside >= curve_->end());
+}
+
+double ExtendedCurve::beside_start(double length) const {
+  return curve_->begin() + length / norm(derivative(curve_->begin()));
+}
+
+double ExtendedCurve::beside_end(double length) const {
+  return curve_->end() + length / norm(derivative(curve_->end()));
+}
+
+std::optional<ExtendedCrossing> crossing_near(const ExtendedCurve& a, double t_a, const ExtendedCurve& b, double t_b,
+                                              double tolerance) {
+  for (int step = 0; step < max_steps; ++step) {
+    const Vec2 gap = b.point(t_b) - a.point(t_a), da = a.derivative(t_a), db = b.derivative(t_b);
+    if (norm(gap) <= tolerance) return ExtendedCrossing{t_a, t_b, a.point(t_a)};
+    const double sine = cross(da, db);
+    if (!(std::abs(sine) > 1e-12 * norm(da) * norm(db))) return std::nullopt;
+    t_a += cross(gap, db) / sine;
+    t_b += cross(gap, da) / sine;
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+/// The same weights and knots with poles at the distance: those of an arc are those of the arc of the other radius.
+Nurbs scaled_arc(Nurbs curve, Vec2 centre, double factor) {
+  for (Vec2& pole : curve.poles) pole = centre + factor * (pole - centre);
+  return curve;
+}
+
+class OffsetPoints {
+ public:
+  OffsetPoints(const Nurbs& curve, const OffsetProfile& profile) : curve_(curve), profile_(profile), length_(curve) {}
+
+  double total() const { return length_.total(); }
+
+  Vec2 point(double s) const {
+    const double t = length_.parameter(s);
+    return curve::point(curve_, t) + profile_.at(s) * left_of(curve::tangent(curve_, t, is_end(s)));
+  }
+
+  /// By the arc length of the wall.
+  Vec2 derivative(double s) const {
+    const double t = length_.parameter(s);
+    const Vec2 tangent = curve::tangent(curve_, t, is_end(s));
+    return stretch(s) * tangent + profile_.slope(s) * left_of(tangent);
+  }
+
+  /// Length of the offset curve over that of the wall.
+  double stretch(double s) const {
+    return 1 - profile_.at(s) * curve::curvature(curve_, length_.parameter(s), is_end(s));
+  }
+
+ private:
+  bool is_end(double s) const { return s >= total(); }
+
+  const Nurbs& curve_;
+  const OffsetProfile& profile_;
+  curve::ArcLength length_;
+};
+
+Nurbs through(const OffsetPoints& points, int count) {
+  std::vector<double> lengths;
+  std::vector<Vec2> positions;
+  for (int i = 0; i <= count; ++i) {
+    lengths.push_back(points.total() * i / count);
+    positions.push_back(points.point(lengths.back()));
+  }
+  return curve::cubic_spline(lengths, positions, points.derivative(0), points.derivative(points.total()));
+}
+
+double greatest_deviation(const Nurbs& spline, const OffsetPoints& points, int count) {
+  double greatest = 0;
+  for (int i = 0; i < count; ++i) {
+    const double s = points.total() * (i + 0.5) / count;
+    greatest = std::max(greatest, distance(curve::point(spline, s), points.point(s)));
+  }
+  return greatest;
+}
+
+void require_no_fold(const Nurbs& curve, const OffsetPoints& points, const std::string& where, Vec2 origin) {
+  const int count = offset_constants.first_fit_intervals;
+  for (int i = 0; i <= count; ++i) {
+    const double s = points.total() * i / count;
+    if (points.stretch(s) > 0) continue;
+    const Vec2 x = curve::point(curve, curve::ArcLength(curve).parameter(s));
+    throw ComputeError(fmt::format("{}: the wall bends at {} with a smaller radius than the distance: use less", where,
+                                   position_text(x + origin)));
+  }
+}
+
+Nurbs fitted(const Nurbs& curve, const OffsetPoints& points, double tolerance) {
+  int count = offset_constants.first_fit_intervals;
+  Nurbs spline = through(points, count);
+  while (count < offset_constants.most_fit_intervals && greatest_deviation(spline, points, count) > tolerance / 2)
+    spline = through(points, count *= 2);
+  if (curve::has_smooth_seam(curve)) spline.poles.back() = spline.poles.front();
+  if (auto simple = curve::simplified_spline(spline, tolerance / 2)) return std::move(simple->curve);
+  return spline;
+}
+
+}  // namespace
+
+Nurbs offset_curve(const Nurbs& curve, const OffsetProfile& profile, double tolerance, const std::string& where,
+                   Vec2 origin) {
+  const OffsetPoints points(curve, profile);
+  require_no_fold(curve, points, where, origin);
+  const curve::Carrier carrier = curve::carrier_of(curve);
+  if (!profile.is_constant || carrier.kind == curve::CurveKind::spline) return fitted(curve, points, tolerance);
+  if (carrier.kind == curve::CurveKind::line) {
+    const Vec2 shift = profile.distance * left_of(carrier.direction);
+    return curve::segment(curve.poles.front() + shift, curve.poles.back() + shift);
+  }
+  return scaled_arc(curve, carrier.point, points.stretch(0));
+}
+
 namespace {
 
 /// The part of an offset curve that remains: its ends by parameter, beyond the curve where it is extended.

@@ -1,4 +1,32 @@
 #pragma once
+// The distance of an offset curve from its wall, and its limited slope along a chain of walls.
+
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "model/cad_face.hpp"
+#include "offset/wall_chains.hpp"
+
+namespace quadrille::offset {
+
+/// The distance that is allowed at places along a chain, over the prescribed one.
+struct RatioSamples {
+  bool is_closed = false;
+  std::vector<double> lengths;  ///< along the chain, ascending; of a closed one the last is its start again
+  std::vector<double> ratios;   ///< in (0, 1]
+  std::vector<Vec2> positions;  ///< on the wall
+  std::vector<int> first;       ///< curve i has the samples first[i] to first[i + 1]
+  double distance = 1;          ///< the least prescribed one
+};
+
+struct SmoothRatios {
+  std::vector<double> ratios, slopes;  ///< one for each sample; slopes by length
+};
+
+/// The least of the ratios within a distance around each sample, then the greatest function below that whose product
+/// with `distance` has at most the slope greatest_slope, averaged twice over a distance: nowhere above the ratios.
+SmoothRatios smoothed_ratios(const RatioSamples& samples);
+
 // The distance of an offset curve from its wall: the prescribed one, or less where a facing wall or a strong bend
 // leaves less room.
 //
@@ -7,13 +35,6 @@
 // which offset curves of both places would meet. A share of it is allowed; the distance then changes along the wall
 // with a limited slope, and smoothly. Curves that meet the wall in a corner below 180 degrees do not count: there the
 // offset curves are cut at their crossing.
-
-#include <vector>
-
-#include "model/cad_face.hpp"
-#include "offset/wall_chains.hpp"
-
-namespace quadrille::offset {
 
 /// The distance along one curve of a chain.
 struct OffsetProfile {

@@ -6,18 +6,15 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/pole_box.hpp"
 #include "heal/blunt_cusps.hpp"
 #include "heal/touching_loops.hpp"
 #include "outline/extent.hpp"
 #include "outline/face_of_loops.hpp"
-#include "outline/face_pieces.hpp"
 #include "outline/outline_checks.hpp"
-#include "outline/simplify_loops.hpp"
-#include "outline/wire_loop.hpp"
 
 namespace quadrille::outline {
 namespace {

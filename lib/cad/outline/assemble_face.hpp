@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "base/report.hpp"
-#include "heal/loop.hpp"
 #include "heal/raw_face.hpp"
 #include "model/repair.hpp"
-#include "outline/face_pieces.hpp"
+#include "outline/face_of_loops.hpp"
 
 namespace quadrille::outline {
 

@@ -4,41 +4,27 @@
 #include <cmath>
 
 #include "base/angle.hpp"
-#include "base/segments.hpp"
+#include "base/vec2.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/pole_box.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::outline {
 namespace {
 
-// A piece of a curve between knots; it lies within the distance `width` of its chord.
-struct Piece {
-  Nurbs curve;
-  int loop = 0, id = 0;
-  Vec2 low, high;
-  double width = 0;
+// A piece of curve `id` of a loop.
+struct Piece : ChordPiece {
+  Piece(ChordPiece piece, int of_loop, int of_curve)
+      : ChordPiece(std::move(piece)), loop(of_loop), id(of_curve), box(curve::pole_box(curve)) {}
 
-  Vec2 a() const { return curve.poles.front(); }
-  Vec2 b() const { return curve.poles.back(); }
-  double at(double fraction) const { return curve.begin() + fraction * (curve.end() - curve.begin()); }
+  int loop, id;
+  curve::PoleBox box;
 };
 
-Piece make_piece(Nurbs curve, int loop, int id) {
-  Piece piece{std::move(curve), loop, id, {}, {}, 0};
-  piece.low = piece.high = piece.a();
-  for (const Vec2 p : piece.curve.poles) {
-    piece.low = {std::min(piece.low.x, p.x), std::min(piece.low.y, p.y)};
-    piece.high = {std::max(piece.high.x, p.x), std::max(piece.high.y, p.y)};
-    piece.width = std::max(piece.width, distance_to_segment(p, piece.a(), piece.b()));
-  }
-  return piece;
-}
-
 std::pair<Piece, Piece> halves(const Piece& p) {
-  const double middle = (p.curve.begin() + p.curve.end()) / 2;
-  return {make_piece(curve::trimmed(p.curve, p.curve.begin(), middle), p.loop, p.id),
-          make_piece(curve::trimmed(p.curve, middle, p.curve.end()), p.loop, p.id)};
+  auto [first, second] = p.halves();
+  return {{std::move(first), p.loop, p.id}, {std::move(second), p.loop, p.id}};
 }
 
 // Poles that coincide within rounding have no direction from one to the other.
@@ -68,12 +54,8 @@ void add_simple(const Piece& piece, int depth, std::vector<Piece>& pieces) {
 
 std::vector<Piece> simple_pieces(const std::vector<Nurbs>& loop, int loop_id) {
   std::vector<Piece> pieces;
-  for (int c = 0; c < static_cast<int>(loop.size()); ++c) {
-    const Nurbs& curve = loop[c];
-    for (size_t k = 1; k < curve.knots.size(); ++k)
-      if (curve.knots[k - 1] < curve.knots[k])
-        add_simple(make_piece(curve::trimmed(curve, curve.knots[k - 1], curve.knots[k]), loop_id, c), 30, pieces);
-  }
+  for (int c = 0; c < static_cast<int>(loop.size()); ++c)
+    for (ChordPiece& piece : chord_pieces(loop[c])) add_simple({std::move(piece), loop_id, c}, 30, pieces);
   // At least three pieces, so that neighbours share one end and not two.
   while (pieces.size() < 3) {
     std::vector<Piece> finer;
@@ -126,7 +108,7 @@ class ContactSearch {
   void restart() { budget_ = 20000; }
 
  private:
-  static double size(const Piece& p) { return distance(p.low, p.high); }
+  static double size(const Piece& p) { return p.box.diagonal(); }
 
   std::optional<Meeting> meet_again(const Piece& a, const Piece& b, bool is_cusp) {
     if (apart(a.curve, b.curve)) return std::nullopt;
@@ -193,6 +175,22 @@ class ContactSearch {
 
 }  // namespace
 
+ChordPiece::ChordPiece(Nurbs piece) : curve(std::move(piece)) {
+  for (const Vec2 p : curve.poles) width = std::max(width, distance_to_segment(p, a(), b()));
+}
+
+std::pair<ChordPiece, ChordPiece> ChordPiece::halves() const {
+  const double middle = (curve.begin() + curve.end()) / 2;
+  return {ChordPiece(curve::trimmed(curve, curve.begin(), middle)),
+          ChordPiece(curve::trimmed(curve, middle, curve.end()))};
+}
+
+std::vector<ChordPiece> chord_pieces(const Nurbs& curve) {
+  std::vector<ChordPiece> pieces;
+  curve::for_each_span(curve, [&](double t0, double t1) { pieces.emplace_back(curve::trimmed(curve, t0, t1)); });
+  return pieces;
+}
+
 std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops, double tol) {
   std::vector<Piece> pieces;
   std::vector<size_t> next;
@@ -203,15 +201,16 @@ std::optional<Contact> find_contact(const std::vector<std::vector<Nurbs>>& loops
   }
   std::vector<size_t> by_x(pieces.size());
   for (size_t i = 0; i < by_x.size(); ++i) by_x[i] = i;
-  std::stable_sort(by_x.begin(), by_x.end(), [&](size_t i, size_t j) { return pieces[i].low.x < pieces[j].low.x; });
+  std::stable_sort(by_x.begin(), by_x.end(),
+                   [&](size_t i, size_t j) { return pieces[i].box.low.x < pieces[j].box.low.x; });
 
   ContactSearch search(tol);
   for (size_t m = 0; m < by_x.size(); ++m)
     for (size_t n = m + 1; n < by_x.size(); ++n) {
       const auto [i, j] = std::minmax(by_x[m], by_x[n]);
       const Piece &a = pieces[i], &b = pieces[j];
-      if (pieces[by_x[n]].low.x > pieces[by_x[m]].high.x + tol) break;
-      if (a.low.y > b.high.y + tol || b.low.y > a.high.y + tol) continue;
+      if (pieces[by_x[n]].box.low.x > pieces[by_x[m]].box.high.x + tol) break;
+      if (!a.box.meets(b.box, tol)) continue;
       search.restart();
       const bool is_after = next[i] != j && next[j] == i;
       const Piece &first = is_after ? b : a, &second = is_after ? a : b;

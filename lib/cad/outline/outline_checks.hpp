@@ -2,12 +2,33 @@
 // Checks whether a set of loops bounds one region. The checks use the curves, not polygons: each piece is enclosed by
 // its chord and the greatest distance of a pole from the chord, and bisected until the check is decided.
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/cad_face.hpp"
 
 namespace quadrille::outline {
+
+/// A piece of a curve between knots; it lies within the distance `width` of its chord.
+struct ChordPiece {
+  explicit ChordPiece(Nurbs piece);
+
+  Nurbs curve;
+  double width = 0;
+
+  Vec2 a() const { return curve.poles.front(); }
+  Vec2 b() const { return curve.poles.back(); }
+  /// The parameter at a part of the way, which is clamped to [0, 1].
+  double at(double fraction) const {
+    return curve.begin() + std::clamp(fraction, 0.0, 1.0) * (curve.end() - curve.begin());
+  }
+  std::pair<ChordPiece, ChordPiece> halves() const;
+};
+
+/// One for each knot span.
+std::vector<ChordPiece> chord_pieces(const Nurbs& curve);
 
 /// A position where two curves are closer than the tolerance without being neighbours there.
 struct Contact {

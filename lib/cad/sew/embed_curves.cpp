@@ -7,19 +7,18 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/project.hpp"
-#include "heal/interior_angle.hpp"
+#include "heal/blunt_cusps.hpp"
 #include "outline/extent.hpp"
 #include "outline/outline_checks.hpp"
-#include "sew/curve_crossings.hpp"
 #include "sew/cut_curve.hpp"
-#include "sew/half_edges.hpp"
-#include "sew/match_curves.hpp"
+#include "sew/inner_curves.hpp"
+#include "sew/sew_regions.hpp"
 
 namespace quadrille::sew {
 namespace {

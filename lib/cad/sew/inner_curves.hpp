@@ -1,14 +1,26 @@
 #pragma once
-// Which curves of a file are embedded in its faces.
+// Curves inside faces: which curves of a file are embedded, and the loops that they make in a region.
 
 #include <vector>
 
 #include "base/report.hpp"
-#include "heal/heal_scale.hpp"
+#include "heal/heal_rules.hpp"
 #include "heal/raw_face.hpp"
 #include "sew/region.hpp"
 
 namespace quadrille::sew {
+
+/// A curve with the region on its left.
+struct SideOfCurve {
+  heal::LoopCurve curve;
+  int from = 0, to = 0;  ///< nodes
+  int twin = -1;         ///< the other side of an inner curve, in the opposite direction; -1: a curve of the boundary
+};
+
+/// The loops, as numbers of sides, each beginning with its lowest number: after each side comes the one that bounds the
+/// same sector at its end, the next clockwise. Directions are compared a little away from the node, so that curves with
+/// a common tangent have an order.
+std::vector<std::vector<int>> traced_loops(const std::vector<SideOfCurve>& sides);
 
 /// Moves to RawFace::inner_edges the wires that are not closed and do not go around the face, with a warning: they
 /// bound nothing. A wire whose ends are nearer to each other than a tenth of its length stays: it has a gap.

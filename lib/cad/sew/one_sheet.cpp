@@ -3,21 +3,176 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
+#include "curve/chain.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
+#include "curve/project.hpp"
 #include "outline/extent.hpp"
 #include "outline/outline_checks.hpp"
-#include "sew/region_distance.hpp"
-#include "sew/slips.hpp"
-#include "sew/whole_boundary.hpp"
 
 namespace quadrille::sew {
+
+namespace {
+
+constexpr int samples_per_span = 16;
+constexpr int refinements = 20;
+/// Samples inside a region lie this part of the curve's size beside it.
+constexpr double inward = 1e-2;
+
+struct Sample {
+  Vec2 position, normal;  // the normal points into the region
+};
+
+std::vector<Sample> samples_of(const Nurbs& curve) {
+  std::vector<Sample> samples;
+  curve::for_each_span(curve, [&](double t0, double t1) {
+    for (int i = 0; i < samples_per_span; ++i) {
+      const double t = t0 + (t1 - t0) * (i + 0.5) / samples_per_span;
+      samples.push_back({curve::point(curve, t), left_of(curve::tangent(curve, t))});
+    }
+  });
+  return samples;
+}
+
+/// A region with its boundary.
+struct BoundedRegion {
+  const Region& region;
+  curve::CurveTree boundary;
+  curve::PoleBox box;
+
+  explicit BoundedRegion(const Region& r) : region(r), boundary(boundary_of(r)), box(region_box(r)) {}
+  bool contains(Vec2 x) const { return boundary.winding_number(x) > 0; }
+};
+
+/// Samples on the boundary of `a` and beside it that are inside of `b`.
+void find_overlap(const BoundedRegion& a, const BoundedRegion& b, double negligible,
+                  std::optional<MeasuredPlace>& deepest) {
+  const auto consider = [&](Vec2 x, bool is_on_boundary) {
+    if (!b.box.contains(x)) return;
+    double depth = b.boundary.nearest(x).distance;
+    if (!is_on_boundary) depth = std::min(depth, a.boundary.nearest(x).distance);
+    if (depth <= std::max(negligible, deepest ? deepest->size : 0) || !b.contains(x)) return;
+    if (is_on_boundary || a.contains(x)) deepest = {x, depth};
+  };
+  for (const heal::LoopCurve& c : a.region.curves) {
+    const double beside = inward * curve::pole_box(c.curve).diagonal();
+    for (const Sample& sample : samples_of(c.curve)) {
+      consider(sample.position, true);
+      consider(sample.position + beside * sample.normal, false);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<MeasuredPlace> overlap(const Region& a, const Region& b, double negligible) {
+  const BoundedRegion first(a), second(b);
+  std::optional<MeasuredPlace> deepest;
+  find_overlap(first, second, negligible, deepest);
+  find_overlap(second, first, negligible, deepest);
+  return deepest;
+}
+
+MeasuredPlace gap_between(const Region& a, const Region& b) {
+  const Nurbs *from = nullptr, *to = nullptr;
+  Vec2 nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const curve::CurveTree boundary = boundary_of(*other);
+    for (const heal::LoopCurve& c : own->curves) {
+      std::vector<Vec2> points{c.curve.poles.front()};
+      for (const Sample& sample : samples_of(c.curve)) points.push_back(sample.position);
+      for (const Vec2 x : points)
+        if (const curve::NearestPoint foot = boundary.nearest(x); foot.distance < least)
+          least = foot.distance, nearest = foot.position, from = &other->curves[foot.curve].curve, to = &c.curve;
+    }
+  }
+  // From the nearest samples forth and back between the two curves.
+  Vec2 opposite = nearest;
+  for (int i = 0; i < refinements; ++i) {
+    opposite = curve::project(*to, nearest).position;
+    nearest = curve::project(*from, opposite).position;
+  }
+  return {0.5 * (nearest + opposite), distance(nearest, opposite)};
+}
+
+namespace {
+
+constexpr double slip_share = 1e-3;        ///< of the diameter
+constexpr double slip_tolerances = 10;     ///< of a tolerance that was given
+constexpr double length_share = 1.0 / 50;  ///< of the length of the curve
+constexpr int num_samples = 9, least_near = 3;
+
+/// Between the curve and region `other`; both ends of the curve are measured too.
+std::optional<Slip> slip_between(const Sewn& sewn, CurveId id, int other, double most_slip) {
+  const Nurbs& curve = sewn.regions[id.region].curves[id.curve].curve;
+  const curve::ArcLength length(curve);
+  const double most = std::min(most_slip, length_share * length.total());
+  const curve::CurveTree boundary = boundary_of(sewn.regions[other]);
+  const auto is_of_whole = [&](int c) { return !sewn.partners[other][c].exists(); };
+  Slip slip{id.region, other, {}};
+  int num_near = 0;
+  for (int i = 0; i <= num_samples + 1; ++i) {
+    const Vec2 x = curve::point(curve, length.parameter(length.total() * i / (num_samples + 1)));
+    const curve::NearestPoint foot = boundary.nearest(x, is_of_whole);
+    if (foot.distance > most) continue;
+    num_near += 0 < i && i <= num_samples;
+    if (foot.distance >= slip.gap.size) slip.gap = {0.5 * (x + foot.position), foot.distance};
+  }
+  return num_near >= least_near ? std::optional(slip) : std::nullopt;
+}
+
+}  // namespace
+
+double most_slip_of(const heal::HealScale& scale, bool is_asked) {
+  return is_asked ? slip_tolerances * scale.tolerance : slip_share * scale.diameter;
+}
+
+std::optional<Slip> find_slip(const Sewn& sewn, double most_slip) {
+  for (int r = 0; r < static_cast<int>(sewn.regions.size()); ++r)
+    for (int c = 0; c < sewn.regions[r].num_curves(); ++c)
+      for (int other = 0; other < static_cast<int>(sewn.regions.size()) && !sewn.partners[r][c].exists(); ++other)
+        if (other != r)
+          if (const auto slip = slip_between(sewn, {r, c}, other, most_slip)) return slip;
+  return std::nullopt;
+}
+
+std::vector<std::vector<CurveId>> whole_boundary(const Sewn& sewn) {
+  const auto partner = [&](CurveId id) { return sewn.partners[id.region][id.curve]; };
+  const auto after = [&](CurveId id) { return CurveId{id.region, sewn.regions[id.region].next_in_loop(id.curve)}; };
+  ByCurve<bool> is_done = by_curve(sewn.regions, false);
+  std::vector<std::vector<CurveId>> loops;
+  for (int r = 0; r < static_cast<int>(sewn.regions.size()); ++r)
+    for (int c = 0; c < sewn.regions[r].num_curves(); ++c) {
+      if (is_done[r][c] || partner({r, c}).exists()) continue;
+      loops.emplace_back();
+      for (CurveId id{r, c}; !is_done[id.region][id.curve];) {
+        is_done[id.region][id.curve] = true;
+        loops.back().push_back(id);
+        id = after(id);
+        while (partner(id).exists()) id = after(partner(id));
+      }
+    }
+  return loops;
+}
+
+std::vector<std::vector<int>> connected_regions(const Sewn& sewn) {
+  DisjointSets sets(sewn.regions.size());
+  for (int r = 0; r < static_cast<int>(sewn.regions.size()); ++r)
+    for (const CurveId partner : sewn.partners[r])
+      if (partner.exists()) sets.unite(r, partner.region);
+  return sets.sets();
+}
+
 namespace {
 
 /// Curves nearer to each other than this part of the diameter are in contact, as in outline/assemble_face.cpp.

@@ -1,11 +1,26 @@
 #pragma once
-// Makes neighbouring faces of a plane share their curves.
+// Makes neighbouring faces of a plane share their curves: which are the same curve, and one curve for both.
 
 #include <vector>
 
 #include "sew/region.hpp"
 
 namespace quadrille::sew {
+
+struct Matched {
+  ByCurve<CurveId> partners;  ///< the same curve of another region, in the opposite direction; a default CurveId: none
+  double greatest = 0;        ///< greatest distance of two partners, a length
+};
+
+/// Curves between the same places in opposite directions that are within `tol` of each other, a length, everywhere;
+/// each has at most one partner, the nearest are matched first. Smooth closed curves without places likewise.
+Matched match_curves(const Placed& placed, double tol);
+
+/// The greatest distance of a point of curve `a` from curve `b`, at samples of each knot span.
+double one_sided_separation(const Nurbs& a, const Nurbs& b);
+
+/// The greatest distance of a point of either curve from the other one, at samples of each knot span.
+double separation(const Nurbs& a, const Nurbs& b);
 
 struct Sewn {
   std::vector<Region> regions;

@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <malloc.h>
+#include <pthread.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <climits>
@@ -15,12 +17,47 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <new>
 
 #include "base/error.hpp"
-#include "base/resources.hpp"
 
 namespace quadrille {
+
+void require_resources(int error, const std::string& what) {
+  const char* resource = nullptr;
+  if (error == EAGAIN) resource = "no more processes: raise their limit (ulimit -u)";
+  if (error == EMFILE || error == ENFILE) resource = "no more open files: raise their limit (ulimit -n)";
+  if (error == ENOMEM) resource = "no more memory: raise its limit (ulimit -v)";
+  if (resource != nullptr) throw ComputeError(what + ": " + resource);
+}
+
+MemoryUse memory_use() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t size = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
+  file >> size >> resident >> shared >> text >> library >> data;
+  const auto page = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return {data * page, shared * page};
+}
+
+void limit_data([[maybe_unused]] std::uint64_t bytes) {
+#ifndef QUADRILLE_SANITIZE  // whose own data would count
+  if (memory_use().data > bytes / 2) malloc_trim(0);
+  rlimit limit{};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
+void limit_stacks(std::size_t bytes) {
+  pthread_attr_t attributes;
+  if (pthread_attr_init(&attributes) != 0) return;
+  pthread_attr_setstacksize(&attributes, bytes);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
+}
+
 namespace {
 
 // Exit code of a program whose libraries the dynamic loader does not find; the loader's message is on stderr.
@@ -85,7 +122,7 @@ void limit_child(const ChildLimits& limits) {
   const rlimit no_core{0, 0}, cpu{seconds, seconds + 1};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_CPU, &cpu);
-  malloc_trim(0);                                // what cli/heap reserves would not be limited
+  malloc_trim(0);                                // what cli/process_setup reserves would not be limited
   limit_data(memory_use().data + limits.bytes);  // a count read from garbage must not exhaust the memory
 }
 

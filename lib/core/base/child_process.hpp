@@ -1,6 +1,5 @@
 #pragma once
-// Runs work that may crash, such as third-party readers of arbitrary bytes, in a child process: a copy of this process,
-// or a program with libraries that this one shall not load.
+// Child processes, and limits of processes: of resources, which a call of the system met, and of memory.
 
 #include <sys/types.h>
 
@@ -9,6 +8,26 @@
 #include <string>
 
 namespace quadrille {
+
+/// Throws ComputeError if `error` (errno) says that the process has no more processes, open files or memory: "WHAT: no
+/// more open files: raise their limit (ulimit -n)". Otherwise does nothing.
+void require_resources(int error, const std::string& what);
+
+/// What this process has in memory, in bytes: data, used or reserved, and pages of files.
+struct MemoryUse {
+  std::uint64_t data = 0, of_files = 0;
+};
+MemoryUse memory_use();
+
+/// Limits the data of this process: an allocation beyond `bytes` fails. Returns what the heap has in reserve to the
+/// system where that is more than half of them. Programs that it starts may raise the limit. Nothing with sanitizers.
+void limit_data(std::uint64_t bytes);
+
+/// The stack of each thread that is started from now on: all of it counts as data, whether it is used or not.
+void limit_stacks(std::size_t bytes);
+
+// Runs work that may crash, such as third-party readers of arbitrary bytes, in a child process: a copy of this process,
+// or a program with libraries that this one shall not load.
 
 /// Starts a copy of this process, which executes `body`; its value is the exit code, an exception aborts. The copy has
 /// none of this process's signal handlers, does not run its exit handlers, and gets `death_signal` when the calling

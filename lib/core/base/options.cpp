@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "base/json_string.hpp"
+#include "base/message_text.hpp"
 
 namespace quadrille {
 

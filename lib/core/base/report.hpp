@@ -1,7 +1,7 @@
 #pragma once
 // The machine-readable report of a run (--report): counts, timings, residuals, certificates, warnings. A flat list of
-// dotted keys in the order of their first use; io/report_io nests them and writes JSON. It also leads to the progress,
-// since it is passed to all long work.
+// dotted keys in the order of their first use; io/chain_report nests them and writes JSON. It also leads to the
+// progress, since it is passed to all long work.
 
 #include <concepts>
 #include <map>

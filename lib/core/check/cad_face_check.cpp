@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <functional>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"

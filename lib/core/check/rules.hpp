@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/vec2.hpp"
 #include "check/check.hpp"
 

@@ -1,13 +1,188 @@
 #include "curve/chain.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/tolerance.hpp"
+#include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/span.hpp"
 
 namespace quadrille::curve {
+
+namespace {
+
+bool has_equal_weights(const Nurbs& curve) {
+  return std::all_of(curve.weights.begin(), curve.weights.end(), [&](double w) { return w == curve.weights[0]; });
+}
+
+}  // namespace
+
+ArcLength::Quadratic ArcLength::quadratic(const Nurbs& curve, bool is_polynomial, double a, double b) {
+  const double m = (a + b) / 2;
+  if (is_polynomial) {
+    const auto d = derivatives(curve, m);
+    return {m, {d[1], d[2], d[3] / 2}};
+  }
+  // Bernstein coefficients by blossoms, relative to the point in the middle: A(u) / w(u) with A(0) = 0.
+  const int k = find_span(curve, m);
+  constexpr std::integral_constant<int, 2> degree;
+  const LocalPoles poles = local_poles(curve, k, degree);
+  const auto blossom = [&](double t1, double t2) {
+    return de_boor(curve, k, degree, poles, [=](int r) { return r == 1 ? t1 : t2; });
+  };
+  std::array<Homogeneous, 3> c{blossom(a, a), blossom(a, b), blossom(b, b)};
+  const Vec2 origin = point(curve, m);
+  for (Homogeneous& h : c) h.x -= h.w * origin.x, h.y -= h.w * origin.y;
+  const double h = b - a;
+  const Vec2 a1 = Vec2{c[2].x - c[0].x, c[2].y - c[0].y} / h;
+  const Vec2 a2 = Vec2{c[2].x - 2 * c[1].x + c[0].x, c[2].y - 2 * c[1].y + c[0].y} / (h * h);
+  const double w0 = (c[0].w + 2 * c[1].w + c[2].w) / 4, w1 = (c[2].w - c[0].w) / h;
+  const double w2 = (c[2].w - 2 * c[1].w + c[0].w) / (h * h);
+  return {m, {w0 * a1, 2 * w0 * a2, w1 * a2 - w2 * a1}, {w0, w1, w2}};  // A' w - A w' over w^2
+}
+
+// The sums of gauss_integral() and speed() to the last digit, but of all points at once, in vector registers.
+template <int n>
+double ArcLength::gauss(size_t span, double a, double b) const {
+  if (quadratics_.empty()) return gauss_integral<n>([&](double t) { return norm(derivative(*curve_, t)); }, a, b);
+  using Points = Eigen::Array<double, n, 1>;
+  const GaussRule<n>& rule = gauss_rule<n>();
+  const Quadratic& q = quadratics_[span];
+  const double middle = (a + b) / 2, half = (b - a) / 2;
+  const Points u = middle + half * Eigen::Map<const Points>(rule.points.data()) - q.middle;
+  const Points x = q.d[0].x + u * (q.d[1].x + u * q.d[2].x), y = q.d[0].y + u * (q.d[1].y + u * q.d[2].y);
+  Points speeds = x * x + y * y;
+  for (double& speed : speeds) speed = std::sqrt(speed);  // that of Eigen is not rounded correctly
+  if (is_rational_) speeds /= (q.w[0] + u * (q.w[1] + u * q.w[2])).square();
+  speeds *= Eigen::Map<const Points>(rule.weights.data());
+  double sum = speeds[0];
+  for (int i = 1; i < n; ++i) sum += speeds[i];
+  return half * sum;
+}
+
+ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
+  const bool is_polynomial = has_equal_weights(curve);
+  is_rational_ = !is_polynomial;
+  is_polyline_ = curve.degree == 1 && is_polynomial;
+  add(curve.begin(), 0, 0);
+  if (is_polyline_) {
+    for (size_t i = 1; i < curve.poles.size(); ++i)
+      add(curve.knots[i + 1], lengths_.back() + distance(curve.poles[i - 1], curve.poles[i]), i - 1);
+    return;
+  }
+  double scale = 0;
+  for (size_t i = 1; i < curve.poles.size(); ++i) scale += distance(curve.poles[i - 1], curve.poles[i]);
+  double rounding = 0;  // of a sum of speeds from coordinates
+  for (const Vec2 pole : curve.poles)
+    rounding = std::max(rounding, 16 * std::numeric_limits<double>::epsilon() * norm(pole));
+  constexpr int deepest_slow = 8;
+  struct Interval {
+    double a, b, length;
+    int depth;
+    double error;  ///< error estimate of the interval of which this is one half
+    size_t span;
+  };
+  std::vector<Interval> stack;
+  for (size_t i = 1; i < curve.knots.size(); ++i) {
+    const double a = curve.knots[i - 1], b = curve.knots[i];
+    if (!(a < b)) continue;
+    if (is_polynomial ? curve.degree <= 3 : curve.degree == 2)
+      quadratics_.push_back(quadratic(curve, is_polynomial, a, b));
+    stack.push_back({a, b, gauss<16>(stack.size(), a, b), 0, scale, stack.size()});
+  }
+  speeds_.front() = speed(0, curve.begin());
+  std::reverse(stack.begin(), stack.end());
+  while (!stack.empty()) {
+    const Interval whole = stack.back();
+    stack.pop_back();
+    const double m = (whole.a + whole.b) / 2;
+    const double left = gauss<16>(whole.span, whole.a, m), right = gauss<16>(whole.span, m, whole.b);
+    const double error = std::abs(left + right - whole.length);
+    // The points of a curve that is tiny relative to its coordinates are known to rounding only: halving is then no
+    // use. Nor is it a sign of rounding that the error of a long interval falls slowly: a thin ellipse begins so.
+    const bool is_rounding =
+        error > whole.error / 16 && (error <= rounding || (whole.depth >= deepest_slow && error <= 1e-6 * scale));
+    if (error <= 1e-14 * scale || is_rounding || whole.depth == 40) {
+      add(m, lengths_.back() + left, whole.span);
+      add(whole.b, lengths_.back() + right, whole.span);
+    } else {
+      stack.push_back({m, whole.b, right, whole.depth + 1, error, whole.span});
+      stack.push_back({whole.a, m, left, whole.depth + 1, error, whole.span});
+    }
+  }
+}
+
+void ArcLength::add(double parameter, double length, size_t span) {
+  parameters_.push_back(parameter);
+  lengths_.push_back(length);
+  speeds_.push_back(speed(span, parameter));
+  spans_.push_back(span);
+}
+
+double ArcLength::speed(size_t span, double t) const {
+  if (quadratics_.empty()) return norm(derivative(*curve_, t));
+  const Quadratic& q = quadratics_[span];
+  const double u = t - q.middle;
+  const double numerator = norm(q.d[0] + u * (q.d[1] + u * q.d[2]));
+  if (!is_rational_) return numerator;
+  const double w = q.w[0] + u * (q.w[1] + u * q.w[2]);
+  return numerator / (w * w);
+}
+
+double ArcLength::at(double t) const {
+  if (t <= parameters_.front()) return 0;
+  if (t >= parameters_.back()) return lengths_.back();
+  const size_t i = std::upper_bound(parameters_.begin(), parameters_.end(), t) - parameters_.begin() - 1;
+  return lengths_[i] + inside(i, t);
+}
+
+double ArcLength::inside(size_t i, double t) const {
+  const double a = parameters_[i], b = parameters_[i + 1], whole = lengths_[i + 1] - lengths_[i];
+  if (is_polyline_) return whole * ((t - a) / (b - a));
+  // Integrates from the nearer end: at most a quarter of an interval on which 16 points were enough, so 8 are. This
+  // also makes the middle of a symmetric curve exact to the last digit.
+  if (t - a <= b - t) return t == a ? 0 : gauss<8>(spans_[i + 1], a, t);
+  return t == b ? whole : whole - gauss<8>(spans_[i + 1], t, b);
+}
+
+double ArcLength::guess(size_t i, double length) const {
+  const double h = lengths_[i + 1] - lengths_[i], x = (length - lengths_[i]) / h;
+  const double a = parameters_[i], b = parameters_[i + 1];
+  if (is_polyline_ || !(speeds_[i] > 0) || !(speeds_[i + 1] > 0)) return a + (b - a) * x;
+  // Hermite's cubic through both ends with slopes d t / d s = 1 / speed.
+  const double u = h / speeds_[i], v = h / speeds_[i + 1], d = b - a;
+  return std::clamp(a + x * (u + x * (3 * d - 2 * u - v + x * (u + v - 2 * d))), a, b);
+}
+
+double ArcLength::parameter(double length) const {
+  if (length <= 0) return parameters_.front();
+  if (length >= lengths_.back()) return parameters_.back();
+  const size_t i = std::upper_bound(lengths_.begin(), lengths_.end(), length) - lengths_.begin() - 1;
+  double low = parameters_[i], high = parameters_[i + 1];
+  double t = guess(i, length);
+  if (length == lengths_[i]) return low;
+  if (is_polyline_) return t;
+  const double span = high - low;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const double missing = length - lengths_[i] - inside(i, t);
+    (missing > 0 ? low : high) = t;
+    double next = t + missing / speed(spans_[i + 1], t);
+    if (!(next > low && next < high)) {
+      if (next == low || next == high) return next;
+      next = (low + high) / 2;
+    }
+    const double moved = std::abs(next - t);
+    t = next;
+    // Newton's method squares the error: after a step of 1e-8 of the interval, 1e-16 of it remains.
+    if (moved <= 1e-8 * span) break;
+  }
+  return t;
+}
+
 namespace {
 
 constexpr double greatest_snap = 1e-3;  ///< of a chain's length

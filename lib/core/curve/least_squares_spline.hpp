@@ -1,6 +1,7 @@
 #pragma once
-// Splines of least squares: as near as possible to given points at given parameters.
+// Splines that approximate points in the sense of least squares, or a given curve.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -36,5 +37,13 @@ std::optional<Nurbs> least_squares_spline(int degree, const std::vector<FitKnot>
 /// knots than the degree, counted with their multiplicities. The result is clamped and ends exactly where it begins.
 std::optional<Nurbs> periodic_least_squares_spline(int degree, const std::vector<FitKnot>& knots,
                                                    const std::vector<FitPoint>& points);
+
+/// Position at s in [0, length]; sets the derivative with respect to s.
+using CurveFunction = std::function<Vec2(double s, Vec2& derivative)>;
+
+/// The spline through curve(s) at s = 0 .. length, parameter s, with the curve's own end derivatives. Intervals are
+/// halved until at their quarter points the spline is within `tol` (a length) of the curve at the same parameter, or
+/// until they are shorter than 1e-6 of the length (next to singular corners).
+Nurbs fit_line(const CurveFunction& curve, double length, double tol);
 
 }  // namespace quadrille::curve

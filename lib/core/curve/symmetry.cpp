@@ -11,6 +11,7 @@
 #include "curve/nurbs.hpp"
 
 namespace quadrille::curve {
+
 namespace {
 
 constexpr double radians_per_diameter = 10;  // tolerance of the angles of crossings

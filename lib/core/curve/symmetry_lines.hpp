@@ -1,5 +1,5 @@
 #pragma once
-// The lines along which a face is one half, or one quarter, of a symmetric whole.
+// The lines along which a face is one half, or one quarter, of a symmetric whole, and the whole.
 
 #include <string>
 #include <vector>
@@ -34,5 +34,22 @@ SymmetryLines symmetry_lines(const CadFace& face, const std::vector<int>& curves
 
 /// Whether the face is one half of a whole, at one line, or a quarter, at two lines at right angles.
 bool is_part_of_whole(const std::vector<SymmetryLine>& lines);
+
+/// The whole, without the line of symmetry. It has the coordinates of the half, and no periodic sides.
+struct MirroredFace {
+  CadFace whole;
+  // By curve of the half, -1 on the line: the curve of the whole that is the same, and the one that is its mirror
+  // image, in the opposite direction on the same interval of parameters.
+  std::vector<int> copy, image;
+};
+
+/// `half`: a face of which `line` is a line of symmetry. Where the boundary meets the line the whole has
+/// a corner if its angle there differs from 180 degrees by more than one. Regions that the
+/// line does not bound are followed by their images.
+MirroredFace mirrored_face(const CadFace& half, const SymmetryLine& line);
+
+/// The whole of which the face is one half or a quarter at the curves whose names fit these patterns; the face itself
+/// if it is neither.
+CadFace whole_of(CadFace face, const std::vector<std::string>& symmetry);
 
 }  // namespace quadrille::curve

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
 #include "model/quad_mesh.hpp"

@@ -10,7 +10,10 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "base/point_grid.hpp"
+#include "base/tolerance.hpp"
 #include "model/arc_graph.hpp"
+#include "model/cad_face.hpp"
 
 namespace quadrille {
 
@@ -39,13 +42,6 @@ inline bool separates_faces(const ArcGraph& graph, const GraphArc& arc, const st
   const int curve = arc.pieces.front().curve;
   const int left = curve_region[curve], right = curve_region[graph.face.partners[curve]];
   return left != right && graph.face.region_names[left] != graph.face.region_names[right];
-}
-
-/// Whether an arc lies between two regions; the two sides of a slit are one region.
-inline bool separates_regions(const ArcGraph& graph, const GraphArc& arc, const std::vector<int>& curve_region) {
-  if (!is_on_interface(graph, arc)) return false;
-  const int curve = arc.pieces.front().curve;
-  return curve_region[curve] != curve_region[graph.face.partners[curve]];
 }
 
 /// The region on the left of a half-edge that follows a CAD curve; -1 for others. A boundary arc has its region on the
@@ -99,6 +95,27 @@ inline int euler_characteristic_of_whole(const CadFace& face, const std::vector<
 /// That of a graph's domain: 4 times it is the index sum.
 inline int euler_characteristic_of_whole(const ArcGraph& graph) {
   return euler_characteristic_of_whole(graph.face, closed_interfaces(graph));
+}
+
+// The corners of a face around which there is more of the face.
+
+/// By joint: whether more of the face is there than the sector of this joint, or a slit ends there. A slit ends, bends
+/// or branches, or a region touches itself: beyond the corner there may be the face again. All sectors of a region in
+/// one place are in one loop.
+inline std::vector<bool> enclosed_joints(const CadFace& face) {
+  std::vector<bool> are_enclosed(face.joints.size(), false);
+  for (int l = 0; l < face.num_loops(); ++l) {
+    const int first = face.loop_offsets[l];
+    std::vector<Vec2> positions;
+    for (int j = first; j < face.loop_offsets[l + 1]; ++j) positions.push_back(face.joints[j].position);
+    const std::vector<int> places = places_of(positions, tolerance::round_off * face.diameter);
+    for (int i = 0; i < static_cast<int>(places.size()); ++i) {
+      const int joint = first + i;
+      if (places[i] != i) are_enclosed[joint] = are_enclosed[first + places[i]] = true;
+      if (face.is_interface(joint) && face.partners[joint] == face.previous_in_loop(joint)) are_enclosed[joint] = true;
+    }
+  }
+  return are_enclosed;
 }
 
 }  // namespace quadrille

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/vec2.hpp"
 #include "model/arc_graph.hpp"
 #include "model/interfaces.hpp"

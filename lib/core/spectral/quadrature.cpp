@@ -1,6 +1,5 @@
 #include "spectral/quadrature.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -10,7 +10,7 @@
 
 #include "adapt/order_policy.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"

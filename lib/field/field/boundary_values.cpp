@@ -8,7 +8,7 @@
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"
-#include "model/enclosed_joints.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::field {
 namespace {

@@ -25,7 +25,7 @@ Vec2 liftings_on_boundary(const CadFace& face, const std::vector<Lifting>& lifti
 /// boundary_value minus all liftings, at parameter t of `curve`: continuous around every loop.
 Vec2 lifted_boundary_value(const CadFace& face, const std::vector<Lifting>& liftings, int curve, double t);
 
-/// Bridges over jumps of the boundary data at enclosed joints (model/enclosed_joints.hpp), at slits and where a region
+/// Bridges over jumps of the boundary data at enclosed joints (model/interfaces.hpp), at slits and where a region
 /// touches itself: no explicit term can represent them, because there is no place for its pole, or because one term
 /// would have to carry the jumps of several sectors. Along the two element edges at such a corner the data change
 /// linearly, in the parameter, to the mean of both sides at the corner. The two deviations are opposite, so that the

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/angle.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "field/boundary_values.hpp"
-#include "model/enclosed_joints.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::field {
 namespace {

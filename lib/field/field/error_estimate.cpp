@@ -10,12 +10,12 @@
 #include <optional>
 
 #include "base/angle.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "field/boundary_values.hpp"
 #include "field/explicit_value.hpp"
 #include "field/phase_boundary.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille::field {

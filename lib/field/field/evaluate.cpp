@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "curve/pole_box.hpp"
 #include "field/explicit_value.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille::field {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/angle_sum.hpp"
-#include "curve/rotation.hpp"
+#include "curve/symmetry.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/tri_topology.hpp"
 #include "model/field.hpp"

@@ -12,7 +12,7 @@
 #include "curve/pole_box.hpp"
 #include "field/boundary_values.hpp"
 #include "field/explicit_value.hpp"
-#include "model/enclosed_joints.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::field {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "model/tri_mesh.hpp"
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/parallel.hpp"
-#include "base/position_text.hpp"
 #include "galerkin/condensed_system.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "stiffness/condensed_element.hpp"
 
 namespace quadrille::galerkin {

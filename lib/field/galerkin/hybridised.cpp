@@ -12,10 +12,9 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "galerkin/sparse_solver.hpp"
-#include "spectral/factored_modes.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"

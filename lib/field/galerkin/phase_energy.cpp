@@ -7,7 +7,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "spectral/factored_modes.hpp"
+#include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "stiffness/element_matrices.hpp"
 #include "stiffness/harmonic_element.hpp"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "spectral/factored_modes.hpp"
+#include "spectral/modified_basis.hpp"
 #include "spectral/per_order.hpp"
 
 namespace quadrille::stiffness {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "spectral/factored_modes.hpp"
+#include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
 #include "stiffness/element_matrices.hpp"

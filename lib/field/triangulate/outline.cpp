@@ -7,10 +7,10 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/segments.hpp"
 #include "base/tolerance.hpp"
+#include "base/vec2.hpp"
 #include "curve/nurbs.hpp"
-#include "model/enclosed_joints.hpp"
+#include "model/interfaces.hpp"
 
 namespace quadrille::triangulate {
 namespace {

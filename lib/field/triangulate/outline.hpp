@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "model/cad_face.hpp"
 
 namespace quadrille::triangulate {

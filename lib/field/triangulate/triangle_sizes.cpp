@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/segments.hpp"
+#include "base/vec2.hpp"
 
 namespace quadrille::triangulate {
 namespace {

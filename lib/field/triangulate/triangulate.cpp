@@ -7,9 +7,9 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "triangulate/corner_fans.hpp"
 #include "triangulate/curved_edges.hpp"
 #include "triangulate/draft.hpp"

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
-#include "export/element_blend.hpp"
 #include "export/groups.hpp"
 #include "export/patches.hpp"
 #include "export/plate_blocks.hpp"
+#include "export/renode.hpp"
 #include "export/writers.hpp"
 
 namespace quadrille::exports {

@@ -6,9 +6,8 @@
 #include <map>
 #include <set>
 
-#include "base/assign_names.hpp"
-#include "base/counted.hpp"
-#include "base/json_string.hpp"
+#include "base/message_text.hpp"
+#include "base/name_text.hpp"
 
 namespace quadrille::exports {
 

@@ -1,10 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <iterator>
-
-#include "base/counted.hpp"
+#include "base/message_text.hpp"
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
 #include "export/periodic_edges.hpp"

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "export/edge_numbering.hpp"
-#include "export/element_blend.hpp"
 #include "export/groups.hpp"
 #include "export/periodic_edges.hpp"
+#include "export/renode.hpp"
 #include "export/writers.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"

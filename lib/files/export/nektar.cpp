@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <map>
 
 #include "export/edge_numbering.hpp"
-#include "export/element_blend.hpp"
 #include "export/groups.hpp"
 #include "export/patches.hpp"
 #include "export/periodic_edges.hpp"
+#include "export/renode.hpp"
 #include "export/writers.hpp"
 
 namespace quadrille::exports {

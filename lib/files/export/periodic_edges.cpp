@@ -9,7 +9,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "model/periodic.hpp"
 #include "model/quad_mesh.hpp"

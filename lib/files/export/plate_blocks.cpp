@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "export/periodic_edges.hpp"
 #include "model/quad_mesh.hpp"
 

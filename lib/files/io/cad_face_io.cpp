@@ -1,4 +1,4 @@
-#include "base/assign_names.hpp"
+#include "base/name_text.hpp"
 #include "io/describe.hpp"
 
 namespace quadrille::io {

@@ -8,9 +8,6 @@
 #include <cstdint>
 #include <cstring>
 
-#ifdef __x86_64__
-#endif
-
 namespace quadrille::io {
 
 namespace {

@@ -4,7 +4,6 @@
 
 #include <deque>
 #include <memory>
-#include <string_view>
 #include <variant>
 
 #include "base/error.hpp"

@@ -3,7 +3,10 @@
 // use. Private to io; no HDF5 type is exposed. Readers throw FormatError naming file and dataset, writers OutputError.
 //
 // The same content results in the same bytes: no time stamps, fixed library version bounds, contiguous datasets.
+//
+// First what readers and writers know of libhdf5: where it keeps an image, and what happens without memory.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -12,6 +15,18 @@
 #include <vector>
 
 namespace quadrille::io {
+
+/// The library looks for a file of this name, although all of it is in memory: there can be none.
+constexpr const char* image_name = "/dev/null/image";
+
+/// Bytes that libhdf5 needs beside the data: its tables and the cache of a file; in one call, buffers.
+constexpr std::size_t own_memory_of_file = 8 << 20, own_memory_of_call = 4 << 20;
+
+/// Throws std::bad_alloc if there is no such memory: libhdf5 crashes where it gets none.
+void require_memory(std::size_t bytes);
+
+/// Whether the last call of the library failed for want of memory.
+bool lacks_memory();
 
 /// An HDF5 identifier that is closed when it goes out of scope.
 class Hdf5Id {

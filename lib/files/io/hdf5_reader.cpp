@@ -9,7 +9,6 @@
 
 #include "base/error.hpp"
 #include "io/hdf5_file.hpp"
-#include "io/hdf5_library.hpp"
 
 namespace quadrille::io {
 

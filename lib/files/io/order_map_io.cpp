@@ -1,7 +1,6 @@
 #include "io/order_map_io.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -77,11 +76,6 @@ OrderMap read_order_map(const InputFile& file, int num_elems, int max_order) {
           "ORD-R02");
   }
   return map;
-}
-
-std::string order_map_text(const std::vector<int>& elem_order) {
-  return fmt::format("{{\"format\": \"order-map\", \"version\": [{}, {}], \"elem_order\": [{}]}}\n",
-                     order_map_version.major, order_map_version.minor, fmt::join(elem_order, ", "));
 }
 
 }  // namespace quadrille::io

@@ -17,7 +17,4 @@ std::string order_map_format(const InputFile& file);
 /// than `num_elems` and for an order outside [1, max_order].
 OrderMap read_order_map(const InputFile& file, int num_elems, int max_order);
 
-/// The map as JSON text.
-std::string order_map_text(const std::vector<int>& elem_order);
-
 }  // namespace quadrille::io

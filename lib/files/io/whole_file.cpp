@@ -14,9 +14,9 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/child_process.hpp"
 #include "base/cleanup.hpp"
 #include "base/error.hpp"
-#include "base/resources.hpp"
 #include "io/digest.hpp"
 
 namespace quadrille::io {

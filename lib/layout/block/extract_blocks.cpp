@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include "base/angle.hpp"
-#include "base/assign_names.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
-#include "curve/face_position.hpp"
+#include "base/message_text.hpp"
+#include "base/name_text.hpp"
+#include "curve/named_places.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "graph/candidate_layout.hpp"

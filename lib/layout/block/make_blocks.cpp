@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "base/bracketed_root.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "block/extract_blocks.hpp"
 #include "block/report_layout.hpp"
-#include "curve/fit_line.hpp"
+#include "curve/least_squares_spline.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "mesh/chords.hpp"

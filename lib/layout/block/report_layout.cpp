@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"

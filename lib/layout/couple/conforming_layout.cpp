@@ -12,11 +12,11 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "couple/join_layouts.hpp"
 #include "couple/side_pairs.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "model/periodic.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/tolerance.hpp"
 #include "curve/chain.hpp"
-#include "curve/fit_line.hpp"
+#include "curve/least_squares_spline.hpp"
 #include "graph/arc_pieces.hpp"
 #include "graph/crossings.hpp"
 #include "simplify/chord_blend.hpp"

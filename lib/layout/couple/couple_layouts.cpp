@@ -15,7 +15,6 @@
 #include "layout/choose_layout.hpp"
 #include "layout/midpoint_layout.hpp"
 #include "model/periodic.hpp"
-#include "regions/region_numbers.hpp"
 #include "regions/split.hpp"
 #include "simplify/simplify.hpp"
 

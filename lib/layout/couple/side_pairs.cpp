@@ -7,7 +7,6 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
-#include "curve/arc_length.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/candidate_layout.hpp"

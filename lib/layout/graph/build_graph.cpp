@@ -6,7 +6,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/subdivision.hpp"
 #include "model/interfaces.hpp"

@@ -6,7 +6,7 @@
 #include <compare>
 #include <utility>
 
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::graph {

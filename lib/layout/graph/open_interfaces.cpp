@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "curve/named_curves.hpp"
+#include "curve/named_places.hpp"
 #include "graph/arc_pieces.hpp"
 #include "graph/subdivision.hpp"
 #include "model/interfaces.hpp"

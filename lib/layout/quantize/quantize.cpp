@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "graph/candidate_layout.hpp"
 #include "quantize/integer_program.hpp"

@@ -9,7 +9,7 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "graph/build_graph.hpp"
 #include "graph/candidate_layout.hpp"

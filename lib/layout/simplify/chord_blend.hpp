@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "curve/chain.hpp"
-#include "curve/fit_line.hpp"
+#include "curve/least_squares_spline.hpp"
 #include "field/evaluate.hpp"
 #include "graph/arc_pieces.hpp"
 

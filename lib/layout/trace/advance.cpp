@@ -8,7 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::trace {

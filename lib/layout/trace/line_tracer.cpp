@@ -10,7 +10,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
-#include "curve/orbits.hpp"
+#include "curve/symmetry.hpp"
 #include "trace/adams_bashforth.hpp"
 #include "trace/launch.hpp"
 

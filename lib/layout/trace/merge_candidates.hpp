@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "base/angle.hpp"
-#include "curve/fit_line.hpp"
+#include "curve/least_squares_spline.hpp"
 #include "trace/streamline.hpp"
 
 namespace quadrille::trace {

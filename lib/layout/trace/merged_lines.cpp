@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/angle.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "graph/arc_pieces.hpp"
 

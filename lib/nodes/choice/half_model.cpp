@@ -8,14 +8,14 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
 #include "guide/valence.hpp"
-#include "mesh/mirrored_mesh.hpp"
+#include "mesh/tri_topology.hpp"
 
 namespace quadrille::choice {
 

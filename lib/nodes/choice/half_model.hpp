@@ -2,7 +2,6 @@
 // The nodes of one half of a symmetric whole: those of the whole, chosen on its own field, without their mirror images.
 
 #include "choice/node_options.hpp"
-#include "curve/mirrored_face.hpp"
 #include "curve/symmetry_lines.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"

@@ -7,7 +7,7 @@
 #include "base/angle.hpp"
 #include "base/bracketed_root.hpp"
 #include "base/tolerance.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "features/feature_state.hpp"

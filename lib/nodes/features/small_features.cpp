@@ -15,7 +15,7 @@
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "features/feature_state.hpp"
-#include "model/special_names.hpp"
+#include "model/name_rules.hpp"
 
 namespace quadrille::features {
 namespace {

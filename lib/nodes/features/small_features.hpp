@@ -58,7 +58,7 @@ std::vector<std::vector<OwnedNode>> nodes_of_features(const CadFace& face, const
                                                       const std::vector<SmallFeature>& features);
 
 /// The feature size if the user prescribes none: a five-hundredth of the diameter: blocks of that size at the usual
-/// element sizes (a twentieth) have elements of edge ratios near 100. In a far field (model/special_names) the diameter
+/// element sizes (a twentieth) have elements of edge ratios near 100. In a far field (model/name_rules) the diameter
 /// is that of the box around the bodies, unless curves at a distance from walls are embedded. At most half the mean
 /// width of the face, which is its area divided by half its perimeter. It depends on the face alone, never on element
 /// sizes, so that refinement keeps the blocks.

@@ -8,7 +8,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "guide/zeros_in_circle.hpp"
 #include "zeros/undecided_zeros.hpp"

@@ -7,10 +7,10 @@
 
 #include "base/angle.hpp"
 #include "base/bracketed_root.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "guide/valence.hpp"

@@ -9,7 +9,7 @@
 
 #include "base/angle.hpp"
 #include "base/tolerance.hpp"
-#include "curve/orbits.hpp"
+#include "curve/symmetry.hpp"
 #include "guide/resolve_clusters.hpp"
 #include "guide/valence.hpp"
 #include "placement/node_ledger.hpp"

@@ -11,7 +11,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/face_boundary.hpp"
 #include "guide/valence.hpp"

@@ -12,7 +12,7 @@
 #include "base/angle.hpp"
 #include "base/tolerance.hpp"
 #include "curve/face_boundary.hpp"
-#include "curve/orbits.hpp"
+#include "curve/symmetry.hpp"
 #include "placement/node_ledger.hpp"
 
 namespace quadrille::guide {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/face_boundary.hpp"
-#include "curve/named_curves.hpp"
+#include "curve/named_places.hpp"
 #include "curve/project.hpp"
 #include "placement/half_planes.hpp"
 #include "placement/node_ledger.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/tolerance.hpp"
-#include "curve/orbits.hpp"
+#include "curve/symmetry.hpp"
 
 namespace quadrille::placement {
 namespace {

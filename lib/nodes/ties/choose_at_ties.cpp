@@ -8,7 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "guide/resolve_clusters.hpp"
 #include "placement/node_ledger.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/angle.hpp"
 #include "base/tolerance.hpp"
-#include "curve/orbits.hpp"
+#include "curve/symmetry.hpp"
 #include "field/error_estimate.hpp"
 #include "field/explicit_value.hpp"
 #include "guide/valence.hpp"

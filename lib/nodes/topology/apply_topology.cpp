@@ -1,7 +1,7 @@
 #include "topology/apply_topology.hpp"
 
 #include "guide/override_corners.hpp"
-#include "model/special_names.hpp"
+#include "model/name_rules.hpp"
 #include "topology/fewest_nodes.hpp"
 
 namespace quadrille::topology {

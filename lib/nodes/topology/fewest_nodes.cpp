@@ -14,7 +14,6 @@
 #include "base/tolerance.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/orbits.hpp"
 #include "curve/symmetry.hpp"
 #include "guide/resolve_clusters.hpp"
 #include "guide/valence.hpp"

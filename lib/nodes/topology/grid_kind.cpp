@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
 #include "guide/valence.hpp"
-#include "model/special_names.hpp"
+#include "model/name_rules.hpp"
 
 namespace quadrille::topology {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 
 namespace quadrille::zeros {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "chain/quad_inputs.hpp"
+#include "chain/chain_inputs.hpp"
 #include "check/check.hpp"
 #include "cli/messages.hpp"
 #include "cli/run_files.hpp"
@@ -54,19 +54,14 @@ void copy_given_nodes(ChainState& chain, NodeFiles& files) {
 }
 
 bool run_critpoints(ChainState& chain, StageFile<CriticalPoints>& nodes, const std::vector<std::string>& words) {
-  StageTask task;
-  task.stage = ChainStage::critpoints;
-  task.output = nodes.path();
-  task.words = {chain.files.field.path()};
+  StageTask task{ChainStage::critpoints, false, {chain.files.field.path()}};
   task.words.insert(task.words.end(), words.begin(), words.end());
-  task.compute = [&](Run& run) {
+  const auto points = [&](Run& run) {
     stage::CritpointsOptions options = chain.values.critpoints;
     cli::set_options([&](Options& o) { declare(o, options); }, words);
-    nodes.set(stage::critpoints(chain.files.field.input(), options, run), chain.keeps_files);
+    return stage::critpoints(chain.files.field.input(), options, run);
   };
-  task.write_inputs = [&] { chain.files.field.write(); };
-  task.drop_result = [&] { nodes.forget(); };
-  if (!run_stage(chain, task)) return false;
+  if (!make_file(chain, std::move(task), nodes, points, chain.files.field)) return false;
   if (chain.is_due(ChainStage::critpoints) && !chain.options.is_dry_run) note_nodes(chain, nodes.model());
   return true;
 }

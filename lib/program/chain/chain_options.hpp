@@ -1,13 +1,15 @@
 #pragma once
-// What the command line of quadmesh asks for: its own options, and those of the stages.
+// What the command line of quadmesh asks for: its own options, and those of the stages, in the order of the chain.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "chain/budget.hpp"
-#include "chain/chain_stages.hpp"
+#include "model/stage_formats.hpp"
 #include "stage/blocksplit.hpp"
 #include "stage/cad2tri.hpp"
 #include "stage/critpoints.hpp"
@@ -18,6 +20,21 @@
 #include "stage/separatrix.hpp"
 
 namespace quadrille::chain {
+
+enum class ChainStage { cad2tri, fieldsolve, padapt, critpoints, separatrix, blocksplit, quadrefine, quadexport };
+constexpr auto enum_names(ChainStage) {
+  return std::to_array(
+      {"cad2tri", "fieldsolve", "padapt", "critpoints", "separatrix", "blocksplit", "quadrefine", "quadexport"});
+}
+constexpr int num_stages = 8;
+
+/// Whether a stage comes before another one in the chain.
+constexpr bool is_before(ChainStage stage, ChainStage other) {
+  return static_cast<int>(stage) < static_cast<int>(other);
+}
+
+/// "tri.h5" of SHAPE.tri.h5; nothing for quadexport.
+inline std::string ending_of(ChainStage stage) { return std::string(find_stage_tool(enum_name(stage))->ending); }
 
 /// The options of each stage, with defaults where the command line has none.
 struct StageOptions {
@@ -57,7 +74,7 @@ struct ChainOptions {
   bool has(const std::string& tool, const std::string& flag) const;  ///< whether the words of the tool hold the flag
 };
 
-/// Reads the command line (argv without the name of the program), which asks for work (cli/request). Throws UsageError.
+/// Reads the command line (argv without the name of the program), which asks for work (cli/outcome). Throws UsageError.
 void read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);
 
 /// The values of the words of each stage. Throws UsageError with the message of the stage.

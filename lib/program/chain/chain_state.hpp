@@ -5,13 +5,77 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "chain/chain_options.hpp"
-#include "chain/stage_file.hpp"
 #include "chain/stage_runner.hpp"
+#include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
+#include "stage/stage_input.hpp"
 
 namespace quadrille::chain {
+
+/// A stage file of the chain: a struct in memory, a file, or both.
+template <typename Model>
+class StageFile {
+ public:
+  /// `path`: where the file is, or would be.
+  explicit StageFile(std::string path) : path_(std::move(path)) {}
+
+  const std::string& path() const { return path_; }
+  /// The struct with the name and digest of its file; read from there if it is not in memory. Throws FormatError.
+  stage::Input<Model> input() {
+    if (!model_) read(io::read_input(path_));
+    return {*model_, {name(), sha256_}};
+  }
+  const Model& model() { return input().model; }
+
+  const std::string& name() const { return name_.empty() ? path_ : name_; }  ///< for messages
+  /// The struct, which is then no longer kept.
+  Model release() {
+    if (!model_) read(io::read_input(path_));
+    Model model = std::move(*model_);
+    model_.reset();
+    return model;
+  }
+  /// Keeps the struct. With `is_written`, its file is written and so its digest known. Throws OutputError.
+  void set(Model model, bool is_written) {
+    model_ = std::move(model);
+    sha256_.clear();
+    if (is_written) write();
+  }
+  /// Writes the file, if it is not there.
+  void write() {
+    if (!model_ || !sha256_.empty()) return;
+    const std::string bytes = io::stage_bytes(*model_);
+    io::write_stage_bytes(path_, bytes, io::Lasting::for_the_run);  // the same command makes it again
+    sha256_ = io::identity_of(path_, bytes).sha256;
+  }
+  /// The file was written by another program: the struct is read when it is needed.
+  void forget() {
+    model_.reset();
+    sha256_.clear();
+  }
+  /// Reads the struct from the bytes of another file.
+  void read(const io::InputFile& file) {
+    model_ = io::read_stage<Model>(file);
+    sha256_ = file.sha256;
+    name_ = file.name;
+  }
+  /// Takes the struct of another file, which is then empty; the file itself is not touched.
+  void take(StageFile& other) {
+    model_ = std::exchange(other.model_, std::nullopt);
+    sha256_ = std::exchange(other.sha256_, {});
+    name_.clear();
+  }
+  bool is_in_memory() const { return model_.has_value(); }
+
+ private:
+  std::string path_;
+  std::string name_;  ///< of the file that it was read from, if that is another one
+  std::optional<Model> model_;
+  std::string sha256_;  ///< empty: there is no file, as far as is known
+};
 
 /// The files that follow from one choice of nodes.
 struct NodeFiles {
@@ -97,5 +161,18 @@ std::vector<std::string> chosen_words(const ChainState& chain, ChainStage stage)
 /// Runs the task if its stage is due, and prints its warnings. Returns false if it found no valid result, or was
 /// stopped, and there is another way. Throws ChainFailure otherwise.
 bool run_stage(ChainState& chain, StageTask task);
+
+/// The same for a task that makes `result`, which is what compute(Run&) returns, from `inputs`. Without words, these
+/// are the inputs.
+template <typename Model, typename Compute, typename... Inputs>
+bool make_file(ChainState& chain, StageTask task, StageFile<Model>& result, const Compute& compute,
+               StageFile<Inputs>&... inputs) {
+  if (task.words.empty()) task.words = {inputs.name()...};
+  task.output = result.path();
+  task.compute = [&](Run& run) { result.set(compute(run), chain.keeps_files); };
+  task.write_inputs = [&] { (inputs.write(), ...); };
+  task.drop_result = [&] { result.forget(); };
+  return run_stage(chain, std::move(task));
+}
 
 }  // namespace quadrille::chain

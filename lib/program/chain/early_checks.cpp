@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "chain/chain_inputs.hpp"
 #include "chain/chain_nodes.hpp"
-#include "chain/quad_inputs.hpp"
 #include "cli/outcome.hpp"
 #include "cli/run_files.hpp"
 #include "cli/stage_words.hpp"

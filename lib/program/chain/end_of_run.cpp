@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "base/version.hpp"
-#include "chain/helper_programs.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "io/whole_file.hpp"
@@ -97,6 +96,15 @@ void end_failed_run(ChainState& chain, const ChainFailure& failure) {
   }
   const bool may_be_the_shape = failure.code == ExitCode::no_result || failure.code == ExitCode::defect;
   if (may_be_the_shape && !chain.last.empty()) show_last_file(chain, failure.stage);
+}
+
+std::string command_path(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& path : {folder / name, folder / "../../pipelines" / name})
+    if (fs::exists(path, error)) return path.string();
+  return name;
 }
 
 }  // namespace quadrille::chain

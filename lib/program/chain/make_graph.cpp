@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "chain/chain_nodes.hpp"
-#include "chain/quad_inputs.hpp"
+#include "chain/chain_inputs.hpp"
 #include "cli/messages.hpp"
 #include "triangulate/triangulate.hpp"
 

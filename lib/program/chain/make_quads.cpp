@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "chain/make_graph.hpp"
-#include "chain/quad_inputs.hpp"
+#include "chain/chain_inputs.hpp"
 #include "chain/try_remedies.hpp"
 
 namespace quadrille::chain {

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "chain/chain_options.hpp"
-#include "cli/option_values.hpp"
+#include "cli/command_line.hpp"
 #include "cli/stage_words.hpp"
 
 namespace quadrille::chain {

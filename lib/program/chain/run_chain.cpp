@@ -1,24 +1,25 @@
 #include "chain/run_chain.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <iterator>
 
+#include "base/cleanup.hpp"
 #include "base/parallel.hpp"
+#include "chain/chain_inputs.hpp"
 #include "chain/early_checks.hpp"
 #include "chain/end_of_run.hpp"
-#include "chain/folder_lock.hpp"
 #include "chain/make_quads.hpp"
-#include "chain/read_shape.hpp"
-#include "chain/supervisor.hpp"
+#include "chain/watched_child.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
-#include "cli/request.hpp"
-#include "cli/signals.hpp"
+#include "cli/process_setup.hpp"
 #include "io/whole_file.hpp"
 
 namespace quadrille::chain {
@@ -26,6 +27,63 @@ namespace quadrille::chain {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Waits; false where there are no locks.
+bool lock_file(int fd) {
+  while (flock(fd, LOCK_EX) != 0)
+    if (errno != EINTR) return false;
+  return true;
+}
+
+/// Whether the path still names the file: the run before removes it.
+bool is_named(int fd, const std::string& path) {
+  struct stat open_file {
+  }, named{};
+  return fstat(fd, &open_file) == 0 && stat(path.c_str(), &named) == 0 && open_file.st_ino == named.st_ino;
+}
+
+/// One run at a time on the stage files of a shape in a folder.
+///
+/// Holds the files STEM.* of a folder as long as it exists. A second run waits, in other processes and on other
+/// machines too where the file system has locks; where it has none, nobody waits.
+class FolderLock {
+ public:
+  /// `stem`: path without the endings. The file FOLDER/.NAME.lock exists while a run holds it.
+  explicit FolderLock(const std::string& stem, bool is_quiet);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  std::string path_;
+  int fd_ = -1, slot_ = -1;
+};
+
+FolderLock::FolderLock(const std::string& stem, bool is_quiet) {
+  const std::size_t name = stem.rfind('/') + 1;  // npos + 1 is 0
+  path_ = stem.substr(0, name) + '.' + stem.substr(name) + ".lock";
+  bool is_told = is_quiet;
+  for (;;) {
+    fd_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (fd_ < 0) return;
+    if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK && !is_told)
+        cli::print_message(fmt::format("quadmesh: waits for another run that works on {}.*\n", stem));
+      is_told = true;
+      if (!lock_file(fd_)) break;
+    }
+    if (is_named(fd_, path_)) break;
+    close(fd_);
+  }
+  slot_ = register_temporary(path_);
+}
+
+FolderLock::~FolderLock() {
+  if (fd_ < 0) return;
+  unlink(path_.c_str());
+  release_temporary(slot_);
+  close(fd_);
+}
 
 // CPU seconds after which threads are worth their start.
 constexpr double least_cpu_seconds_for_threads = 0.2;

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/child_process.hpp"
 #include "base/cleanup.hpp"
-#include "base/json_string.hpp"
+#include "base/message_text.hpp"
 #include "base/parallel.hpp"
-#include "base/resources.hpp"
 #include "base/version.hpp"
 #include "base/warning_codes.hpp"
 #include "chain/watched_child.hpp"

@@ -18,12 +18,12 @@ namespace quadrille::chain {
 /// A run of a stage that may be done in three ways.
 struct StageTask {
   ChainStage stage = ChainStage::cad2tri;
-  std::string name;                           ///< in the report: the stage with a prefix, such as phase_fieldsolve
   bool is_of_phase = false;                   ///< solves for prescribed nodes, as a part of separatrix
-  std::string output;                         ///< path of the file that it writes
-  std::vector<std::string> words;             ///< of its command: inputs and options
-  std::function<void(Run&)> compute;          ///< here: keeps the result, and its file if files are kept
-  std::function<void()> write_inputs;         ///< for an external program
+  std::vector<std::string> words = {};        ///< of its command: inputs and options
+  std::string name = {};                      ///< in the report: the stage with a prefix, such as phase_fieldsolve
+  std::string output = {};                    ///< path of the file that it writes
+  std::function<void(Run&)> compute = {};     ///< here: keeps the result, and its file if files are kept
+  std::function<void()> write_inputs = {};    ///< for an external program
   std::function<void()> drop_result = [] {};  ///< what is in memory, after another process wrote the file
 };
 

@@ -1,15 +1,40 @@
 #pragma once
-// Options over CLI11: parsing, the rows of the help text and the JSON record for the provenance. Private to cli.
+// Options over CLI11: parsing, the values of options from texts, the rows of the help text and the JSON record for the
+// provenance. Private to cli but for the values.
 
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/options.hpp"
-#include "cli/help_text.hpp"
 #include "cli/run_files.hpp"
 
 namespace quadrille::cli {
+
+/// `text` as a number in the interval of the option `flag`; a leading + is allowed. Throws UsageError.
+double number_within(const std::string& flag, const std::string& text, double low, double high);
+int integer_within(const std::string& flag, const std::string& text, int low, int high);
+
+/// The value of --threads: 0 for "auto". Throws UsageError.
+int threads_of(const std::string& text);
+
+/// An input or option and its meaning.
+struct HelpRow {
+  std::string left;   ///< "--order N"
+  std::string right;  ///< any length; broken into lines
+};
+
+struct HelpPage {
+  std::string name, summary, description, synopsis;  ///< synopsis: the inputs, " [TRI]"
+  std::vector<std::string> examples;
+  std::vector<HelpRow> inputs, options, common_options;
+};
+
+/// Usage, summary, description, inputs, options, exit codes and examples, at most 100 columns wide.
+std::string help_text(const HelpPage& page);
+
+/// Rows in two columns, at most 100 columns wide.
+std::string help_rows(const std::vector<HelpRow>& rows);
 
 /// The options that every command has.
 struct CommonOptions {
@@ -42,7 +67,7 @@ class CommandLine : public Options {
 
   /// Adds the options of every command; called after the tool has declared its own.
   void add_common(CommonOptions& common);
-  /// Fills the declared variables; the words request no help and no list (request.hpp). Throws UsageError.
+  /// Fills the declared variables; the words request no help and no list (outcome.hpp). Throws UsageError.
   void parse(int argc, char** argv);
   /// Those that are declared, after parsing.
   void add_files(RunFiles& files) const;

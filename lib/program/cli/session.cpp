@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <cstdio>
 #include <ctime>
 
 #include "base/name_text.hpp"

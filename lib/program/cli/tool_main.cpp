@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdio>
 #include <optional>
 
 #include "base/cleanup.hpp"
@@ -13,11 +10,9 @@
 #include "base/parallel.hpp"
 #include "base/version.hpp"
 #include "cli/command_line.hpp"
-#include "cli/heap.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
-#include "cli/request.hpp"
-#include "cli/signals.hpp"
+#include "cli/process_setup.hpp"
 
 namespace quadrille::cli {
 

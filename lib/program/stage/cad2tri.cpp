@@ -9,18 +9,14 @@
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include "base/angle.hpp"
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/options.hpp"
 #include "cad/curve_names.hpp"
-#include "cad/face_table.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
-#include "cad/merge_regions.hpp"
-#include "cad/name_options.hpp"
 #include "cad/periodic_sides.hpp"
 #include "cad/region_names.hpp"
 #include "heal/blunt_cusps.hpp"

@@ -10,7 +10,7 @@
 #include "cad/loaded_face.hpp"
 #include "model/name_rules.hpp"
 #include "model/tri_mesh.hpp"
-#include "outline/polyline_joints.hpp"
+#include "outline/face_of_loops.hpp"
 #include "stage/stage_input.hpp"
 #include "triangulate/triangulate.hpp"
 
@@ -60,7 +60,7 @@ TriMesh cad2tri(const LoadedShape& shape, const Cad2triOptions& options, Run& ru
 /// Both after each other.
 TriMesh cad2tri(const Cad2triInput& input, const Cad2triOptions& options, Run& run);
 
-/// The table of the faces of a CAD file and their edges (cad/face_table.hpp), which are reported too.
+/// The table of the faces of a CAD file and their edges (cad/load_face.hpp), which are reported too.
 std::string list_faces(const Input<std::string>& file, Run& run);
 
 /// The face as the bytes of a CAD file, in the format that the ending of `path` means: .step, .stp or .brep. Throws

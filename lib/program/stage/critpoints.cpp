@@ -4,17 +4,15 @@
 
 #include <utility>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/options.hpp"
 #include "check/check.hpp"
-#include "curve/mirrored_face.hpp"
+#include "curve/symmetry_lines.hpp"
 #include "features/small_features.hpp"
 #include "field/error_estimate.hpp"
 #include "guide/override_corners.hpp"
 #include "placement/keep_clearance.hpp"
-#include "regions/join.hpp"
-#include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
 #include "stage/symmetry_option.hpp"

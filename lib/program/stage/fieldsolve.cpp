@@ -7,16 +7,14 @@
 #include <memory>
 #include <utility>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/options.hpp"
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/phase_request.hpp"
 #include "galerkin/solve_phase.hpp"
-#include "regions/join.hpp"
-#include "regions/region_numbers.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
 

@@ -7,7 +7,6 @@
 #include "adapt/adapt_loop.hpp"
 #include "base/options.hpp"
 #include "check/check.hpp"
-#include "regions/join.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
 

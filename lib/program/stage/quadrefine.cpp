@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/options.hpp"
 #include "check/check.hpp"
-#include "curve/named_curves.hpp"
+#include "curve/named_places.hpp"
 #include "layers/wall_layers.hpp"
 #include "layers/wall_spec.hpp"
 #include "mesh/element_sizes.hpp"

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/counted.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
-#include "mesh/resolution.hpp"
+#include "mesh/element_sizes.hpp"
 
 namespace quadrille::stage {
 

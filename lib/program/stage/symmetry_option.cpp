@@ -7,9 +7,9 @@
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
-#include "curve/named_curves.hpp"
+#include "curve/named_places.hpp"
 #include "curve/symmetry_lines.hpp"
-#include "model/special_names.hpp"
+#include "model/name_rules.hpp"
 
 namespace quadrille::stage {
 

@@ -13,7 +13,7 @@ namespace quadrille::stage {
 void declare_symmetry(Options& options, std::vector<std::string>& names);
 
 /// The names of the curves that the option means, without interfaces: those that fit what is given (a name, a pattern,
-/// or the number of a curve), none for "none", without the option those that fit model/special_names.hpp. Throws
+/// or the number of a curve), none for "none", without the option those that fit model/name_rules.hpp. Throws
 /// UsageError for what fits no curve.
 std::vector<std::string> symmetry_names(const CadFace& face, const std::vector<std::string>& given);
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "regions/join.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
 #include "triangulate/triangulate.hpp"

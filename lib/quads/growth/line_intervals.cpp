@@ -7,7 +7,7 @@
 
 #include "growth/limit_growth.hpp"
 #include "growth/line_correction.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::growth {

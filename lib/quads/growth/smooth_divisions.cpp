@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "growth/normal_equations.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::growth {

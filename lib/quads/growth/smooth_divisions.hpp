@@ -45,7 +45,7 @@ struct IntervalPair {
 };
 
 /// All pairs of adjacent intervals of which at least one may change: consecutive ones of each arc, then those across
-/// nodes, on both sides of an arc between two blocks (mesh/block_sides). Layers do not change.
+/// nodes, on both sides of an arc between two blocks (mesh/chords). Layers do not change.
 std::vector<IntervalPair> adjacent_intervals(const GrowthInput& input, const sizing::ArcDivisions& divisions);
 
 /// Whether an interval is one of the layers at an end of its arc.

@@ -8,8 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "base/counted.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/mesh_score.hpp"

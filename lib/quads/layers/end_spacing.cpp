@@ -8,12 +8,12 @@
 
 #include "base/bracketed_root.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "layers/layer_rules.hpp"
 #include "layers/normal_line.hpp"
 #include "layers/wall_spec.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 
 namespace quadrille::layers {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "layers/layer_rules.hpp"
 #include "layers/wall_spec.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 #include "mesh/transfinite.hpp"
 
 namespace quadrille::layers {

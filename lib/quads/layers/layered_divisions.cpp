@@ -7,7 +7,7 @@
 
 #include "base/tolerance.hpp"
 #include "layers/layer_rules.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 
 namespace quadrille::layers {
 namespace {

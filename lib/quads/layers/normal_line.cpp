@@ -7,7 +7,7 @@
 
 #include "base/bracketed_root.hpp"
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "layers/wall_spec.hpp"
 #include "spectral/quadrature.hpp"
 

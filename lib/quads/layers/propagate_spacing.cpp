@@ -7,7 +7,7 @@
 #include "base/tolerance.hpp"
 #include "layers/layer_rules.hpp"
 #include "layers/layered_divisions.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 #include "sizing/interval_error.hpp"
 
 namespace quadrille::layers {

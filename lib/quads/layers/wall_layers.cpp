@@ -6,16 +6,16 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
-#include "curve/named_curves.hpp"
+#include "curve/named_places.hpp"
 #include "layers/layer_fit.hpp"
 #include "layers/layer_rules.hpp"
 #include "layers/propagate_spacing.hpp"
 #include "layers/wall_spec.hpp"
-#include "mesh/block_sides.hpp"
-#include "model/special_names.hpp"
+#include "mesh/chords.hpp"
+#include "model/name_rules.hpp"
 
 namespace quadrille::layers {
 namespace {

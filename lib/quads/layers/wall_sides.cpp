@@ -8,7 +8,7 @@
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "layers/layer_rules.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 #include "model/interfaces.hpp"
 
 namespace quadrille::layers {

@@ -10,11 +10,11 @@
 
 #include "base/bracketed_root.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
-#include "base/number_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
-#include "curve/named_curves.hpp"
+#include "curve/named_places.hpp"
 #include "layers/layer_rules.hpp"
 #include "spectral/quadrature.hpp"
 

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/number_text.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/chords.hpp"
 #include "prescribe/log_spacing.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/position_text.hpp"
-#include "curve/named_curves.hpp"
+#include "base/message_text.hpp"
+#include "curve/named_places.hpp"
 
 namespace quadrille::prescribe {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
-#include "base/number_text.hpp"
 
 namespace quadrille::refine {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "mesh/resolution.hpp"
+#include "mesh/element_sizes.hpp"
 #include "refine/best_split.hpp"
 #include "refine/divide_arcs.hpp"
 #include "sizing/element_limit.hpp"

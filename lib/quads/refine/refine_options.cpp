@@ -5,7 +5,7 @@
 
 #include "base/enum_names.hpp"
 #include "base/error.hpp"
-#include "base/number_text.hpp"
+#include "base/message_text.hpp"
 
 namespace quadrille::refine {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::refine {

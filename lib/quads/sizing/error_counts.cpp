@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/tolerance.hpp"
-#include "mesh/resolution.hpp"
+#include "mesh/element_sizes.hpp"
 
 namespace quadrille::sizing {
 namespace {

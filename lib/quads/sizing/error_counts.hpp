@@ -18,7 +18,7 @@
 #include <functional>
 #include <vector>
 
-#include "mesh/resolution.hpp"
+#include "mesh/element_sizes.hpp"
 #include "sizing/measured_layout.hpp"
 
 namespace quadrille::sizing {

@@ -11,14 +11,14 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/number_text.hpp"
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
-#include "curve/arc_length.hpp"
-#include "curve/carrier.hpp"
-#include "curve/mirrored_face.hpp"
-#include "curve/named_curves.hpp"
+#include "curve/chain.hpp"
+#include "curve/named_places.hpp"
 #include "curve/nurbs.hpp"
-#include "model/special_names.hpp"
+#include "curve/pole_box.hpp"
+#include "curve/symmetry_lines.hpp"
+#include "model/name_rules.hpp"
 #include "sizing/element_limit.hpp"
 
 namespace quadrille::sizing {

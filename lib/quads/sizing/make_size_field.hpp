@@ -4,7 +4,7 @@
 // Where no sizes are prescribed, elements follow the features of a face: those along a run of the boundary of length L
 // are max(L / n, s) long, n = SizeField::default_per_curve. A chord has one count in all of its blocks, so that one
 // short curve can make the mesh of the whole face many times as large. s is therefore the least for which the counts of
-// chords make at most twice as many elements as without this rule. In a far field (model/special_names) s = 0: the size
+// chords make at most twice as many elements as without this rule. In a far field (model/name_rules) s = 0: the size
 // away from the curves is that of the far field, and no measure of the body. Along a wake there, elements grow by 5 %
 // from one to the next, from the size at its beginning, where it has the smaller one.
 //
@@ -73,7 +73,7 @@ struct SizeOptions {
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
   SizeSources sources;
-  std::vector<std::string> symmetry;  ///< patterns of names of curves (curve/mirrored_face.hpp)
+  std::vector<std::string> symmetry;  ///< patterns of names of curves (curve/symmetry_lines.hpp)
   void validate() const;              ///< throws UsageError
 };
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/counted.hpp"
+#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
-#include "mesh/resolution.hpp"
+#include "mesh/element_sizes.hpp"
 
 namespace quadrille::sizing {
 namespace {

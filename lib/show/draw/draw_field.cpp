@@ -14,7 +14,7 @@
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
 #include "draw/zero_contours.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 
 namespace quadrille::draw {
 

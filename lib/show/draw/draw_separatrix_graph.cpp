@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"

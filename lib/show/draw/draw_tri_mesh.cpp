@@ -6,7 +6,7 @@
 
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 
 namespace quadrille::draw {
 

@@ -8,7 +8,7 @@
 #include "base/enum_names.hpp"
 #include "base/error.hpp"
 #include "draw/picture.hpp"
-#include "mesh/resolution.hpp"
+#include "mesh/element_sizes.hpp"
 
 namespace quadrille::draw {
 

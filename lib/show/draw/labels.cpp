@@ -45,12 +45,6 @@ void for_each_side(const std::vector<std::vector<Vec2>>& loops, const Visit& vis
     for (std::size_t i = 0; i < loop.size(); ++i) visit(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
 }
 
-double distance_to_segment(Vec2 x, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double length2 = dot(d, d);
-  return distance(x, a + (length2 > 0 ? std::clamp(dot(x - a, d) / length2, 0.0, 1.0) : 0) * d);
-}
-
 /// Positive inside, by the number of sides that a ray crosses; both sides of a slit cancel.
 double signed_clearance(const std::vector<std::vector<Vec2>>& loops, Vec2 x) {
   bool is_inside = false;

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/angle.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 #include "model/length_scale.hpp"
 #include "model/quad_mesh.hpp"

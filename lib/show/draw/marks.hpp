@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/counted.hpp"
+#include "base/message_text.hpp"
 #include "draw/picture.hpp"
 #include "model/separatrix_graph.hpp"
 #include "spectral/tri_map.hpp"

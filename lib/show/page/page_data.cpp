@@ -9,7 +9,7 @@
 #include <complex>
 #include <limits>
 
-#include "base/json_string.hpp"
+#include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 #include "draw/palette.hpp"
 

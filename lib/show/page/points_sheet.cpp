@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "base/angle.hpp"
-#include "base/counted.hpp"
 #include "base/enum_names.hpp"
+#include "base/message_text.hpp"
 #include "page/sheet.hpp"
 #include "trace/launch_directions.hpp"
 

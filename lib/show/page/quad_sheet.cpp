@@ -5,11 +5,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <unordered_map>
 
 #include "base/angle.hpp"
-#include "mesh/resolution.hpp"
+#include "mesh/element_sizes.hpp"
 #include "model/quad_mesh.hpp"
 #include "page/sheet.hpp"
 #include "spectral/lagrange.hpp"

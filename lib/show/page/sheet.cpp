@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/enum_names.hpp"
-#include "base/position_text.hpp"
+#include "base/message_text.hpp"
 #include "draw/labels.hpp"
 
 namespace quadrille::page {

@@ -10,7 +10,7 @@
 #include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
 #include "field/evaluate.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "page/sheet.hpp"
 
 namespace quadrille::page {

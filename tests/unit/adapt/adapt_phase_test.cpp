@@ -9,7 +9,7 @@
 #include "../support/test_data.hpp"
 #include "../triangulate/faces.hpp"
 #include "adapt/adapt_loop.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/solve_phase.hpp"
 #include "occ/read_face.hpp"

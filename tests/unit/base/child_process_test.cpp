@@ -7,15 +7,27 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
+#include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille {
+
 namespace {
+
+TEST(Resources, ThoseThatAreExhaustedAreNamedWithTheirLimits) {
+  EXPECT_NO_THROW(require_resources(ENOENT, "x.step"));
+  EXPECT_EQ(message_of<ComputeError>([] { require_resources(EMFILE, "x.step: cannot be read"); }),
+            "x.step: cannot be read: no more open files: raise their limit (ulimit -n)");
+  EXPECT_EQ(message_of<ComputeError>([] { require_resources(EAGAIN, "cannot start a process"); }),
+            "cannot start a process: no more processes: raise their limit (ulimit -u)");
+  EXPECT_THROW(require_resources(ENOMEM, ""), ComputeError);
+}
 
 const std::string crash = "the reader crashed";
 
@@ -170,4 +182,5 @@ TEST(HelperProgram, is_in_libexec_beside_the_folder_of_this_program) {
 }
 
 }  // namespace
+
 }  // namespace quadrille

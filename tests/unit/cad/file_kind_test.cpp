@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 
 namespace quadrille::cad {
+
 namespace {
 
 const std::string step = "ISO-10303-21;\nHEADER;\nENDSEC;\nEND-ISO-10303-21;\n";
@@ -47,5 +48,27 @@ TEST(FileKind, HasAName) {
   EXPECT_EQ(format_name(CadFormat::brep), "BREP");
 }
 
+std::string step_of(const std::string& data) {
+  return "ISO-10303-21;\nDATA;\n" + data + "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+TEST(StepFaults, none_in_a_sound_file) {
+  EXPECT_EQ(step_fault(step_of("#1=CARTESIAN_POINT('a;#9''b',(0.,0.,0.));\n#2 = VERTEX_POINT('',\n #1);\n")), "");
+  EXPECT_EQ(step_fault(step_of("#1=(A() B());#2=LINE('',#3,#1);#3=CARTESIAN_POINT('',(0.,0.));")), "");
+  EXPECT_EQ(step_fault(""), "");
+}
+
+TEST(StepFaults, missing_entities_are_named) {
+  EXPECT_EQ(step_fault(step_of("#2=VERTEX_POINT('',#1);")), "#2 VERTEX_POINT refers to #1, which is not in the file");
+}
+
+TEST(StepFaults, wrong_types_are_named) {
+  EXPECT_EQ(step_fault(step_of("#1=DIRECTION('',(1.,0.));#2=VERTEX_POINT('',#1);")),
+            "#2 VERTEX_POINT refers to #1, which is of type DIRECTION, not CARTESIAN_POINT");
+  EXPECT_EQ(step_fault(step_of("#1=FOO();#2=EDGE_LOOP('',(#1));")),
+            "#2 EDGE_LOOP refers to #1, which is of type FOO, not ORIENTED_EDGE");
+}
+
 }  // namespace
+
 }  // namespace quadrille::cad

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "../support/texts.hpp"
 #include "sample_chain.hpp"
 
 namespace quadrille::chain {
+
 namespace {
 
 /// A run that made a mesh of 8 quads.
@@ -85,5 +88,16 @@ TEST_F(EndOfRun, a_report_that_cannot_be_written_is_told_once) {
   EXPECT_EQ(errors_of([&] { end_failed_run(chain_, failure); }), "");
 }
 
+TEST(CommandPath, is_beside_this_program_or_left_to_the_shell) {
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+  EXPECT_EQ(command_path(self.filename().string()), self.string());
+  EXPECT_EQ(command_path("no-such-program"), "no-such-program");
+}
+
+TEST(CommandPath, of_scripts_is_in_the_source_tree) {
+  EXPECT_TRUE(command_path("points2step").ends_with("/pipelines/points2step")) << command_path("points2step");
+}
+
 }  // namespace
+
 }  // namespace quadrille::chain

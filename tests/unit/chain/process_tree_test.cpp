@@ -10,6 +10,7 @@
 #include "temporary_folder.hpp"
 
 namespace quadrille::chain {
+
 namespace {
 
 int wait_for_signal() { return pause(), 0; }
@@ -40,4 +41,5 @@ TEST(ProcessTree, of_a_process_that_has_ended_uses_nothing) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::chain

@@ -6,6 +6,7 @@
 #include "sample_chain.hpp"
 
 namespace quadrille::chain {
+
 namespace {
 
 constexpr const char* report_with_remedies = R"({"tool": "separatrix", "exit_code": 0,
@@ -118,4 +119,5 @@ TEST_F(TryRemedies, nodes_of_the_user_stay) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::chain

@@ -2,11 +2,87 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "../support/texts.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::cli {
+
 namespace {
+
+TEST(NumberWithin, ReadsAllOfTheTextAndChecksTheInterval) {
+  EXPECT_EQ(number_within("--size", "+2.5e-1", 0, 1), 0.25);
+  EXPECT_EQ(message_of<UsageError>([] { number_within("--size", "1x", 0, 1); }), "--size: '1x' is not a number");
+  EXPECT_EQ(message_of<UsageError>([] { number_within("--size", "2", 0, 1); }),
+            "--size: 2 is outside its interval (0 to 1)");
+  for (const char* text : {"", "+", "+-1", " 1", "nan"}) EXPECT_THROW(number_within("--size", text, -9, 9), UsageError);
+}
+
+TEST(IntegerWithin, ReadsAllOfTheTextAndChecksTheInterval) {
+  EXPECT_EQ(integer_within("--order", "+7", 1, 20), 7);
+  EXPECT_EQ(message_of<UsageError>([] { integer_within("--order", "2.5", 1, 20); }),
+            "--order: '2.5' is not an integer");
+  EXPECT_EQ(message_of<UsageError>([] { integer_within("--order", "21", 1, 20); }),
+            "--order: 21 is outside its interval (1 to 20)");
+  EXPECT_THROW(integer_within("--order", "99999999999", 1, 20), UsageError);
+}
+
+TEST(ThreadsOf, AreANumberOrAutomatic) {
+  EXPECT_EQ(threads_of("auto"), 0);
+  EXPECT_EQ(threads_of("1"), 1);
+  EXPECT_EQ(threads_of("1024"), 1024);
+  for (const char* text : {"0", "1025", "two", "", "1.5"}) EXPECT_THROW(threads_of(text), UsageError) << text;
+}
+
+HelpPage page() {
+  HelpPage p;
+  p.name = "sample";
+  p.summary = "does nothing";
+  p.synopsis = " [IN]";
+  p.examples = {"sample -o x"};
+  p.inputs = {{"IN", "what is read"}};
+  p.options = {{"--order N", "the order"}, {"--a-very-long-option-name MODE", "its own line"}};
+  return p;
+}
+
+TEST(HelpText, SectionsComeInTheirOrder) {
+  const std::string text = help_text(page());
+  EXPECT_EQ(text.rfind("Usage: sample [OPTIONS] [IN]\n\nsample does nothing.\n", 0), 0u) << text;
+  std::size_t last = 0;
+  for (const char* heading :
+       {"\nINPUTS\n", "\nOPTIONS\n", "\nOPTIONS OF EVERY COMMAND\n", "\nEXIT CODES\n", "\nEXAMPLES\n  sample -o x\n"}) {
+    const std::size_t at = text.find(heading);
+    ASSERT_NE(at, std::string::npos) << heading;
+    EXPECT_GT(at, last);
+    last = at;
+  }
+}
+
+TEST(HelpText, EveryExitCodeIsListed) {
+  const std::string text = help_text(page());
+  for (const char* code : {"\n  0 ", "\n  1 ", "\n  2 ", "\n  3 ", "\n  4 ", "\n  70 ", "\n  128 + n "})
+    EXPECT_NE(text.find(code), std::string::npos) << code;
+}
+
+TEST(HelpText, ShortOptionsShareALineWithTheirMeaningAndLongOnesDoNot) {
+  const std::string text = help_text(page());
+  EXPECT_NE(text.find("\n  --order N" + std::string(17, ' ') + "the order\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("MODE\n" + std::string(28, ' ') + "its own line\n"), std::string::npos) << text;
+}
+
+TEST(HelpText, LongTextIsBrokenAtBlanksWithinAHundredColumns) {
+  HelpPage p = page();
+  for (int i = 0; i < 60; ++i) p.options[0].right += " word" + std::to_string(i);
+  p.description = p.options[0].right;
+  std::istringstream lines(help_text(p));
+  std::string all;
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 100u) << line;
+    all += line + ' ';
+  }
+  EXPECT_NE(all.find(" word59 "), std::string::npos);
+}
 
 enum class Speed { slow, fast };
 constexpr auto enum_names(Speed) { return std::to_array({"slow", "very-fast"}); }
@@ -69,4 +145,5 @@ TEST_F(CommandLineTest, WhatOnlyBeginsLikeAnOptionIsRefusedAndWhatFollowsDashesI
 }
 
 }  // namespace
+
 }  // namespace quadrille::cli

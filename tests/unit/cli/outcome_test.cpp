@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 namespace quadrille::cli {
+
 namespace {
 
 TEST(OutcomeOf, WorkThatEndsIsASuccess) {
@@ -43,4 +44,5 @@ TEST(ErrorText, TellsHowToGetHelpAfterAMistakeOnTheCommandLine) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::cli

@@ -18,7 +18,6 @@
 #include "graph/subdivision.hpp"
 #include "layout/compute_layout.hpp"
 #include "model/interfaces.hpp"
-#include "regions/region_numbers.hpp"
 #include "regions/split.hpp"
 #include "triangulate/triangulate.hpp"
 

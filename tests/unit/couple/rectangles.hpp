@@ -9,7 +9,6 @@
 #include "../regions/faces_of_regions.hpp"
 #include "../support/square_field.hpp"
 #include "couple/region_layouts.hpp"
-#include "regions/region_numbers.hpp"
 #include "regions/split.hpp"
 
 namespace quadrille::couple {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "rectangles.hpp"
 
 namespace quadrille::couple {

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::curve {
+
 namespace {
 
 TEST(PoleBox, of_a_segment_has_its_ends_as_corners) {
@@ -39,8 +42,7 @@ TEST(PoleBox, a_margin_widens_every_side) {
 }
 
 TEST(PoleBox, is_nearer_than_its_curve) {
-  const std::vector<Nurbs> curves{circular_arc({3, 1}, 0.5, 0, 2 * pi), segment({-1, 4}, {-2, 4})};
-  const std::vector<PoleBox> boxes = pole_boxes(curves);
+  const std::vector<PoleBox> boxes{pole_box(circular_arc({3, 1}, 0.5, 0, 2 * pi)), pole_box(segment({-1, 4}, {-2, 4}))};
   EXPECT_EQ(boxes[0].distance_from({3, 1}), 0);
   EXPECT_NEAR(boxes[0].distance_from({5, 1}), 1.5, 1e-15);
   EXPECT_EQ(boxes[1].distance_from({2, 8}), 5);
@@ -48,5 +50,56 @@ TEST(PoleBox, is_nearer_than_its_curve) {
     EXPECT_LE(boxes[0].distance_from(x), distance(x, {3, 1}) - 0.5 + 1e-15);
 }
 
+TEST(PoleBox, meets_a_box_with_a_common_point_or_within_the_margin) {
+  const PoleBox box{{0, 0}, {2, 1}};
+  EXPECT_TRUE(box.meets({{2, 1}, {3, 3}}));
+  EXPECT_TRUE(box.meets({{-1, -1}, {3, 3}}));
+  for (const PoleBox& apart : {PoleBox{{2.1, 0}, {3, 1}}, PoleBox{{0, 1.1}, {2, 2}}, PoleBox{{-1, 0}, {-0.1, 1}}}) {
+    EXPECT_FALSE(box.meets(apart));
+    EXPECT_FALSE(apart.meets(box));
+    EXPECT_TRUE(box.meets(apart, 0.11));
+    EXPECT_FALSE(box.meets(apart, 0.09));
+  }
+}
+
+const Carrier axis = carrier_of(segment({-1, 0}, {4, 0}));
+
+TEST(Carrier, KnowsLinesAndArcs) {
+  EXPECT_EQ(axis.kind, CurveKind::line);
+  EXPECT_EQ(axis.direction, (Vec2{1, 0}));
+  const Carrier arc = carrier_of(circular_arc({3, 1}, 2, 0.3, 4));
+  EXPECT_EQ(arc.kind, CurveKind::arc);
+  EXPECT_NEAR(distance(arc.point, {3, 1}), 0, 1e-14);
+  EXPECT_NEAR(arc.radius, 2, 1e-14);
+  EXPECT_EQ(carrier_of(circular_arc({3, 1}, 2, 0, 2 * pi)).kind, CurveKind::arc);
+}
+
+TEST(Carrier, AnEllipseAndAPolylineAreSplines) {
+  Nurbs ellipse = circular_arc({0, 0}, 1, 0, 3);
+  for (Vec2& pole : ellipse.poles) pole.y *= 1 + 1e-6;
+  EXPECT_EQ(carrier_of(ellipse).kind, CurveKind::spline);
+  EXPECT_EQ(carrier_of({1, {0, 0, 1, 2, 2}, {{0, 0}, {1, 0}, {2, 0}}, {1, 1, 1}}).kind, CurveKind::spline);
+  EXPECT_EQ(carrier_of({2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {1, 0}, {2, 0}}, {1, 1, 1}}).kind, CurveKind::spline);
+}
+
+TEST(Carrier, IntersectionsAreThoseNearestToThePoint) {
+  const Carrier circle = carrier_of(circular_arc({0, 0}, 5, 0, 1));
+  const Carrier line = carrier_of(segment({-9, 3}, {9, 3}));
+  EXPECT_NEAR(distance(*intersection(line, circle, {4, 3.1}), {4, 3}), 0, 1e-14);
+  EXPECT_NEAR(distance(*intersection(circle, line, {-4, 3}), {-4, 3}), 0, 1e-14);
+  const Carrier other = carrier_of(circular_arc({6, 0}, 5, 0, 1));
+  EXPECT_NEAR(distance(*intersection(circle, other, {3, 9}), {3, 4}), 0, 1e-13);
+  EXPECT_NEAR(distance(*intersection(circle, other, {3, -9}), {3, -4}), 0, 1e-13);
+  const Carrier slope = carrier_of(segment({0, 0}, {1, 1}));
+  EXPECT_NEAR(distance(*intersection(slope, line, {0, 0}), {3, 3}), 0, 1e-14);
+}
+
+TEST(Carrier, WhatDoesNotCrossHasNoIntersection) {
+  EXPECT_FALSE(intersection(axis, carrier_of(segment({0, 1}, {1, 1})), {0, 0}));
+  EXPECT_FALSE(intersection(axis, carrier_of(circular_arc({0, 3}, 2, 0, 1)), {0, 0}));
+  EXPECT_FALSE(intersection(axis, Carrier{}, {0, 0}));
+}
+
 }  // namespace
+
 }  // namespace quadrille::curve

@@ -7,11 +7,11 @@
 #include <functional>
 
 #include "base/angle.hpp"
-#include "curve/fit_cells.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 
 namespace quadrille::curve {
+
 namespace {
 
 using Position = std::function<Vec2(double)>;
@@ -165,4 +165,5 @@ TEST(FitCells, ALongSpanIsCutAndLastingJumpsAreIsolated) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::curve

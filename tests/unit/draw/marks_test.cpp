@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "../test_meshes.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "small_picture.hpp"
 
 namespace quadrille::draw {

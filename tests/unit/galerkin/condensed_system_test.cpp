@@ -8,7 +8,7 @@
 
 #include "../test_meshes.hpp"
 #include "mesh/elimination_tree.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "stiffness/element_matrices.hpp"
 
 namespace quadrille::galerkin {

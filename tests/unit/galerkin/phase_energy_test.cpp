@@ -12,7 +12,7 @@
 #include "field/explicit_value.hpp"
 #include "field/phase_boundary.hpp"
 #include "galerkin/solve_phase.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "triangulate/triangulate.hpp"
 

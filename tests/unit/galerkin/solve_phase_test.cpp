@@ -7,7 +7,7 @@
 
 #include "../triangulate/faces.hpp"
 #include "base/error.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "field/evaluate.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "spectral/orthogonal_basis.hpp"

@@ -4,7 +4,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "curve/fit_line.hpp"
+#include "curve/least_squares_spline.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::graph {

@@ -7,11 +7,11 @@
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
-#include "heal/interior_angle.hpp"
 
 namespace quadrille::heal {
+
 namespace {
 
 Loop loop_of(const std::vector<Nurbs>& curves) {
@@ -191,4 +191,5 @@ TEST(BluntCusps, SharpCornersAreCutOffButNotRefused) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::heal

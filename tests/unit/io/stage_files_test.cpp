@@ -7,6 +7,7 @@
 #include "scratch.hpp"
 
 namespace quadrille::io {
+
 namespace {
 
 class StageFiles : public Scratch {
@@ -270,4 +271,5 @@ TEST_F(StageFiles, TheReaderOfAStructReadsItsFormatAlone) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::io

@@ -14,7 +14,7 @@
 #include "layers/propagate_spacing.hpp"
 #include "layers/wall_spec.hpp"
 #include "line_samples.hpp"
-#include "mesh/block_sides.hpp"
+#include "mesh/chords.hpp"
 #include "sizing/interval_error.hpp"
 
 namespace quadrille::layers {

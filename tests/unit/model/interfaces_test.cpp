@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "../support/region_graphs.hpp"
+#include "../triangulate/faces.hpp"
 
 namespace quadrille {
+
 namespace {
 
 TEST(Interfaces, CurvesKnowTheirRegions) {
@@ -15,18 +17,13 @@ TEST(Interfaces, CurvesKnowTheirRegions) {
 
 TEST(Interfaces, ArcsBetweenRegionsAreNoBoundary) {
   const SeparatrixGraph squares = region_graphs::two_squares();
-  const std::vector<int> regions = curve_regions(squares.face);
   for (int a = 0; a < 7; ++a) {
     EXPECT_TRUE(is_on_cad_curve(squares, squares.arcs[a]));
     EXPECT_EQ(is_on_interface(squares, squares.arcs[a]), a == 1);
-    EXPECT_EQ(separates_regions(squares, squares.arcs[a], regions), a == 1);
   }
   const SeparatrixGraph plate = region_graphs::slit_plate(false);
   int num_on_slit = 0;
-  for (const GraphArc& arc : plate.arcs) {
-    num_on_slit += is_on_interface(plate, arc);
-    EXPECT_FALSE(separates_regions(plate, arc, curve_regions(plate.face)));
-  }
+  for (const GraphArc& arc : plate.arcs) num_on_slit += is_on_interface(plate, arc);
   EXPECT_EQ(num_on_slit, 2);
 }
 
@@ -73,5 +70,31 @@ TEST(Interfaces, RegionsPutTogetherHaveTheCharacteristicOfTheWhole) {
     EXPECT_EQ(index_sum_of(graph), 4 * euler_characteristic_of_whole(graph));
 }
 
+using namespace testing_faces;
+
+std::vector<int> enclosed(const CadFace& face) {
+  const std::vector<bool> are_enclosed = enclosed_joints(face);
+  std::vector<int> joints;
+  for (int j = 0; j < face.num_curves(); ++j)
+    if (are_enclosed[j]) joints.push_back(j);
+  return joints;
+}
+
+TEST(EnclosedJoints, AreAllOfASlit) {
+  EXPECT_EQ(enclosed(slit_square()), (std::vector<int>{4, 5}));
+  EXPECT_EQ(enclosed(bent_slit(0.5)), (std::vector<int>{4, 5, 6, 7}));
+  EXPECT_EQ(enclosed(open_slit()), (std::vector<int>{2, 3, 4})) << "the ends on the outline too";
+}
+
+TEST(EnclosedJoints, AreThoseWhereARegionTouchesItself) {
+  EXPECT_EQ(enclosed(pinched_square()), (std::vector<int>{5, 8}));
+}
+
+TEST(EnclosedJoints, AreNoOrdinaryCorners) {
+  EXPECT_TRUE(enclosed(l_shape()).empty());
+  EXPECT_TRUE(enclosed(annulus()).empty());
+}
+
 }  // namespace
+
 }  // namespace quadrille

@@ -5,11 +5,12 @@
 #include "../support/test_data.hpp"
 #include "../support/texts.hpp"
 #include "base/error.hpp"
-#include "cad/face_bytes.hpp"
+#include "cad/loaded_face.hpp"
 #include "occ/occ_face.hpp"
-#include "occ/occ_load.hpp"
+#include "occ/occ_model.hpp"
 
 namespace quadrille::occ {
+
 namespace {
 
 TEST(ReadFace, reading_twice_in_one_process_gives_the_same) {
@@ -56,4 +57,5 @@ TEST(Answer, is_the_face_the_list_or_the_file_that_the_request_is_for) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::occ

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "curve/project.hpp"
 #include "faces.hpp"
-#include "offset/offset_rules.hpp"
+#include "offset/wall_chains.hpp"
 #include "outline/extent.hpp"
 
 namespace quadrille::offset {

@@ -11,11 +11,11 @@
 #include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
 #include "galerkin/solve_phase.hpp"
-#include "regions/join.hpp"
 #include "regions/region_work.hpp"
 #include "triangulate/triangulate.hpp"
 
 namespace quadrille::regions {
+
 namespace {
 
 using testing_faces::disc_in_square;
@@ -155,4 +155,5 @@ TEST(RegionWork, reports_by_region_and_names_the_region_of_an_error) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::regions

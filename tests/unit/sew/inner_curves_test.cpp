@@ -8,6 +8,7 @@
 #include "regions.hpp"
 
 namespace quadrille::sew {
+
 namespace {
 
 using namespace testing_regions;
@@ -110,4 +111,5 @@ TEST(InnerCurves, AWireWithAGapIsNotOpen) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::sew

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "regions.hpp"
-#include "sew/match_curves.hpp"
 
 namespace quadrille::sew {
+
 namespace {
 
 using namespace testing_regions;
@@ -118,4 +118,5 @@ TEST(SewRegions, SlitsKeepTheirOtherSide) {
 }
 
 }  // namespace
+
 }  // namespace quadrille::sew

@@ -6,7 +6,7 @@
 
 #include "../test_meshes.hpp"
 #include "base/angle.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "spectral/tri_map.hpp"
 
 namespace quadrille::stiffness {

@@ -4,7 +4,7 @@
 
 #include "../test_meshes.hpp"
 #include "base/error.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/quadrature.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
-#include "mesh/tri_maps.hpp"
+#include "mesh/tri_topology.hpp"
 #include "model/field.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/tri_map.hpp"

@@ -9,7 +9,7 @@
 #include "../support/two_nodes.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "curve/fit_line.hpp"
+#include "curve/least_squares_spline.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "trace/advance.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "curve/arc_length.hpp"
+#include "curve/chain.hpp"
 #include "faces.hpp"
 #include "spectral/tri_map.hpp"
 

@@ -4,7 +4,6 @@
 
 #include "base/error.hpp"
 #include "faces.hpp"
-#include "mesh/tri_maps.hpp"
 #include "mesh/tri_topology.hpp"
 #include "spectral/quadrature.hpp"
 #include "triangulate/curved_edges.hpp"

@@ -1,0 +1,98 @@
+#include "curve/named_places.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/name_text.hpp"
+#include "model/interfaces.hpp"
+
+namespace quadrille::curve {
+
+Vec2 face_position(const CadFace& face, const std::vector<double>& coordinates, const std::string& where) {
+  if (coordinates.size() == 2) return Vec2{coordinates[0], coordinates[1]} - face.origin;
+  std::array<double, 3> rest{};
+  Vec2 x;
+  for (int k = 0; k < 3; ++k) {
+    rest[k] = coordinates[k] - face.plane_origin[k];
+    x += rest[k] * Vec2{face.plane_x[k], face.plane_y[k]};
+  }
+  double height2 = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double h = rest[k] - x.x * face.plane_x[k] - x.y * face.plane_y[k];
+    height2 += h * h;
+  }
+  if (!(std::sqrt(height2) <= 1e-3 * face.diameter))
+    throw FormatError(fmt::format("{}: ({:.6g}, {:.6g}, {:.6g}) lies {:.3g} off the plane of the face", where,
+                                  coordinates[0], coordinates[1], coordinates[2], std::sqrt(height2)));
+  return x - face.origin;
+}
+
+namespace {
+
+/// The region of this name or else of this number; -1: none.
+int region_of_name(const CadFace& face, const std::string& name) {
+  for (int r = 0; r < face.num_regions(); ++r)
+    if (face.region_names[r] == name) return r;
+  for (int r = 0; r < face.num_regions(); ++r)
+    if (std::to_string(r) == name) return r;
+  return -1;
+}
+
+/// The part behind the last @ is the name of a region, or its number.
+std::vector<int> curves_of_region(const CadFace& face, const std::string& name, std::size_t at,
+                                  const std::string& option) {
+  const std::string region = name.substr(at + 1);
+  const std::vector<int> curve_region = curve_regions(face);
+  const int number = region_of_name(face, region);
+  const auto is_in_region = [&](int c) { return curve_region[c] == number; };
+  std::vector<int> curves = named_curves(face, name.substr(0, at), option);
+  std::erase_if(curves, [&](int c) { return !is_in_region(c); });
+  if (!curves.empty()) return curves;
+  throw UsageError(fmt::format("{}: the boundary \"{}\" does not belong to a region \"{}\"{}; the regions are {}",
+                               option, name.substr(0, at), region, did_you_mean(region, face.region_names),
+                               fmt::join(face.region_names, ", ")));
+}
+
+/// The curves with the name made from this number, which offset curves may have changed since; else the curve of this
+/// number.
+std::vector<int> curve_of_number(const CadFace& face, int number) {
+  std::vector<int> curves;
+  for (const int c : face.unnamed_curves)
+    if (face.curve_names[c] == fmt::format("curve_{}", number)) curves.push_back(c);
+  if (curves.empty() && number >= 0 && number < face.num_curves()) curves.push_back(number);
+  return curves;
+}
+
+}  // namespace
+
+std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option) {
+  std::vector<int> curves;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (face.curve_names[c] == name) curves.push_back(c);
+  int number = -1;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool is_number = error == std::errc() && end == name.data() + name.size();
+  if (curves.empty() && is_number) curves = curve_of_number(face, number);
+  if (!curves.empty()) return curves;
+  if (const std::size_t at = name.rfind('@'); at != std::string::npos && face.num_regions() > 1)
+    return curves_of_region(face, name, at, option);
+  const std::set<std::string> known(face.curve_names.begin(), face.curve_names.end());
+  throw UsageError(fmt::format("{}: there is no boundary \"{}\"{}; the names are {} (or use the numbers 0 to {})",
+                               option, name, did_you_mean(name, face.curve_names), fmt::join(known, ", "),
+                               face.num_curves() - 1));
+}
+
+int named_region(const CadFace& face, const std::string& name) {
+  const std::size_t at = name.rfind('@');
+  if (at == std::string::npos || face.num_regions() == 1) return -1;
+  if (std::find(face.curve_names.begin(), face.curve_names.end(), name) != face.curve_names.end()) return -1;
+  return region_of_name(face, name.substr(at + 1));
+}
+
+}  // namespace quadrille::curve
