@@ -25,7 +25,8 @@ nodes_agree() {
   "$halves" aerofoil_c
   for options in '' '--topology c'; do
     # shellcheck disable=SC2086 # words
-    mesh half '.valid and .blocks == 2 and .irregular_nodes == 0 and .least_scaled_jacobian > 0.3 and .warnings == []' \
+    mesh half '.valid and .blocks == 2 and .irregular_nodes == 0 and .least_scaled_jacobian > 0.3 and
+      (.warnings | map(select(.code != "W-QUA-005"))) == []' \
       $options
     assert_equal "$(jq -c '.corners | map(.valence)' stages/half.crit.json)" '[2,1,1,1,1]'
   done
@@ -52,8 +53,8 @@ nodes_agree() {
 
 @test "a half has half of the blocks, sizes and quality of the whole" {
   "$halves" ellipse_box
-  mesh whole '.valid and .blocks == 12' --inner-edges curved
-  mesh half '.valid and .blocks == 8 and .irregular_nodes == 2' --inner-edges curved
+  mesh whole '.valid and .blocks == 12' --inner-edges curved --relax none
+  mesh half '.valid and .blocks == 8 and .irregular_nodes == 2' --inner-edges curved --relax none
   jq -e -s '(.[0].least_scaled_jacobian - .[1].least_scaled_jacobian | fabs) < 0.01 and
     (2 * .[0].quads / .[1].quads | . > 0.9 and . < 1.1)' half.json whole.json
 }

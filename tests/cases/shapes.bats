@@ -3,10 +3,10 @@
 # The expected numbers are facts about the shapes (index sum, symmetry, closed forms), not stored output.
 load ../tools/common
 
-# mesh SHAPE: the mesh with its stage files in the test's folder.
+# mesh SHAPE: the mesh with its stage files in the test's folder. That sizes are unequal (W-QUA-005) may be so.
 mesh() {
   run -0 --separate-stderr "$ROOT/pipelines/quadmesh" "$DATA/$1.step" -o "$1.msh" --workdir . --report "$1.json"
-  assert_equal "$stderr" ""
+  assert_equal "$(grep -v W-QUA-005 <<<"$stderr")" ""
   assert_line --regexp '^[0-9]+ blocks?, [0-9]+ irregular nodes?, [0-9]+ quads?, worst scaled Jacobian 0?[.0-9]+, greatest edge ratio [.0-9]+$'
   assert_equal "${#lines[@]}" 1
   assert [ "$(jq '.least_jacobian_bound > 0' "$1.json")" = true ]

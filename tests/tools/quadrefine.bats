@@ -303,10 +303,10 @@ setup() {
   run -2 quadrefine --relax-sweeps -1 "$blocks" -o c.quad.h5
 }
 
-@test "--relax size makes elements more alike, twice the same; a number is answered with what it is now" {
-  quadrefine --relax size "$blocks" -o a.quad.h5 --report a.json
+@test "--relax size, the default, makes elements more alike, twice the same; a number is answered with what it is now" {
+  quadrefine "$blocks" -o a.quad.h5 --report a.json
   quadrefine --relax size "$blocks" -o b.quad.h5
-  quadrefine "$blocks" -o c.quad.h5 --report c.json
+  quadrefine --relax none "$blocks" -o c.quad.h5 --report c.json
   cmp a.quad.h5 b.quad.h5
   jq -e '.relax.energy_after < .relax.energy_before and .relax.sweeps > 0 and .valid' a.json
   jq -e '.relax == null' c.json

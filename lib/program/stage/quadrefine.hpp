@@ -21,7 +21,7 @@ struct QuadrefineOptions {
   refine::RefineOptions refine;
   sizing::SizeOptions sizes;
   std::string per_curve = "auto";
-  std::string relax = "none";
+  std::string relax = "size";
   std::vector<std::string> near;      ///< NAME=H[:H2]
   std::vector<std::string> symmetry;  ///< names or patterns (stage/symmetry_option.hpp)
   std::vector<std::string> counts;    ///< CHORD=N or NAME=N

@@ -58,7 +58,7 @@ struct RefineOptions {
   double max_edge_ratio = 0;   ///< a mesh with a higher one is an error, 0: none is, else at least 1
   int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
   InnerEdges inner_edges = InnerEdges::straight;
-  Relax relax = Relax::none;
+  Relax relax = Relax::size;
   int relax_sweeps = 200;  ///< greatest number, 0..1000
   int levels = 0;          ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
   void validate() const;   ///< throws UsageError

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/tolerance.hpp"
+#include "refine/coarse_moves.hpp"
 #include "refine/size_energy.hpp"
 #include "refine/validity.hpp"
 #include "refine/vertex_symmetry.hpp"
@@ -19,8 +20,8 @@ namespace {
 
 struct SizeConstants {
   int memory = 12;            ///< steps from which the quasi-Newton matrix is made
-  double longest_step = 0.3;  ///< of the prescribed size, by which a vertex moves at most in one step
-  int sizes_kept = 10;        ///< sweeps after which sizes are those of the new positions
+  double longest_step = 0.3;  ///< of the prescribed size, by which the ends of an edge move apart at most in one step
+  int sweeps_kept = 10;       ///< after which sizes and diagonal blocks are those of the new positions
   /// Relaxation ends after this many sweeps in turn that lower the energy by less than this fraction.
   int slow_sweeps = 2;
   double least_progress = 1e-5;
@@ -49,14 +50,21 @@ void add(VertexMoves& to, double factor, const VertexMoves& other) {
 /// The inverse of the Hessian, from its diagonal blocks and the last steps.
 class InverseHessian {
  public:
-  void set_blocks(std::vector<std::array<double, 3>> blocks) { blocks_ = std::move(blocks); }
-  void forget() { pairs_.clear(); }
+  explicit InverseHessian(const RelaxProblem& problem) : first_(problem) {}
+
+  /// Steps so far are not forgotten.
+  void set_blocks(const DiagonalBlocks& blocks, const std::vector<Vec2>& tangents) {
+    first_.set_blocks(blocks, tangents);
+    if (!pairs_.empty()) set_factor();
+  }
+  void forget() { pairs_.clear(), factor_ = 1; }
   bool is_plain() const { return pairs_.empty(); }
 
   void add_step(VertexMoves step, VertexMoves change) {
     const double curvature = inner_product(step, change);
     if (!(curvature > 1e-10 * std::sqrt(inner_product(step, step) * inner_product(change, change)))) return;
     pairs_.push_back({std::move(step), std::move(change), curvature});
+    set_factor();
     if (static_cast<int>(pairs_.size()) > size_constants.memory) pairs_.pop_front();
   }
 
@@ -67,7 +75,8 @@ class InverseHessian {
       parts.push_back(inner_product(pair->step, d) / pair->curvature);
       add(d, -parts.back(), pair->change);
     }
-    for (std::size_t v = 0; v < d.size(); ++v) d[v] = solve(blocks_[v], d[v]);
+    d = first_(d);
+    for (Vec2& x : d) x *= factor_;
     for (const Pair& pair : pairs_) {
       add(d, parts.back() - inner_product(pair.change, d) / pair.curvature, pair.step);
       parts.pop_back();
@@ -81,11 +90,13 @@ class InverseHessian {
     VertexMoves step, change;
     double curvature = 0;
   };
-  static Vec2 solve(const std::array<double, 3>& h, Vec2 g) {
-    const double det = h[0] * h[2] - h[1] * h[1];
-    return det > 0 ? Vec2{h[2] * g.x - h[1] * g.y, h[0] * g.y - h[1] * g.x} / det : Vec2{};
+  void set_factor() {
+    const Pair& last = pairs_.back();
+    factor_ = last.curvature / inner_product(last.change, first_(last.change));
   }
-  std::vector<std::array<double, 3>> blocks_;
+
+  CoarseMoves first_;  ///< but for a factor
+  double factor_ = 1;
   std::deque<Pair> pairs_;
 };
 
@@ -107,11 +118,12 @@ class Relaxer {
  private:
   void set_sizes();
   EnergyDerivatives begin();
+  double longest_step(const VertexMoves& direction) const;
   bool step(EnergyDerivatives& at);
 
   const RelaxProblem& problem_;
   const SizeRelaxation& options_;
-  std::vector<double> reach_;  ///< by vertex: longest step
+  std::vector<double> size_;   ///< by element
   std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
   std::optional<VertexSymmetry> symmetry_;
   InverseHessian inverse_;
@@ -122,7 +134,8 @@ Relaxer::Relaxer(const RelaxProblem& problem, const QuadMesh& shaped, const Size
       moves(problem.num_vertices()),
       problem_(problem),
       options_(options),
-      shorter_(shaped.num_elems(), {1, 1}) {
+      shorter_(shaped.num_elems(), {1, 1}),
+      inverse_(problem) {
   set_sizes();
   value = energy.value(moves);
 }
@@ -131,15 +144,29 @@ void Relaxer::set_sizes() {
   const QuadMesh& mesh = problem_.start;
   const std::vector<Vec2> middles = energy.middles(moves);
   std::vector<Vec2> sizes;
-  reach_.assign(moves.size(), std::numeric_limits<double>::infinity());
+  size_.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
     const double size = options_.sizes.at(middles[elem], region);
     sizes.push_back({size * shorter_[elem].x, size * shorter_[elem].y});
-    for (const int v : problem_.follow.elem_vertices()[elem])
-      reach_[v] = std::min(reach_[v], size_constants.longest_step * size);
+    size_.push_back(size);
   }
   energy.set_sizes(sizes);
+}
+
+/// Of this direction, at most 1.
+double Relaxer::longest_step(const VertexMoves& direction) const {
+  const auto move = [&](int v) {
+    return problem_.follow.on_boundary(v) < 0 ? direction[v] : direction[v].x * energy.curve_tangents()[v];
+  };
+  double length = 1;
+  for (int elem = 0; elem < problem_.start.num_elems(); ++elem) {
+    const auto& vertices = problem_.follow.elem_vertices()[elem];
+    for (int c = 0; c < 4; ++c)
+      length = std::min(
+          length, size_constants.longest_step * size_[elem] / distance(move(vertices[c]), move(vertices[(c + 1) % 4])));
+  }
+  return length;
 }
 
 /// Returns whether the energy became less.
@@ -147,14 +174,12 @@ bool Relaxer::step(EnergyDerivatives& at) {
   const VertexMoves direction = inverse_.descent(at.gradient);
   const double slope = inner_product(direction, at.gradient);
   if (!(slope < -size_constants.least_slope * at.value)) return false;
-  double length = 1;
-  for (std::size_t v = 0; v < moves.size(); ++v)
-    if (const double move = norm(direction[v]); length * move > reach_[v]) length = reach_[v] / move;
+  double length = longest_step(direction);
   for (int halving = 0; halving < size_constants.max_halvings; ++halving, length /= 2) {
     VertexMoves next = moves;
     add(next, length, direction);
-    if (!(energy.value(next) <= at.value + size_constants.descent * length * slope)) continue;
     EnergyDerivatives there = energy.with_derivatives(next);
+    if (!(there.value <= at.value + size_constants.descent * length * slope)) continue;
     symmetry_->average(there.gradient);
     VertexMoves change = there.gradient, step = direction;
     add(change, -1, at.gradient);
@@ -177,24 +202,24 @@ EnergyDerivatives Relaxer::begin() {
   EnergyDerivatives at = energy.with_derivatives(moves, true);
   if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), at.gradient);
   symmetry_->average(at.gradient);
-  inverse_.forget();
-  inverse_.set_blocks(at.hessian);
+  inverse_.set_blocks(at.hessian, energy.curve_tangents());
   return at;
 }
 
 void Relaxer::run() {
+  inverse_.forget();
   set_sizes();
   int slow = 0;
   EnergyDerivatives at = begin();
   for (int sweep = 0; sweep < options_.sweeps && slow < size_constants.slow_sweeps; ++sweep) {
-    if (!options_.sizes.is_uniform() && sweep > 0 && sweep % size_constants.sizes_kept == 0) {
-      set_sizes();
+    if (sweep > 0 && sweep % size_constants.sweeps_kept == 0) {
+      if (!options_.sizes.is_uniform()) set_sizes();
       at = begin();
     }
     const double before = at.value;
     if (!step(at)) {
       if (inverse_.is_plain()) break;
-      at = begin();
+      inverse_.forget();
       continue;
     }
     ++num_sweeps;

@@ -2,8 +2,9 @@
 // Relaxation to the prescribed sizes: moves all vertices of a mesh but those that are fixed (refine/relax_problem),
 // also those on sides of blocks and irregular ones, to the least size energy (refine/size_energy).
 //
-// The method is a limited-memory quasi-Newton method (Nocedal 1980), whose first matrix is the inverse of the Hessian's
-// diagonal blocks. Where sizes differ, they are those at the middles of elements, and are taken anew every few sweeps.
+// The method is a limited-memory quasi-Newton method (Nocedal 1980), whose first matrix has the moves of all levels of
+// the blocks' grids (refine/coarse_moves), so that the number of steps hardly grows with that of elements. Where sizes
+// differ, they are those at the middles of elements, and are taken anew every few sweeps.
 
 #include <vector>
 

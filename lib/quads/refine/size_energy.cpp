@@ -14,13 +14,6 @@ namespace {
 constexpr double first_shape_weight = 2;  ///< w
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double point_value(Vec2 a, Vec2 b, double weight) {
-  const double det = cross(a, b);
-  if (!(det > 0)) return infinity;
-  const double aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
-  return (aa * aa * aa + bb * bb * bb) / 2 * det + weight * mu * mu * mu;
-}
-
 struct SidePoint {
   int point = 0;  ///< s fastest
   bool is_along_a = true;
@@ -60,7 +53,7 @@ SizeEnergy::PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) {
   const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
   const double size = (aa * aa * aa + bb * bb * bb) / 2;
   const Vec2 det_a{b.y, -b.x}, det_b{-a.y, a.x};
-  value = size * det + weight * mu * mu * mu;
+  value = det > 0 ? size * det + weight * mu * mu * mu : infinity;
   mu_slope = 3 * weight * mu * mu / det;
   mu_bend = 6 * weight * mu;
   mu_a = (a - mu * det_a) / det, mu_b = (b - mu * det_b) / det;
@@ -74,9 +67,10 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
     : problem_(problem), loops_(shaped), start_(problem.num_vertices()), inverse_size_(shaped.num_elems(), {1, 1}) {
   const spectral::Quadrature rule = spectral::gauss_lobatto(points);
   const Eigen::MatrixXd slopes = spectral::differentiation_matrix(rule.points);
+  curved_rule_.count = points;
   for (int i = 0; i < points; ++i) {
-    at_[i] = (1 + rule.points[i]) / 2;
-    weight_[i] = rule.weights[i] / 2;
+    curved_rule_.at[i] = (1 + rule.points[i]) / 2;
+    curved_rule_.weight[i] = rule.weights[i] / 2;
     for (int j = 0; j < points; ++j) slope_[i][j] = 2 * slopes(i, j);
   }
   shape_weights.assign(shaped.num_elems(), first_shape_weight);
@@ -94,7 +88,7 @@ void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
   elem_sides_.assign(shaped.num_elems(), -1);
   const std::vector<double>& xi = spectral::gll_points(shaped.order);
   std::vector<double> sampled;
-  for (const double t : at_) sampled.push_back(2 * t - 1);
+  for (const double t : curved_rule_.at) sampled.push_back(2 * t - 1);
   const Eigen::MatrixXd interpolate = spectral::interpolation_matrix(xi, sampled);
   const auto add = [&](int elem, int side, const CurvedSide& curved) {
     if (elem_sides_[elem] < 0) elem_sides_[elem] = static_cast<int>(curved_.size()), curved_.emplace_back();
@@ -117,7 +111,7 @@ void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
       for (int p = 0; p < points; ++p) {
         Vec2 x;
         for (int k = 0; k <= shaped.order; ++k) x += interpolate(p, k) * shaped.nodes[side_node(shaped, elem, side, k)];
-        curved.shift[p] = x - ((1 - at_[p]) * from + at_[p] * to);
+        curved.shift[p] = x - ((1 - curved_rule_.at[p]) * from + curved_rule_.at[p] * to);
         bend = std::max(bend, norm(curved.shift[p]));
       }
       if (curved.edge >= 0 || bend > tolerance::tied * distance(from, to)) add(elem, side, curved);
@@ -156,9 +150,9 @@ void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {
   const double low = start.length + moves[from].x, beyond = end.length <= start.length ? loops_.length(end.loop) : 0;
   const double length = end.length + beyond + moves[to].x - low;
   for (int p = 1; p < points - 1; ++p) {
-    const LoopPoint at = loops_.at(start.loop, low + at_[p] * length);
+    const LoopPoint at = loops_.at(start.loop, low + curved_rule_.at[p] * length);
     side.tangent[p] = at.tangent;
-    side.shift[p] = at.position - ((1 - at_[p]) * position_[from] + at_[p] * position_[to]);
+    side.shift[p] = at.position - ((1 - curved_rule_.at[p]) * position_[from] + curved_rule_.at[p] * position_[to]);
   }
 }
 
@@ -174,11 +168,14 @@ SizeEnergy::Tangents SizeEnergy::tangents(int elem) const {
   const auto& v = problem_.follow.elem_vertices()[elem];
   const Vec2 c0 = position_[v[0]], c1 = position_[v[1]], c2 = position_[v[2]], c3 = position_[v[3]];
   const Vec2 scale = inverse_size_[elem];
+  const Rule& points_at = rule(elem);
+  const int n = points_at.count;
   Tangents at;
-  for (int j = 0; j < points; ++j)
-    for (int i = 0; i < points; ++i) {
-      at.a[j * points + i] = scale.x * ((1 - at_[j]) * (c1 - c0) + at_[j] * (c2 - c3));
-      at.b[j * points + i] = scale.y * ((1 - at_[i]) * (c3 - c0) + at_[i] * (c2 - c1));
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double s = points_at.at[i], t = points_at.at[j];
+      at.a[j * n + i] = scale.x * ((1 - t) * (c1 - c0) + t * (c2 - c3));
+      at.b[j * n + i] = scale.y * ((1 - s) * (c3 - c0) + s * (c2 - c1));
     }
   if (elem_sides_[elem] < 0) return at;
   const Sides& sides = curved_[elem_sides_[elem]];
@@ -191,9 +188,9 @@ SizeEnergy::Tangents SizeEnergy::tangents(int elem) const {
       for (int r = 0; r < points; ++r) {
         const SidePoint x = side_point(k, p, r, points);
         (x.is_along_a ? at.a : at.b)[x.point] +=
-            (x.is_along_a ? scale.x : scale.y) * x.along * blend(sides, k, at_[r]) * slope;
+            (x.is_along_a ? scale.x : scale.y) * x.along * blend(sides, k, curved_rule_.at[r]) * slope;
         (x.is_along_a ? at.b : at.a)[x.point] +=
-            (x.is_along_a ? scale.y : scale.x) * x.across * blend_slope(sides, k, at_[r]) * shift[p];
+            (x.is_along_a ? scale.y : scale.x) * x.across * blend_slope(sides, k, curved_rule_.at[r]) * shift[p];
       }
     }
   }
@@ -207,8 +204,7 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
     if (!is_free_[elem]) continue;
     const Tangents at = tangents(elem);
     double area = 0;
-    for (int k = 0; k < points * points; ++k)
-      area += weight_[k / points] * weight_[k % points] * cross(at.a[k], at.b[k]);
+    for (int k = 0; k < rule(elem).size(); ++k) area += rule(elem).weight_at(k) * cross(at.a[k], at.b[k]);
     squares += area / (sizes[elem].x * sizes[elem].y);
     ++count;
   }
@@ -217,33 +213,18 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
     inverse_size_[elem] = {factor / sizes[elem].x, factor / sizes[elem].y};
 }
 
-double SizeEnergy::element_value(int elem) const {
-  const Tangents at = tangents(elem);
-  double sum = 0;
-  for (int k = 0; k < points * points; ++k)
-    sum += weight_[k / points] * weight_[k % points] * point_value(at.a[k], at.b[k], shape_weights[elem]);
-  return sum;
-}
-
-double SizeEnergy::value(const VertexMoves& moves) {
-  place(moves);
-  double sum = 0;
-  for (int elem = 0; elem < static_cast<int>(is_free_.size()) && sum < infinity; ++elem)
-    if (is_free_[elem]) sum += element_value(elem);
-  return sum;
-}
-
 void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
   const Tangents at = tangents(elem);
   const auto& v = problem_.follow.elem_vertices()[elem];
+  const Rule& points_at = rule(elem);
   Tangents by;
-  for (int k = 0; k < points * points; ++k) {
-    const double weight = weight_[k / points] * weight_[k % points];
+  for (int k = 0; k < points_at.size(); ++k) {
+    const double weight = points_at.weight_at(k);
     const PointEnergy e(at.a[k], at.b[k], shape_weights[elem]);
     sum.value += weight * e.value;
     by.a[k] = weight * inverse_size_[elem].x * e.by_a;
     by.b[k] = weight * inverse_size_[elem].y * e.by_b;
-    const std::array<Vec2, 4> slopes = corner_slopes(at_[k % points], at_[k / points]);
+    const std::array<Vec2, 4> slopes = corner_slopes(points_at.s(k), points_at.t(k));
     for (int c = 0; c < 4; ++c) sum.gradient[v[c]] += slopes[c].x * by.a[k] + slopes[c].y * by.b[k];
     if (!sum.hessian.empty()) add_hessian(elem, at, k, e, sum);
   }
@@ -252,8 +233,8 @@ void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
 
 void SizeEnergy::add_hessian(int elem, const Tangents& at, int point, const PointEnergy& e,
                              EnergyDerivatives& sum) const {
-  const double weight = weight_[point / points] * weight_[point % points];
-  const std::array<Vec2, 4> slopes = corner_slopes(at_[point % points], at_[point / points]);
+  const double weight = rule(elem).weight_at(point);
+  const std::array<Vec2, 4> slopes = corner_slopes(rule(elem).s(point), rule(elem).t(point));
   const Vec2 a = at.a[point], b = at.b[point];
   for (int c = 0; c < 4; ++c) {
     const double e1 = inverse_size_[elem].x * slopes[c].x, e2 = inverse_size_[elem].y * slopes[c].y;
@@ -277,15 +258,15 @@ void SizeEnergy::pull_back_sides(int elem, const Tangents& by) {
     for (int p = 0; p < points; ++p)
       for (int r = 0; r < points; ++r) {
         const SidePoint x = side_point(k, p, r, points);
-        const Vec2 along = x.along * blend(sides, k, at_[r]) * (x.is_along_a ? by.a : by.b)[x.point];
-        by_shift[p] += x.across * blend_slope(sides, k, at_[r]) * (x.is_along_a ? by.b : by.a)[x.point];
+        const Vec2 along = x.along * blend(sides, k, curved_rule_.at[r]) * (x.is_along_a ? by.a : by.b)[x.point];
+        by_shift[p] += x.across * blend_slope(sides, k, curved_rule_.at[r]) * (x.is_along_a ? by.b : by.a)[x.point];
         for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * along;
       }
     const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
     double from = 0, to = 0;
     for (int p = 1; p < points - 1; ++p) {
-      from += (1 - at_[p]) * dot(by_shift[p], side.tangent[p] - side.tangent[0]);
-      to += at_[p] * dot(by_shift[p], side.tangent[p] - side.tangent[points - 1]);
+      from += (1 - curved_rule_.at[p]) * dot(by_shift[p], side.tangent[p] - side.tangent[0]);
+      to += curved_rule_.at[p] * dot(by_shift[p], side.tangent[p] - side.tangent[points - 1]);
     }
     slide_gradient_[problem_.follow.vertex_of(edge.from)] += from;
     slide_gradient_[problem_.follow.vertex_of(edge.to)] += to;
@@ -312,7 +293,7 @@ EnergyDerivatives SizeEnergy::with_derivatives(const VertexMoves& moves, bool ha
   const std::size_t count = start_.size();
   EnergyDerivatives sum{0, VertexMoves(count), std::vector<std::array<double, 3>>(has_hessian ? count : 0)};
   slide_gradient_.assign(count, 0);
-  for (int elem = 0; elem < static_cast<int>(is_free_.size()); ++elem)
+  for (int elem = 0; elem < static_cast<int>(is_free_.size()) && sum.value < infinity; ++elem)
     if (is_free_[elem]) add_element(elem, sum);
   reduce_to_curves(sum);
   return sum;

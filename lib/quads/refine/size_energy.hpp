@@ -9,8 +9,9 @@
 //
 // The first term is that by which the error of elements of order q - 1 grows with their lengths for a solution that
 // has no preferred direction; for equal areas it is least for equal squares. The second one has no bound where J tends
-// to 0. A mesh is bilinear in its vertices but for sides that are curved: those on CAD curves, which follow their ends
-// along the curve, and edges inside that keep their curves, whose displacement from the chord does not change.
+// to 0. The mean is that of the corners where an element is bilinear, else of Gauss-Lobatto-Legendre points. A mesh is
+// bilinear in its vertices but for sides that are curved: those on CAD curves, which follow their ends along the curve,
+// and edges inside that keep their curves, whose displacement from the chord does not change.
 
 #include <array>
 #include <vector>
@@ -38,16 +39,18 @@ class SizeEnergy {
   /// The weight w of the shape of each element.
   std::vector<double> shape_weights;
 
-  double value(const VertexMoves& moves);
+  double value(const VertexMoves& moves) { return with_derivatives(moves).value; }
   EnergyDerivatives with_derivatives(const VertexMoves& moves, bool has_hessian = false);
   /// Of the vertices, where the energy was computed last.
   const std::vector<Vec2>& positions() const { return position_; }
+  /// Of the curves at the vertices that slide, where the energy was computed last.
+  const std::vector<Vec2>& curve_tangents() const { return tangent_; }
   /// Middle of each element's vertices.
   std::vector<Vec2> middles(const VertexMoves& moves);
   bool is_free(int elem) const { return is_free_[elem]; }
 
  private:
-  static constexpr int points = 4;  ///< Gauss-Lobatto-Legendre points in each direction
+  static constexpr int points = 4;  ///< Gauss-Lobatto-Legendre points in each direction, if a side is curved
   using SidePoints = std::array<Vec2, points>;
   struct CurvedSide {
     int edge = -1;         ///< of BoundarySlide; -1: inside, or its ends are fixed
@@ -60,14 +63,23 @@ class SizeEnergy {
   };
   struct PointEnergy;
   struct Tangents {
-    std::array<Vec2, points * points> a, b;  ///< x_s, x_t; s fastest
+    std::array<Vec2, points * points> a, b;  ///< x_s, x_t at the points of the element's rule; s fastest
+  };
+  /// A rule of quadrature on [0, 1]. Bilinear elements need only their corners, where det J is least.
+  struct Rule {
+    int count = 0;
+    std::array<double, points> at{}, weight{};
+
+    int size() const { return count * count; }
+    double s(int point) const { return at[point % count]; }
+    double t(int point) const { return at[point / count]; }
+    double weight_at(int point) const { return weight[point % count] * weight[point / count]; }
   };
 
   void add_curved_sides(const QuadMesh& shaped);
   void place(const VertexMoves& moves);
   void place_side(CurvedSide& side, const VertexMoves& moves) const;
   Tangents tangents(int elem) const;
-  double element_value(int elem) const;
   void add_element(int elem, EnergyDerivatives& sum);
   void add_hessian(int elem, const Tangents& at, int point, const PointEnergy& e, EnergyDerivatives& sum) const;
   void pull_back_sides(int elem, const Tangents& by);
@@ -75,9 +87,12 @@ class SizeEnergy {
   double blend(const Sides& sides, int side, double eta) const;
   double blend_slope(const Sides& sides, int side, double eta) const;
 
+  const Rule& rule(int elem) const { return elem_sides_[elem] < 0 ? corners_ : curved_rule_; }
+
   const RelaxProblem& problem_;
   const SampledLoops loops_;
-  std::array<double, points> at_{}, weight_{};
+  const Rule corners_{2, {0, 1}, {0.5, 0.5}};
+  Rule curved_rule_;
   std::array<std::array<double, points>, points> slope_{};  ///< row: of the derivatives at a point
   std::vector<Vec2> start_, position_, tangent_;            ///< by vertex
   std::vector<double> slide_gradient_;                      ///< by vertex, from the points between vertices
