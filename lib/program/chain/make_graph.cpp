@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "chain/chain_nodes.hpp"
 #include "chain/chain_inputs.hpp"
+#include "chain/chain_nodes.hpp"
 #include "cli/messages.hpp"
 #include "triangulate/triangulate.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "chain/make_graph.hpp"
 #include "chain/chain_inputs.hpp"
+#include "chain/make_graph.hpp"
 #include "chain/try_remedies.hpp"
 
 namespace quadrille::chain {

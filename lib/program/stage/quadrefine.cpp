@@ -101,8 +101,10 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
   o.number("--growth", options.sizes.growth, 0, 100, "1",
            "greatest ratio of adjacent edge lengths, > 1, where sizes differ; 0: that of --size-field, else 1.2");
   o.choice("--size-rule", options.refine.size_rule,
-           "the number of elements of a chord whose arcs prescribe different ones: nearest deviates least from the "
-           "prescribed lengths in the mean; at-most makes no edge longer than prescribed");
+           "the number of elements of each chord: nearest deviates least from the prescribed lengths in the mean; "
+           "at-most makes no edge longer than prescribed; error begins with nearest, and then moves elements from "
+           "chord to chord as long as this lowers the error of a smooth solution at their number; elements are shorter "
+           "only where the boundary needs it");
   o.texts("--count", options.counts, "CHORD=N|NAME=N",
           "N elements across a chord, or along the boundary NAME (all its curves together), instead of the number from "
           "the sizes; the pictures of stageview BLOCKS and arc_chord in BLOCKS show the numbers of the chords");

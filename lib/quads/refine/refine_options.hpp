@@ -41,7 +41,7 @@ struct RefineOptions {
   bool allow_invalid = false;  ///< return the mesh, marked as not valid, also if elements are not proved
   std::optional<sizing::SizeField> size_field =
       {};  ///< prescribed edge lengths, in place of `size` (sizing/make_size_field)
-  sizing::SizeRule size_rule = sizing::SizeRule::nearest;
+  sizing::SizeRule size_rule = sizing::SizeRule::error;
   std::vector<sizing::ChordCount> counts = {};  ///< prescribed counts of single chords, in place of their sizes
   std::vector<prescribe::BoundaryCount> boundary_counts = {};  ///< and along boundaries (prescribe/boundary_counts)
   std::vector<prescribe::EndGrading> end_gradings = {};  ///< lengths at the ends of boundaries (prescribe/end_grading)
