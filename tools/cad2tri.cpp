@@ -32,9 +32,6 @@ int main(int argc, char** argv) {
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step --name axis=0 --name wall@0,1 -o named.tri.h5",
                    "cad2tri --list half_disc.step", "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
-  tool.foreign_options = {{"--symmetry",
-                           "critpoints, separatrix and quadrefine have it; --name symmetry=NAME names the curves for all "
-                           "of them"}};
   tool.options = [&](Options& o) {
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
     o.output(output, "triangle mesh to write (x.tri.h5)");

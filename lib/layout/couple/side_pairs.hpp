@@ -54,6 +54,12 @@ BoundaryPoint point_at(const CadFace& face, const SidePair& pair, double positio
 
 inline constexpr double greatest_bend = 0.1;  ///< radians: of lines that become one
 
+/// How far lines are bent that become one.
+enum class Bends {
+  slight,  ///< by `greatest_bend`: they meet in the middle between their ends
+  strong   ///< by 40 degrees: where they are bent alike, so that of a short line and a long one the long one moves
+};
+
 /// Two nodes of both sides that become one.
 struct NodeMatch {
   std::array<int, 2> nodes{};  ///< SidePair::nodes
@@ -61,9 +67,9 @@ struct NodeMatch {
 };
 
 /// Two nodes match if each is the nearest one to the other and their distance is less than a third of that to the next
-/// node on either side, or no line is bent by more than `greatest_bend`: in the middle between them, or at the one that
-/// cannot move (a corner, or an irregular node). Nodes nearer than 1e-9 diameters need no match.
-std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter);
+/// node on either side, or no line is bent by more than `bends` allows: between them, or at the one that cannot move (a
+/// corner, or an irregular node). Nodes nearer than 1e-9 diameters need no match.
+std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter, Bends bends = Bends::slight);
 
 using MatchRule = std::function<std::vector<NodeMatch>(const SidePair&)>;
 
@@ -72,6 +78,6 @@ using MatchRule = std::function<std::vector<NodeMatch>(const SidePair&)>;
 int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, const MatchRule& rule);
 
 /// By the rule `matches_of_neighbours`.
-int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs);
+int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, Bends bends = Bends::slight);
 
 }  // namespace quadrille::couple

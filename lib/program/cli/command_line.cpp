@@ -45,8 +45,6 @@ struct CommandLine::Impl {
     const auto unknown = std::find_if(extras.begin(), extras.end(), is_option);
     if (unknown == extras.end()) throw UsageError(fmt::format("surplus argument '{}'", extras.front()));
     const std::string name = unknown->substr(0, unknown->find('='));
-    if (const auto foreign = page.foreign_options.find(name); foreign != page.foreign_options.end())
-      throw UsageError(fmt::format("unknown option {}: {}", name, foreign->second));
     const std::string nearest = nearest_word(name, visible_options());
     throw UsageError(fmt::format("unknown option {}{}", name,
                                  nearest.empty() ? std::string() : fmt::format(": did you mean {}?", nearest)));

@@ -1,7 +1,6 @@
 #pragma once
 // The text of --help. Private to cli.
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,6 @@ struct HelpPage {
   std::string name, summary, description, synopsis;  ///< synopsis: the inputs, " [TRI]"
   std::vector<std::string> examples;
   std::vector<HelpRow> inputs, options, common_options;
-  /// By option that another command has: what to use instead, for the message on an unknown option.
-  std::map<std::string, std::string> foreign_options = {};
 };
 
 /// Usage, summary, description, inputs, options, exit codes and examples, at most 100 columns wide.

@@ -80,7 +80,7 @@ int tool_main(int argc, char** argv, const Tool& tool) {
   install_signal_handlers();
   CommonOptions common;
   const Outcome outcome = [&]() -> Outcome {
-    CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}, tool.foreign_options});
+    CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
     const Request request = request_of({argv + 1, argv + argc});
     Outcome parsing = outcome_of([&] {
       if (tool.options) tool.options(line);

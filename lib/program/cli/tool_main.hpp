@@ -3,7 +3,6 @@
 // that maps failures to exit codes, and the only folder that includes CLI11.
 
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,6 @@ struct Tool {
   std::string summary;                ///< one line, starting with a verb: "finds the critical points of a field"
   std::string description;            ///< a paragraph or two for --help and the man page
   std::vector<std::string> examples;  ///< commands that run in a folder with the stage files of half_disc
-  std::map<std::string, std::string> foreign_options;  ///< by option of other commands: what to use instead
   std::function<void(Options&)> options;
   /// Adds files beside those that the options name.
   std::function<void(RunFiles&)> files;

@@ -9,6 +9,7 @@
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
+#include "refine/halved_blocks.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/report_sizes.hpp"
@@ -92,7 +93,9 @@ void report_prescribed(const SplitRequest& request, const SplitMesh& split,
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Report& report) {
   prescribed.validate();
   require_periodic_arcs(layout, "make the blocks again (separatrix, blocksplit)");
-  const sizing::MeasuredLayout measured(layout), aligned = measured.with_parameters(align_chords(measured));
+  const sizing::MeasuredLayout measured(layout);
+  const sizing::MeasuredLayout aligned =
+      with_lines_of_whole(measured.with_parameters(align_chords(measured)), prescribed.symmetry);
   RefineOptions options = prescribed;
   const SplitRequest request{
       options, measured, aligned, size_field(options, layout.face), score_limits(options, layout.face), report};

@@ -11,7 +11,7 @@ namespace {
 using namespace testing_faces;
 
 std::vector<WallChain> chains_of(const CadFace& face, const std::vector<std::string>& options) {
-  return wall_chains(face, offset_requests(options));
+  return wall_chains(face, offset_requests(options), std::vector<bool>(face.curves.size(), false));
 }
 
 TEST(WallChains, ConsecutiveWallsAreOneChain) {
