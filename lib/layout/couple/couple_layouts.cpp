@@ -30,10 +30,10 @@ constexpr double good_scaled_jacobian = 0.7, acceptable_scaled_jacobian = 0.5;
 constexpr int max_rounds = 8;  // of lines continued from one region into the next
 
 // Lines of the regions that end on interfaces match lines of the other side, or are continued there.
-void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, Bends bends, Report& report) {
+void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, double most_bend, Report& report) {
   int num_matched = 0, num_continued = 0;
   const auto match = [&](CutEnds cuts) {
-    num_matched += match_line_ends(regions, interface_sides(regions, cuts), bends);
+    num_matched += match_line_ends(regions, interface_sides(regions, cuts), most_bend);
   };
   for (const CutEnds cuts : {CutEnds::ignored, CutEnds::included}) {
     match(cuts);
@@ -50,9 +50,9 @@ void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, Bends 
 }
 
 graph::CandidateLayout coupled(RegionLayouts regions, ContinueTo limit, const layout::LayoutOptions& options,
-                               Report& report, Bends bends = Bends::slight) {
+                               Report& report, double most_bend = greatest_bend) {
   report.set("couple.turned_regions", rotate_circular_regions(regions));
-  continue_across_interfaces(regions, limit, bends, report);
+  continue_across_interfaces(regions, limit, most_bend, report);
   SeparatrixGraph joined = join_layouts(regions);
   snap_periodic_nodes(joined);
   graph::CandidateLayout layout = graph::candidate_layout(std::move(joined));
@@ -75,7 +75,7 @@ graph::CandidateLayout coupled(RegionLayouts regions, ContinueTo limit, const la
 std::optional<graph::CandidateLayout> coupled_with_bends(const RegionLayouts& regions,
                                                          const layout::LayoutOptions& options, Report& report) {
   try {
-    graph::CandidateLayout layout = coupled(regions, ContinueTo::first_line, options, report, Bends::strong);
+    graph::CandidateLayout layout = coupled(regions, ContinueTo::first_line, options, report, greatest_forced_bend);
     if (layout::quality_of(layout.subdivision).is_valid) return layout;
   } catch (const ComputeError&) {
     return std::nullopt;

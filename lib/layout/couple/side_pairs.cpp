@@ -134,20 +134,14 @@ double spacing(const SidePair& pair, int side, int node) {
   return std::min(d, pair.length());
 }
 
-// The part of the way between two ends that the first one moves if both lines meet; the ends of the others are fixed.
-double share_of_first(const SideNode& a, const SideNode& b, Bends bends) {
-  if (!a.is_movable || !b.is_movable) return a.is_movable ? 1 : 0;
-  return bends == Bends::slight ? 0.5 : a.line_length / (a.line_length + b.line_length);
-}
-
 // The angle by which the more bent of two lines turns if they meet.
-double bend(const SideNode& a, const SideNode& b, double distance, Bends bends) {
-  const double share = share_of_first(a, b, bends);
-  return std::max(a.is_movable ? share * distance / a.line_length : 0,
-                  b.is_movable ? (1 - share) * distance / b.line_length : 0);
+double bend(const SideNode& a, const SideNode& b, double distance) {
+  const double moved = a.is_movable && b.is_movable ? distance / 2 : distance;
+  double greatest = 0;
+  for (const SideNode* s : {&a, &b})
+    if (s->is_movable) greatest = std::max(greatest, moved / s->line_length);
+  return greatest;
 }
-
-constexpr double greatest_strong_bend = radians(40.0);
 
 // The move to the point, on the boundary arc beside the node that contains it.
 std::optional<simplify::LineEndMove> move_to(const graph::CandidateLayout& layout, int node,
@@ -209,7 +203,7 @@ BoundaryPoint point_at(const CadFace& face, const SidePair& pair, double positio
   return boundary_point(face, curve, curve::ArcLength(face.curves[curve]).parameter(position - pair.offsets[k]));
 }
 
-std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter, Bends bends) {
+std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter, double most_bend) {
   std::vector<NodeMatch> matches;
   const double coincident = tolerance::round_off * diameter;
   for (int a = 0; a < static_cast<int>(pair.nodes[0].size()); ++a) {
@@ -220,14 +214,14 @@ std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diamet
     const Nearest back = nearest(pair, 0, other.position);
     if (back.node != a || back.is_tied || (!lower.is_movable && !other.is_movable)) continue;
     const double clearance = std::min(spacing(pair, 0, a), spacing(pair, 1, across.node));
-    const double most_bend = bends == Bends::slight ? greatest_bend : greatest_strong_bend;
-    if (across.distance >= greatest_fraction * clearance && bend(lower, other, across.distance, bends) > most_bend)
-      continue;
-    double way = other.position - lower.position;
-    if (std::abs(way) > pair.length() / 2) way -= std::copysign(pair.length(), way);  // across the seam
-    double position = lower.position + share_of_first(lower, other, bends) * way;
-    if (position < 0 || position >= pair.length()) position -= std::copysign(pair.length(), position);
-    matches.push_back({{a, across.node}, position});
+    if (across.distance >= greatest_fraction * clearance && bend(lower, other, across.distance) > most_bend) continue;
+    double middle = (lower.position + other.position) / 2;
+    if (std::abs(lower.position - other.position) > pair.length() / 2)  // across the seam
+      middle = middle >= pair.length() / 2 ? middle - pair.length() / 2 : middle + pair.length() / 2;
+    matches.push_back({{a, across.node},
+                       !lower.is_movable   ? lower.position
+                       : !other.is_movable ? other.position
+                                           : middle});
   }
   return matches;
 }
@@ -245,10 +239,10 @@ int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, 
   return num_matches;
 }
 
-int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, Bends bends) {
+int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, double most_bend) {
   const double diameter = layouts.face.diameter;
   return match_line_ends(layouts, pairs,
-                         [&](const SidePair& pair) { return matches_of_neighbours(pair, diameter, bends); });
+                         [&](const SidePair& pair) { return matches_of_neighbours(pair, diameter, most_bend); });
 }
 
 }  // namespace quadrille::couple
