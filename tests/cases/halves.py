@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Bodies in far fields and channels, as one half above the x axis and as a whole.
 
-    halves.py NAME       writes half.step and whole.step; quarter: quarter.step
+    halves.py NAME       writes half.step and whole.step; quarter, quarter_disc: quarter.step
     halves.py compare HALF.crit.json WHOLE.crit.json TOLERANCE
                          the nodes of the half must be those of the whole above the axis, and every valence on the axis
                          half of that of the whole
@@ -11,7 +11,9 @@ import math
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data"))
+for folder in ("data", "data/regions"):
+    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", folder))
+from make_regions import sheet
 from step_text import cubic_through, step_text
 
 
@@ -60,6 +62,10 @@ def box(left, right, height, *names):
     return [line(a, b, name) for a, b, name in zip(corners, corners[1:], names)]
 
 
+def disc(radius):
+    return ("arc", 0j, radius, complex(radius), complex(-radius), 1, "wall")
+
+
 FAR = ("farfield",) * 3
 CASES = {
     "aerofoil_c": (aerofoil(), c_outline(10)),
@@ -71,6 +77,8 @@ CASES = {
     "ellipse_o": (ellipse(2, 1), [("arc", 0j, 10, 10 + 0j, -10 + 0j, 1, "farfield")]),
     "square_box": (square(1), box(-10, 10, 10, *FAR)),
     "cylinder_channel": (cylinder(0.5), box(-4, 8, 2, "outlet", "wall", "inlet")),
+    "disc": ([], [disc(1)]),
+    "ellipse": ([], [("spline", ellipse(2, 1)[0][1][::-1], [-t for t in ellipse(2, 1)[0][2][::-1]], "wall")]),
     "channel": ([], box(-4, 8, 2, "outlet", "wall", "inlet")),
     "pair": (cylinder(1), box(-6, 10, 6, *FAR)),
 }
@@ -113,10 +121,30 @@ def quarter_plate():
              ("arc", 0j, 1, 1j, 1 + 0j, -1, "hole")]]
 
 
+def quarter_disc():
+    return [[line(0, 1, "symmetry_x"), ("arc", 0j, 1, 1 + 0j, 1j, 1, "wall"), line(1j, 0, "symmetry_y")]]
+
+
+def inclusion():
+    """A plate around a disc, of another region, on the axis."""
+    around = half(cylinder(1), box(-3, 3, 2, "wall", "wall", "wall"))
+    inside = half([], [disc(1)])
+    plate, whole_disc = with_image(box(-3, 3, 2, "wall", "wall", "wall")), with_image([disc(1)])
+    hole = [reflected(edge, lambda z: z) for edge in reversed(whole_disc)]
+    hole = [(*edge[:5], -1, edge[6]) for edge in hole]
+    return {"half": [("plate", around), ("disc", inside)], "whole": [("plate", [plate, hole]), ("disc", [whole_disc])]}
+
+
 def write(name):
-    if name == "quarter":
+    quarters = {"quarter": quarter_plate, "quarter_disc": quarter_disc}
+    if name in quarters:
         with open("quarter.step", "w", encoding="ascii") as file:
-            file.write(step_text(name, quarter_plate()))
+            file.write(step_text(name, quarters[name]()))
+        return
+    if name == "inclusion":
+        for part, regions in inclusion().items():
+            with open(f"{part}.step", "w", encoding="ascii") as file:
+                file.write(sheet(part, regions))
         return
     body, outer = CASES[name]
     halves, wholes = half(body, outer), whole(body, outer)

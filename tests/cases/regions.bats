@@ -84,6 +84,7 @@ names() { jq -r '[.face.curve_names | to_entries | unique_by(.value) | sort_by(.
   has 22 0.573 cracks_x
   has 15 0.573 cracks_y
   has 30 0.499 crack_from_hole
+  has 18 0.6 crack_askew
   has 24 0.573 cracks_x --open one --open two
   has 17 0.573 cracks_y --open stem --open upper --open lower
   run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" work/cracks_y.quad.h5
@@ -94,6 +95,9 @@ names() { jq -r '[.face.curve_names | to_entries | unique_by(.value) | sort_by(.
   has 6 0.99 cracks_along
   run -0 names work/cracks_along.sep.json
   assert_output "curve_0 curve_1 curve_2 curve_3 long short"
+  has 6 0.99 cracks_equal
+  run -0 names work/cracks_equal.sep.json
+  assert_output "curve_0 curve_1 curve_2 curve_3 one+two"
 }
 
 @test "a region that touches itself where embedded curves or other faces meet" {

@@ -12,6 +12,7 @@ table() {
 2 | cad2tri --offset hole=0.1 half_disc.step -o out.tri.h5 | --offset hole=0.1: there is no boundary "hole"
 2 | cad2tri --region-name fluid half_disc.step | --region-name fluid: expected NAME=LIST
 2 | cad2tri --blunt much half_disc.step | --blunt much: expected "auto" or a width in file units
+2 | cad2tri --symmetry axis half_disc.step | there is no boundary "axis"
 2 | cad2tri -z half_disc.step | unknown option -z
 2 | cad2tri half_disc.step square.step | surplus argument 'square.step'
 2 | cad2tri half_disc.step --size | --size needs a value

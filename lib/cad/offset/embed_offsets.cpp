@@ -10,6 +10,7 @@
 #include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/symmetry_lines.hpp"
 #include "heal/raw_face.hpp"
 #include "model/interfaces.hpp"
 #include "offset/offset_chain.hpp"
@@ -59,6 +60,17 @@ void refuse(const CadFace& face, const std::vector<OffsetRequest>& requests) {
     if (request.distance < offset_constants.least_distance * face.diameter)
       throw UsageError(fmt::format("{}: the distance is less than {:g} diameters of the face ({:g})", request.where,
                                    offset_constants.least_distance, face.diameter));
+}
+
+/// By curve.
+std::vector<bool> curves_on_lines(const CadFace& face, const std::vector<std::string>& symmetry) {
+  std::vector<bool> is_on_line(face.curves.size(), false);
+  const std::vector<curve::SymmetryLine> lines =
+      curve::symmetry_lines(face, curve::curves_that_fit(face, symmetry)).lines;
+  if (curve::is_part_of_whole(lines))
+    for (const curve::SymmetryLine& line : lines)
+      for (const int c : line.curves) is_on_line[c] = true;
+  return is_on_line;
 }
 
 std::vector<double> wall_distances(const CadFace& face, const std::vector<WallChain>& chains) {
@@ -161,10 +173,10 @@ heal::RawFace frame_of(const CadFace& face) {
 }  // namespace
 
 CadFace embed_offsets(const CadFace& face, const std::vector<OffsetRequest>& requests, double corner_angle,
-                      Report& report) {
+                      const std::vector<std::string>& symmetry, Report& report) {
   if (requests.empty()) return face;
   refuse(face, requests);
-  const std::vector<WallChain> chains = wall_chains(face, requests);
+  const std::vector<WallChain> chains = wall_chains(face, requests, curves_on_lines(face, symmetry));
   const std::vector<double> distances = wall_distances(face, chains);
   std::vector<ChainProfile> profiles;
   for (const WallChain& chain : chains) profiles.push_back(chain_profile(face, chain, distances));

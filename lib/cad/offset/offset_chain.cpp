@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -240,15 +241,32 @@ class ChainMaker {
     parts_[i].to = parts_[j].from = crossing->position;
   }
 
+  /// Whether the chain and its mirror image make a corner with a line across.
+  static bool has_cap(bool is_on_line, const Joint& joint) {
+    return is_on_line && 2 * joint.interior_angle > offset_constants.least_capped_angle;
+  }
+
   void end_at_start() {
     const int joint = chain_.curves.front();
+    const Joint& corner = face_.joints[joint];
     const Nurbs& boundary = face_.curves[face_.previous_in_loop(joint)];
-    const double d = ends_.front().first, angle = face_.joints[joint].interior_angle;
+    const double d = ends_.front().first, angle = corner.interior_angle;
     const ExtendedCurve own(curves_.front()), other(boundary);
+    if (has_cap(chain_.begins_on_line, corner)) {
+      const Vec2 ahead = -unit(corner.tangent_in), a = curves_.front().poles.front();
+      const Vec2 out = curve::tangent(curves_.front(), curves_.front().begin());
+      const double beyond = (d - dot(a - corner.position, ahead)) / -dot(out, ahead);
+      if (distance(curve::point(boundary, boundary.begin()), corner.position) <= d)
+        fail(0, corner.position, "does not end on the boundary beside the wall");
+      parts_.front().begin = own.beside_start(-beyond);
+      parts_.front().from = a - beyond * out;
+      cap_at_start_ = corner.position + d * ahead;
+      return;
+    }
     const auto crossing = crossing_near(own, own.beside_start(d * std::cos(angle) / std::sin(angle)), other,
                                         other.beside_end(-d / std::sin(angle)), tolerance());
     if (!crossing || crossing->t_b <= boundary.begin() || crossing->t_b > boundary.end())
-      fail(0, face_.joints[joint].position, "does not end on the boundary beside the wall");
+      fail(0, corner.position, "does not end on the boundary beside the wall");
     parts_.front().begin = crossing->t_a;
     parts_.front().from = curve::point(boundary, crossing->t_b);
   }
@@ -256,13 +274,25 @@ class ChainMaker {
   void end_at_end() {
     const std::size_t last = curves_.size() - 1;
     const int joint = face_.next_in_loop(chain_.curves.back());
+    const Joint& corner = face_.joints[joint];
     const Nurbs& boundary = face_.curves[joint];
-    const double d = ends_.back().second, angle = face_.joints[joint].interior_angle;
+    const double d = ends_.back().second, angle = corner.interior_angle;
     const ExtendedCurve own(curves_.back()), other(boundary);
+    if (has_cap(chain_.ends_on_line, corner)) {
+      const Vec2 ahead = unit(corner.tangent_out), a = curves_.back().poles.back();
+      const Vec2 in = curve::tangent(curves_.back(), curves_.back().end(), true);
+      const double beyond = (d - dot(a - corner.position, ahead)) / dot(in, ahead);
+      if (distance(curve::point(boundary, boundary.end()), corner.position) <= d)
+        fail(last, corner.position, "does not end on the boundary beside the wall");
+      parts_.back().end = own.beside_end(beyond);
+      parts_.back().to = a + beyond * in;
+      cap_at_end_ = corner.position + d * ahead;
+      return;
+    }
     const auto crossing = crossing_near(own, own.beside_end(-d * std::cos(angle) / std::sin(angle)), other,
                                         other.beside_start(d / std::sin(angle)), tolerance());
     if (!crossing || crossing->t_b < boundary.begin() || crossing->t_b >= boundary.end())
-      fail(last, face_.joints[joint].position, "does not end on the boundary beside the wall");
+      fail(last, corner.position, "does not end on the boundary beside the wall");
     parts_.back().end = crossing->t_a;
     parts_.back().to = curve::point(boundary, crossing->t_b);
   }
@@ -275,6 +305,7 @@ class ChainMaker {
       const int wall = chain_.curves[i];
       result.push_back({piece, face_.curve_cad_edges[wall], offset_name(face_.curve_names[wall])});
     };
+    if (i == 0 && cap_at_start_) add(curve::segment(*cap_at_start_, part.from));
     if (!(part.begin < std::min(part.end, curve.end())) || !(part.end > curve.begin()))
       fail(i, part.from, "leaves nothing between the corners of the wall");
     if (curve::carrier_of(curve).kind == curve::CurveKind::line) {
@@ -289,6 +320,7 @@ class ChainMaker {
       if (part.end > end) add(curve::segment(to, part.to));
     }
     if (caps_[i]) add(curve::segment(part.to, parts_[i + 1 == parts_.size() ? 0 : i + 1].from));
+    if (i + 1 == parts_.size() && cap_at_end_) add(curve::segment(part.to, *cap_at_end_));
   }
 
   double tolerance() const { return offset_constants.tolerance * face_.diameter / 100; }
@@ -299,7 +331,8 @@ class ChainMaker {
   std::vector<Nurbs> curves_;                    ///< one for each wall of the chain, whole
   std::vector<std::pair<double, double>> ends_;  ///< distances at both ends of each
   std::vector<Part> parts_;
-  std::vector<bool> caps_;  ///< a line across the bisector follows
+  std::vector<bool> caps_;                         ///< a line across the bisector follows
+  std::optional<Vec2> cap_at_start_, cap_at_end_;  ///< where half of such a line meets the line of symmetry
 };
 
 }  // namespace

@@ -49,7 +49,8 @@ Nurbs offset_curve(const Nurbs& curve, const OffsetProfile& profile, double tole
 //
 // Both ends of each wall's offset curve are cut, or extended straight, where it crosses the next one. At a corner of
 // more than OffsetConstants::least_capped_angle they are extended to a straight line across the bisector, at the
-// distance from the corner. The ends of a chain that is not closed lie on the neighbouring boundaries.
+// distance from the corner. The ends of a chain that is not closed lie on the neighbouring boundaries; on
+// a line of symmetry the chain and its mirror image make a corner, with half of a straight line across it.
 
 /// In the order of the chain, each ending where the next one starts; bit for bit, unless on the boundary. Names are
 /// those of the walls, with "_offset". Throws ComputeError, with the request and the place, where curves do not cross,

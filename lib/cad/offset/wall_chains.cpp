@@ -47,11 +47,12 @@ bool goes_on(const CadFace& face, int joint) {
 
 /// Gives the request of a wall to its neighbours, forwards or backwards, until a corner ends it.
 void extend(const CadFace& face, int wall, bool is_forwards, const std::vector<int>& named, std::vector<int>& extended,
-            const std::vector<OffsetRequest>& requests) {
+            const std::vector<OffsetRequest>& requests, const std::vector<bool>& is_on_line) {
   const int request = named[wall];
   for (int c = wall;;) {
     const int next = is_forwards ? face.next_in_loop(c) : face.previous_in_loop(c);
-    if (!goes_on(face, is_forwards ? next : c) || named[next] >= 0 || extended[next] == request) return;
+    if (!goes_on(face, is_forwards ? next : c) || is_on_line[next] || named[next] >= 0 || extended[next] == request)
+      return;
     if (extended[next] >= 0 && requests[extended[next]].distance != requests[request].distance)
       throw UsageError(
           fmt::format("{} and {}: both curves go on along the boundary {} between them: give both the "
@@ -104,12 +105,13 @@ std::vector<int> requests_of_curves(const CadFace& face, const std::vector<Offse
   return named;
 }
 
-std::vector<WallChain> wall_chains(const CadFace& face, const std::vector<OffsetRequest>& requests) {
+std::vector<WallChain> wall_chains(const CadFace& face, const std::vector<OffsetRequest>& requests,
+                                   const std::vector<bool>& is_on_line) {
   const std::vector<int> named = requests_of_curves(face, requests);
   std::vector<int> extended(named.size(), -1);
   for (int c = 0; c < face.num_curves(); ++c)
     if (named[c] >= 0)
-      for (const bool is_forwards : {true, false}) extend(face, c, is_forwards, named, extended, requests);
+      for (const bool is_forwards : {true, false}) extend(face, c, is_forwards, named, extended, requests, is_on_line);
   for (int c = 0; c < face.num_curves(); ++c)
     if (named[c] >= 0) extended[c] = named[c];
   std::vector<WallChain> chains;
@@ -124,6 +126,10 @@ std::vector<WallChain> wall_chains(const CadFace& face, const std::vector<Offset
     for (int c = begin; c < end; ++c)
       if (extended[c] >= 0 && extended[face.previous_in_loop(c)] < 0)
         chains.push_back(chain_from(face, c, extended, requests));
+  }
+  for (WallChain& chain : chains) {
+    chain.begins_on_line = is_on_line[face.previous_in_loop(chain.curves.front())];
+    chain.ends_on_line = is_on_line[face.next_in_loop(chain.curves.back())];
   }
   return chains;
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
@@ -192,12 +194,16 @@ class Sides {
     return found == sides.end() ? -1 : static_cast<int>(found - sides.begin());
   }
 
-  /// A part of a longer curve has the name of the shorter one that lies on it: both names are kept.
+  /// A part of a longer curve has the name of the shorter one that lies on it, one of two equally long curves has both:
+  /// no name is lost.
   void name_after_shorter(int side, const heal::LoopCurve& inner, double length) {
-    const bool is_shorter = length < lengths_[side] * (1 - tolerance::tied);
-    if (inner.name.empty() || !(is_shorter || sides[side].curve.name.empty())) return;
+    const std::string& known = sides[side].curve.name;
+    if (inner.name.empty() || inner.name == known) return;
+    const bool is_tied = std::abs(length - lengths_[side]) <= lengths_[side] * tolerance::tied;
+    if (!known.empty() && !is_tied && length > lengths_[side]) return;
+    const std::string name = is_tied && !known.empty() ? known + '+' + inner.name : inner.name;
     for (const int s : {side, sides[side].twin}) {
-      sides[s].curve.name = inner.name, sides[s].curve.cad_edge = inner.cad_edge;
+      sides[s].curve.name = name, sides[s].curve.cad_edge = inner.cad_edge;
       lengths_[s] = length;
     }
   }

@@ -234,8 +234,8 @@ class Mirror {
 
   /// The angle of the whole where the boundary of the half meets the line.
   static void open_at_line(Joint& joint) {
+    joint.is_corner = is_corner_of_whole(joint.interior_angle);
     joint.interior_angle *= 2;
-    joint.is_corner = std::abs(joint.interior_angle - pi) > smooth_angle;
   }
 
   double reflected(double angle) const { return wrap_pi(2 * angle_of(line_.direction) - angle); }
@@ -272,6 +272,8 @@ class Mirror {
 };
 
 }  // namespace
+
+bool is_corner_of_whole(double interior_angle) { return std::abs(2 * interior_angle - pi) > smooth_angle; }
 
 MirroredFace mirrored_face(const CadFace& half, const SymmetryLine& line) { return Mirror(half, line).result(); }
 

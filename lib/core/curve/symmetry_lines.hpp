@@ -43,10 +43,13 @@ struct MirroredFace {
   std::vector<int> copy, image;
 };
 
-/// `half`: a face of which `line` is a line of symmetry. Where the boundary meets the line the whole has
-/// a corner if its angle there differs from 180 degrees by more than one. Regions that the
-/// line does not bound are followed by their images.
+/// `half`: a face of which `line` is a line of symmetry. Regions that the line does not bound are followed by their
+/// images.
 MirroredFace mirrored_face(const CadFace& half, const SymmetryLine& line);
+
+/// Whether the whole has a corner where the boundary of the half meets the line at this angle (radians): twice the
+/// angle differs from 180 degrees by more than one.
+bool is_corner_of_whole(double interior_angle);
 
 /// The whole of which the face is one half or a quarter at the curves whose names fit these patterns; the face itself
 /// if it is neither.

@@ -1,6 +1,7 @@
 #include "couple/couple_layouts.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -28,9 +29,11 @@ constexpr double good_scaled_jacobian = 0.7, acceptable_scaled_jacobian = 0.5;
 constexpr int max_rounds = 8;  // of lines continued from one region into the next
 
 // Lines of the regions that end on interfaces match lines of the other side, or are continued there.
-void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, Report& report) {
+void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, double most_bend, Report& report) {
   int num_matched = 0, num_continued = 0;
-  const auto match = [&](CutEnds cuts) { num_matched += match_line_ends(regions, interface_sides(regions, cuts)); };
+  const auto match = [&](CutEnds cuts) {
+    num_matched += match_line_ends(regions, interface_sides(regions, cuts), most_bend);
+  };
   for (const CutEnds cuts : {CutEnds::ignored, CutEnds::included}) {
     match(cuts);
     for (int round = 0; round < max_rounds; ++round) {
@@ -46,9 +49,9 @@ void continue_across_interfaces(RegionLayouts& regions, ContinueTo limit, Report
 }
 
 graph::CandidateLayout coupled(RegionLayouts regions, ContinueTo limit, const layout::LayoutOptions& options,
-                               Report& report) {
+                               Report& report, double most_bend = greatest_bend) {
   report.set("couple.turned_regions", rotate_circular_regions(regions));
-  continue_across_interfaces(regions, limit, report);
+  continue_across_interfaces(regions, limit, most_bend, report);
   SeparatrixGraph joined = join_layouts(regions);
   snap_periodic_nodes(joined);
   graph::CandidateLayout layout = graph::candidate_layout(std::move(joined));
@@ -64,6 +67,30 @@ graph::CandidateLayout coupled(RegionLayouts regions, ContinueTo limit, const la
   require_periodic_arcs(layout.graph(), "leave out --simplify, or the pair (cad2tri --periodic)");
   layout::certify(fields, *layout.certificate.method, layout, report);
   return layout;
+}
+
+// Lines that end far from each other on the two sides of an interface may wind around a hole without end: they become
+// one then, although that bends them more. No value if that gives no valid blocks either.
+std::optional<graph::CandidateLayout> coupled_with_bends(const RegionLayouts& regions,
+                                                         const layout::LayoutOptions& options, Report& report) {
+  try {
+    graph::CandidateLayout layout = coupled(regions, ContinueTo::first_line, options, report, greatest_forced_bend);
+    if (layout::quality_of(layout.subdivision).is_valid) return layout;
+  } catch (const ComputeError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+graph::CandidateLayout coupled_at_any_bend(const RegionLayouts& regions, const layout::LayoutOptions& options,
+                                           Report& report) {
+  try {
+    return coupled(regions, ContinueTo::first_line, options, report);
+  } catch (const ComputeError&) {
+    std::optional<graph::CandidateLayout> bent = coupled_with_bends(regions, options, report);
+    if (!bent) throw;
+    return std::move(*bent);
+  }
 }
 
 // Integer lengths move lines by up to the unit, far more than the distance of lines that run close to each other.
@@ -102,7 +129,7 @@ SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOption
   const CadFace& face = regions.face;
   if (face.partners.empty() && face.periodic_pairs.empty())
     return graph::separatrix_graph(std::move(regions.layouts.front()));
-  graph::CandidateLayout layout = coupled(regions, ContinueTo::first_line, options, report);
+  graph::CandidateLayout layout = coupled_at_any_bend(regions, options, report);
   follow_field_if_better(std::move(regions), options, layout, report);
   return graph::separatrix_graph(std::move(layout));
 }

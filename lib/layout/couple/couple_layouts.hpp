@@ -17,7 +17,8 @@ namespace quadrille::couple {
 /// joined: lines that end on an interface near each other are bent to match (couple/side_pairs.hpp), the others
 /// are continued in the neighbour (couple/continue_lines.hpp) or end in T-junctions of one T-mesh
 /// (couple/join_layouts.hpp), from which integer lengths make a conforming layout (couple/conforming_layout.hpp).
-/// Reports couple.* and simplify.*. Throws ComputeError if there are no integer lengths, or lines cannot be continued.
+/// Where there are none, this is tried once more with lines that may bend by up to greatest_forced_bend. Reports
+/// couple.* and simplify.*. Throws ComputeError if there are no integer lengths, or lines cannot be continued.
 SeparatrixGraph couple_layouts(RegionLayouts regions, const layout::LayoutOptions& options, Report& report);
 
 /// Divides coarse triangles of the whole face, which have the same edges on both sides of interfaces and slits, into

@@ -202,7 +202,7 @@ BoundaryPoint point_at(const CadFace& face, const SidePair& pair, double positio
   return boundary_point(face, curve, curve::ArcLength(face.curves[curve]).parameter(position - pair.offsets[k]));
 }
 
-std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter) {
+std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter, double most_bend) {
   std::vector<NodeMatch> matches;
   const double coincident = tolerance::round_off * diameter;
   for (int a = 0; a < static_cast<int>(pair.nodes[0].size()); ++a) {
@@ -213,8 +213,7 @@ std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diamet
     const Nearest back = nearest(pair, 0, other.position);
     if (back.node != a || back.is_tied || (!lower.is_movable && !other.is_movable)) continue;
     const double clearance = std::min(spacing(pair, 0, a), spacing(pair, 1, across.node));
-    if (across.distance >= greatest_fraction * clearance && bend(lower, other, across.distance) > greatest_bend)
-      continue;
+    if (across.distance >= greatest_fraction * clearance && bend(lower, other, across.distance) > most_bend) continue;
     double middle = (lower.position + other.position) / 2;
     if (std::abs(lower.position - other.position) > pair.length() / 2)  // across the seam
       middle = middle >= pair.length() / 2 ? middle - pair.length() / 2 : middle + pair.length() / 2;
@@ -239,9 +238,10 @@ int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, 
   return num_matches;
 }
 
-int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs) {
+int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, double most_bend) {
   const double diameter = layouts.face.diameter;
-  return match_line_ends(layouts, pairs, [&](const SidePair& pair) { return matches_of_neighbours(pair, diameter); });
+  return match_line_ends(layouts, pairs,
+                         [&](const SidePair& pair) { return matches_of_neighbours(pair, diameter, most_bend); });
 }
 
 }  // namespace quadrille::couple

@@ -53,6 +53,8 @@ BoundaryPoint point_on_side(const CadFace& face, const SidePair& pair, int side,
 BoundaryPoint point_at(const CadFace& face, const SidePair& pair, double position);
 
 inline constexpr double greatest_bend = 0.1;  ///< radians: of lines that become one
+/// The same where a strip of blocks would wind onto itself else.
+inline constexpr double greatest_forced_bend = 1;
 
 /// Two nodes of both sides that become one.
 struct NodeMatch {
@@ -61,9 +63,9 @@ struct NodeMatch {
 };
 
 /// Two nodes match if each is the nearest one to the other and their distance is less than a third of that to the next
-/// node on either side, or no line is bent by more than `greatest_bend`: in the middle between them, or at the one that
+/// node on either side, or no line is bent by more than `most_bend`: in the middle between them, or at the one that
 /// cannot move (a corner, or an irregular node). Nodes nearer than 1e-9 diameters need no match.
-std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter);
+std::vector<NodeMatch> matches_of_neighbours(const SidePair& pair, double diameter, double most_bend = greatest_bend);
 
 using MatchRule = std::function<std::vector<NodeMatch>(const SidePair&)>;
 
@@ -72,6 +74,6 @@ using MatchRule = std::function<std::vector<NodeMatch>(const SidePair&)>;
 int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, const MatchRule& rule);
 
 /// By the rule `matches_of_neighbours`.
-int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs);
+int match_line_ends(RegionLayouts& layouts, const std::vector<SidePair>& pairs, double most_bend = greatest_bend);
 
 }  // namespace quadrille::couple

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
 #include "choice/half_model.hpp"
@@ -18,6 +20,7 @@
 #include "guide/override_corners.hpp"
 #include "guide/resolve_clusters.hpp"
 #include "guide/valence.hpp"
+#include "model/name_rules.hpp"
 #include "placement/keep_clearance.hpp"
 
 namespace quadrille::choice {
@@ -138,6 +141,33 @@ CriticalPoints nodes_of_half(const Field& field, const NodeOptions& options, con
   return points;
 }
 
+/// Whether the corners of the whole on the line have the valences that their angles suggest. Others attract nodes.
+bool has_natural_corners(const CadFace& face, const curve::SymmetryLine& line) {
+  const auto is_on_line = [&](int c) { return std::binary_search(line.curves.begin(), line.curves.end(), c); };
+  for (int j = 0; j < face.num_curves(); ++j) {
+    const double quarters = face.joints[j].interior_angle / half_pi;
+    if (is_on_line(j) != is_on_line(face.previous_in_loop(j)) &&
+        std::lround(2 * quarters) != 2 * std::max(1L, std::lround(quarters)))
+      return false;
+  }
+  return true;
+}
+
+/// The nodes of a half for itself, with the line of symmetry as a line of blocks, are those of a grid of the whole too.
+/// There their positions have the least energy, unless corners of the whole attract them.
+CriticalPoints nodes_beside_line(const Field& field, const curve::SymmetryLine& line, NodeOptions options,
+                                 int num_threads, Report& report, const PartBegins& begin_part) {
+  if (has_natural_corners(field.mesh.face, line)) options.place = placement::PlaceRule::energy;
+  options.placement.symmetry = options.symmetry;
+  return nodes_of_face(field, options, num_threads, report, begin_part);
+}
+
+/// Whether the kind of the whole's grid or the number of its nodes is chosen.
+bool is_grid_chosen(const CadFace& face, const NodeOptions& options) {
+  return options.nodes != topology::NodeRule::by_grid || options.topology != topology::GridKind::by_outline ||
+         has_far_field(face);
+}
+
 }  // namespace
 
 CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int num_threads, Report& report,
@@ -149,17 +179,23 @@ CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int 
   const std::vector<curve::SymmetryLine> lines =
       curve::symmetry_lines(face, curve::curves_that_fit(face, options.symmetry)).lines;
   if (!curve::is_part_of_whole(lines)) return nodes_of_face(field, options, num_threads, report, begin_part);
+  std::string reason;
   try {
     return nodes_of_half(field, options, lines.front(), num_threads, report, begin_part);
+  } catch (const OddValenceError& error) {
+    if (is_grid_chosen(face, options)) reason = error.what();
   } catch (const ComputeError& error) {
+    reason = error.what();
+  }
+  if (!reason.empty()) {
     const int c = lines.front().curves.front();
     report.warn(
         warning::half_for_itself,
-        fmt::format("{}: the face is meshed for itself, with the line of curve {} \"{}\" as a boundary like any "
-                    "other; another grid of the whole (--topology, --nodes) may have such a line",
-                    error.what(), c, face.curve_names[c]));
+        fmt::format("{}: the nodes are those of the half for itself, with the line of curve {} \"{}\" as a line of "
+                    "blocks; another grid of the whole (--topology, --nodes) may have such a line",
+                    reason, c, face.curve_names[c]));
   }
-  return nodes_of_face(field, options, num_threads, report, begin_part);
+  return nodes_beside_line(field, lines.front(), options, num_threads, report, begin_part);
 }
 
 }  // namespace quadrille::choice

@@ -110,9 +110,9 @@ void HalfModel::mirror_walls() {
 /// Half of a valence on the line.
 int HalfModel::even_half(int valence, Vec2 position) const {
   if (valence % 2 != 0)
-    throw ComputeError(
-        fmt::format("the grid of the whole has a node of valence {} on the line of symmetry, at {}, so that no line of "
-                    "blocks runs along it",
+    throw OddValenceError(
+        fmt::format("the grid of the whole has a node of valence {} on the line of symmetry, at {}, and the line cuts "
+                    "a block beside it from corner to corner, into triangles",
                     valence, rounded_position_text(position + face().origin)));
   return valence / 2;
 }

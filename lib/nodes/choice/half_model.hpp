@@ -1,12 +1,19 @@
 #pragma once
 // The nodes of one half of a symmetric whole: those of the whole, chosen on its own field, without their mirror images.
 
+#include "base/error.hpp"
 #include "choice/node_options.hpp"
 #include "curve/symmetry_lines.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
 
 namespace quadrille::choice {
+
+/// A node of odd valence is on the line of symmetry. Of its blocks one is a mirror image of itself: the line runs
+/// through it from corner to corner, so that its half is a triangle.
+struct OddValenceError : ComputeError {
+  using ComputeError::ComputeError;
+};
 
 /// A whole of which a face is one half. Where the boundary meets the line the valence of the whole must be even, twice
 /// that of the half: it is prescribed there.
@@ -21,8 +28,7 @@ class HalfModel {
   const NodeOptions& options_of_whole() const { return options_; }
   /// The nodes, corner valences and records of the half; nodes of the whole on the line are its boundary nodes. The
   /// form is `phase`: they are no zeros of the field of the half. Counts of the certificate are those of the whole.
-  /// Throws ComputeError if a valence on the line is odd, because no line of the whole runs along it then, or if the
-  /// nodes of the whole are not symmetric.
+  /// Throws OddValenceError if a valence on the line is odd, ComputeError if the nodes of the whole are not symmetric.
   CriticalPoints nodes_of_half(const CriticalPoints& whole) const;
 
  private:

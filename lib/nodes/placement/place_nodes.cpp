@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
+#include "curve/symmetry_lines.hpp"
 #include "placement/minimise.hpp"
 #include "placement/node_ledger.hpp"
 #include "placement/node_symmetry.hpp"
@@ -143,7 +144,8 @@ void warn_of_close_pairs(const Problem& problem, Report& report) {
 void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::vector<bool>& is_free,
                  const PlacementOptions& options, CriticalPoints& points, Report& report) {
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
-  const SmoothBoundaryDistance boundary(face);
+  const CadFace whole = curve::whole_of(face, options.symmetry);
+  const SmoothBoundaryDistance boundary(whole);
   Problem problem = problem_of(face, energy, boundary, is_free, options, points);
   report.set("placement.energy_before", problem.objective.at(problem.points).value);
   const Minimum minimum = find_minimum(problem, options, report.progress());

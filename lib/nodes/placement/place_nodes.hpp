@@ -4,9 +4,10 @@
 //
 //   F(a) = W(a) - w pi sum_k d_k^2 ln delta(a_k),   delta(x) = pi / oint ds / |x - y(s)|^2
 //
-// delta (placement/smooth_boundary_distance) is a smooth distance to the boundary. On a disc of radius R four nodes
-// have their minimum at the radius r R, q = r^2, with 8 q^4 / (1 - q^4) + 2 w q / (1 - q) = 3: 0.850 for w = 0, 0.691
-// for w = 1.4, 0.640 for w = 2.
+// delta (placement/smooth_boundary_distance) is a smooth distance to the boundary, in one half of a symmetric whole to
+// that of the whole: then F is half of the whole's, whose phase is constant on the line of symmetry. On a disc of
+// radius R four nodes have their minimum at the radius r R, q = r^2, with 8 q^4 / (1 - q^4) + 2 w q / (1 - q) = 3:
+// 0.850 for w = 0, 0.691 for w = 1.4, 0.640 for w = 2.
 //
 // The default weight suits most blocks of tests/benchmarks/placement: nodes within a tenth of the diameter of the
 // boundary stay as far from it as the zeros of the field (within 4 %) or move farther away, most of all next to a
@@ -17,6 +18,7 @@
 // Nodes of opposite index attract each other, as may a node and a corner whose valence is not the natural one: such
 // pairs are kept apart (placement/placement_objective) and reported.
 
+#include <string>
 #include <vector>
 
 #include "base/enum_names.hpp"
@@ -36,6 +38,9 @@ struct PlacementOptions {
   double tolerance = 1e-10;  ///< of the nodes' positions, relative to the diameter
   int max_iterations = 200;  ///< each takes a few evaluations of the energy at most
   double pair_reach = 0.02;  ///< greatest reach of a repulsion term, relative to the diameter
+  /// Patterns of the names of curves at lines of symmetry (curve/mirrored_face.hpp), which are no boundary of the
+  /// whole.
+  std::vector<std::string> symmetry = {};
 };
 
 /// Moves the nodes with is_free[k] to a minimum of F near their positions; the others stay. Nodes that are invariant

@@ -55,6 +55,7 @@ std::map<std::string, SharedOption> shared_options() {
   for (const ChainStage stage : open_stages)
     for (const cli::OptionName& name : cli::option_names([&](Options& o) { declare(o, stage, values); }))
       all[name.flag].tools.push_back(enum_name(stage)), all[name.flag].takes_value = name.takes_value;
+  all["--symmetry"].tools.push_back("cad2tri");
   return all;
 }
 

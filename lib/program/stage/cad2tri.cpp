@@ -21,6 +21,7 @@
 #include "cad/region_names.hpp"
 #include "heal/blunt_cusps.hpp"
 #include "offset/embed_offsets.hpp"
+#include "stage/symmetry_option.hpp"
 #include "stage/triangulate_face.hpp"
 
 namespace quadrille::stage {
@@ -210,6 +211,7 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
   o.integer("--fan-layers", cad2tri.elements.fan_layers, -1, 40,
             "layers of the triangle fans at singular corners; -1: chosen for each corner from its exponent");
   declare_names(o, cad2tri);
+  declare_symmetry(o, cad2tri.symmetry);
   o.number("--fan-factor", cad2tri.elements.fan_factor, 0.01, 0.9, "ratio",
            "ratio of the radii of successive layers of a fan");
 }
@@ -234,7 +236,9 @@ LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options,
   cad::rename_curves(shape.face, input.names ? input.names->model : std::vector<NameRule>(), wishes.curve_names,
                      run.report());
   cad::pair_periodic_sides(shape.face, wishes.periodic);
-  shape.face = offset::embed_offsets(shape.face, wishes.offsets, corner_angle, run.report());
+  Report of_critpoints;  // which warns of curves that are bent
+  const std::vector<std::string> symmetry = checked_symmetry(shape.face, options.symmetry, of_critpoints);
+  shape.face = offset::embed_offsets(shape.face, wishes.offsets, corner_angle, symmetry, run.report());
   report_smoothed(outline::smooth_polylines(shape.face, radians(options.polyline_angle)), run);
   report_shape(shape, run);
   return shape;

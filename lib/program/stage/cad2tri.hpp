@@ -32,6 +32,7 @@ struct Cad2triOptions {
   bool keep_joints = false;                  ///< regions that region_names give one name stay apart
   std::vector<std::string> periodic;         ///< A=B or A=B:MOTION
   std::vector<std::string> offsets;          ///< NAME=T
+  std::vector<std::string> symmetry;         ///< names or patterns (stage/symmetry_option.hpp): offset curves end there
 
   void validate() const;  ///< throws UsageError for texts that mean nothing, and for options that exclude each other
 };

@@ -200,7 +200,7 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
     sizes.sources = sources->model;
     inputs.push_back(sources->file.digest("size-field"));
   }
-  sizes.symmetry = symmetry_names(layout.face, options.symmetry);
+  sizes.symmetry = refine.symmetry = symmetry_names(layout.face, options.symmetry);
   sizes = sizing::with_curve_sizes(sizing::MeasuredLayout(layout), sizes, refine.size_rule);
   set_sizes(sizes, layout.face, refine);
   run.report().set("sizes.per_curve", sizes.per_curve);

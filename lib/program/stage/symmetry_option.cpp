@@ -18,7 +18,8 @@ void declare_symmetry(Options& options, std::vector<std::string>& names) {
       "--symmetry", names, "NAME",
       "boundary curves of this name, or of names that fit a pattern (with * and ?), on one line, at which the "
       "face is one half of a symmetric whole, or on two lines at right angles, a quarter of one: its grid is "
-      "that of the whole, with the holes, the far field (--topology) and the default sizes of the whole; "
+      "that of the whole, with the holes, the far field (--topology), the default sizes and the offset curves of the "
+      "whole; "
       "none: no curves; may be given several times (default: symmetry*)",
       false);
 }

@@ -9,6 +9,7 @@
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
+#include "refine/halved_blocks.hpp"
 #include "refine/lower_error.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
@@ -80,10 +81,13 @@ void report_prescribed(const SplitRequest& request, const SplitMesh& split,
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Report& report) {
   prescribed.validate();
   require_periodic_arcs(layout, "make the blocks again (separatrix, blocksplit)");
-  const sizing::MeasuredLayout measured(layout), aligned = measured.with_parameters(align_chords(measured));
+  const sizing::MeasuredLayout measured(layout);
+  const sizing::MeasuredLayout upright = measured.with_parameters(align_chords(measured));
+  const HalvedSides halved = halved_sides(upright, prescribed.symmetry);
+  const sizing::MeasuredLayout aligned = with_lines_of_whole(upright, halved);
   RefineOptions options = prescribed;
   const SplitRequest request{
-      options, measured, aligned, size_field(options, layout.face), score_limits(options, layout.face), report};
+      options, measured, aligned, halved, size_field(options, layout.face), score_limits(options, layout.face), report};
   const std::vector<prescribe::LayeredCount> layered = layered_counts(request);
   options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts,
                                                    layered, options.end_gradings, options.end_growth);

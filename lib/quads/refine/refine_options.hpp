@@ -60,8 +60,10 @@ struct RefineOptions {
   InnerEdges inner_edges = InnerEdges::straight;
   Relax relax = Relax::size;
   int relax_sweeps = 200;  ///< greatest number, 0..1000
-  int levels = 0;          ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
-  void validate() const;   ///< throws UsageError
+  std::vector<std::string> symmetry =
+      {};                 ///< patterns of the names of curves at lines of symmetry (refine/halved_blocks)
+  int levels = 0;         ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
+  void validate() const;  ///< throws UsageError
 };
 
 }  // namespace quadrille::refine

@@ -466,7 +466,9 @@ def cracks():
                              rays(centre, (10, 1.6, "one"), (45, 1.4, "two"))]),
         "cracks_y": (plate, rays(centre, (0, 1.5, "stem"), (145, 1.2, "upper"), (180, 1.4, "lower"))),
         "crack_from_hole": (holed, rays(edge, (120, 1.1, "crack"))),
+        "crack_askew": (holed, rays(edge, (85, 1.1, "crack"))),
         "cracks_along": (plate, [("line", 1 + 2j, 5 + 2j, "long"), ("line", 2.5 + 2j, 3.7 + 2j, "short")]),
+        "cracks_equal": (plate, [("line", 1 + 2j, 5 + 2j, "one"), ("line", 5 + 2j, 1 + 2j, "two")]),
         "patch_touching": (plate, corner + legs),
         "patches_touching": (plate, corner + [("line", *(2 * centre - z for z in edge_[1:3]), "patch") for edge_ in corner]),
     }

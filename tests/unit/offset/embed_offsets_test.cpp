@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "curve/project.hpp"
 #include "faces.hpp"
+#include "model/name_rules.hpp"
 #include "offset/wall_chains.hpp"
 #include "outline/extent.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 using namespace testing_faces;
 
 CadFace with_offsets(const CadFace& face, const std::vector<std::string>& options, Report& report) {
-  return embed_offsets(face, offset_requests(options), radians(1), report);
+  return embed_offsets(face, offset_requests(options), radians(1), {symmetry_pattern}, report);
 }
 
 CadFace with_offsets(const CadFace& face, const std::vector<std::string>& options) {
@@ -74,6 +75,22 @@ TEST(EmbedOffsets, ASharpTailHasTwoCornersOppositeToIt) {
   int num_ahead = 0;
   for (const Joint& joint : result.joints) num_ahead += std::abs(joint.position.x - 2.1) < 1e-9;
   EXPECT_EQ(num_ahead, 4) << "two, seen from both regions";
+}
+
+TEST(EmbedOffsets, AHalfHasHalfOfTheCurveOfTheWhole) {
+  // The upper half of that wedge: curves 0 and 4 are the line of symmetry, 5 and 6 the body.
+  CadFace half =
+      hand_made::face({polygon({{2, 0}, {4, 0}, {4, 2}, {-2, 2}, {-2, 0}, {0, 0}, {0, 0.25}})}, std::sqrt(40));
+  for (const int curve : {0, 4}) hand_made::give_name(half, curve, "symmetry");
+  const CadFace result = with_offsets(half, {"side_5,side_6=0.1"});
+  ASSERT_EQ(result.num_regions(), 2);
+  const auto count = [&](Vec2 x) {
+    return std::count_if(result.joints.begin(), result.joints.end(),
+                         [&](const Joint& joint) { return distance(joint.position, x) < 1e-9; });
+  };
+  EXPECT_EQ(count({2.1, 0}), 2);
+  EXPECT_EQ(count({2.1, 0.1 * (std::sqrt(65) - 1) / 8}), 2) << "the corner of the whole's curve";
+  EXPECT_EQ(count({-0.1, 0}), 2);
 }
 
 TEST(EmbedOffsets, FacingWallsShareTheirGap) {

@@ -30,7 +30,7 @@ TEST(OffsetRequest, MistakesAreUsageErrorsThatQuoteTheText) {
 using namespace testing_faces;
 
 std::vector<WallChain> chains_of(const CadFace& face, const std::vector<std::string>& options) {
-  return wall_chains(face, offset_requests(options));
+  return wall_chains(face, offset_requests(options), std::vector<bool>(face.curves.size(), false));
 }
 
 TEST(WallChains, ConsecutiveWallsAreOneChain) {
