@@ -321,7 +321,7 @@ snail.solve.h5 snail.tri.h5"
 
 @test "--layout midpoint solves for no field" {
   run -0 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o out.msh --layout=midpoint --report report.json
-  assert_equal "$stderr" ""
+  assert_equal "$(grep -v W-QUA-005 <<<"$stderr")" ""
   run -0 jq -c '[.certificate.method, .given_up, (.stages | keys_unsorted)]' report.json
   assert_output '["midpoint",null,["cad2tri","separatrix","blocksplit","quadrefine","quadexport"]]'
 }

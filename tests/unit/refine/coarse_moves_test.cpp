@@ -20,6 +20,7 @@ QuadMesh mesh_of(const SeparatrixGraph& graph, double size) {
 struct Preconditioner {
   explicit Preconditioner(const QuadMesh& mesh) : problem(mesh, {}), moves(problem) {
     SizeEnergy energy(problem, mesh);
+    energy.set_sizes(std::vector<Vec2>(mesh.num_elems(), Vec2{1, 1}));
     const EnergyDerivatives at = energy.with_derivatives(VertexMoves(problem.num_vertices()), true);
     moves.set_blocks(at.hessian, energy.curve_tangents());
   }

@@ -49,6 +49,7 @@ RefineOptions with_size(double size) {
   RefineOptions options;
   options.size = size;
   options.order = 2;
+  options.relax = Relax::none;
   return options;
 }
 

@@ -114,7 +114,7 @@ TEST(Refine, SharedNodesAreSharedAndNoTwoCoincide) {
 
 TEST(Refine, QuarterAnnulusHasItsAreaAndStaysOnItsArcs) {
   for (const int order : {2, 4, 7}) {
-    const RefineOptions options{2.0, order, 5e-7};
+    const RefineOptions options{.size = 2, .order = order, .geometry_tol = 5e-7, .relax = Relax::none};
     const QuadMesh mesh = refined(hand_made::quarter_annulus(), options);
     const double tolerance = options.geometry_tol * mesh.face.diameter;
     EXPECT_LE(boundary_distance(mesh), tolerance) << order;
@@ -162,8 +162,10 @@ TEST(Refine, MirroredFaceGivesAMirroredMesh) {
 }
 
 TEST(Refine, BentDuctHasUprightElementsAtEveryOrder) {
-  for (const int order : {1, 2, 4, 9})
-    EXPECT_GT(least(refined(hand_made::s_bend(), {0, order, 1e-5}).elem_scaled_jacobian), 0.95) << order;
+  for (const int order : {1, 2, 4, 9}) {
+    const RefineOptions options{.order = order, .geometry_tol = 1e-5, .relax = Relax::none};
+    EXPECT_GT(least(refined(hand_made::s_bend(), options).elem_scaled_jacobian), 0.95) << order;
+  }
 }
 
 TEST(Refine, BoundaryEdgesWalkTheLoops) {
