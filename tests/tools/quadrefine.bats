@@ -190,8 +190,8 @@ setup() {
 }
 
 @test "a chord gets the count that is asked for" {
-  quadrefine --size 0.2 "$blocks" -o a.quad.h5 --report a.json
-  quadrefine --size 0.2 --count 0=17 --count 1=9 "$blocks" -o b.quad.h5 --report b.json
+  quadrefine --size 0.2 --size-rule nearest "$blocks" -o a.quad.h5 --report a.json
+  quadrefine --size 0.2 --size-rule nearest --count 0=17 --count 1=9 "$blocks" -o b.quad.h5 --report b.json
   run jq -n -c 'input.sizes.chord.count as $a | input.sizes.chord.count | [.[0], .[1], .[2:] == $a[2:]]' a.json b.json
   assert_output '[17,9,true]'
   chords=$(jq .chords a.json)
@@ -221,9 +221,9 @@ setup() {
 }
 
 @test "counts by the error lower the resolution ratio at the number of elements of the nearest counts" {
-  quadrefine --relax size "$blocks" -o a.quad.h5 --report a.json
-  quadrefine --relax size --size-rule error "$blocks" -o b.quad.h5 --report b.json
-  quadrefine --relax size --size-rule error --count 0=9 "$blocks" -o c.quad.h5 --report c.json
+  quadrefine --size-rule nearest "$blocks" -o a.quad.h5 --report a.json
+  quadrefine "$blocks" -o b.quad.h5 --report b.json
+  quadrefine --count 0=9 "$blocks" -o c.quad.h5 --report c.json
   run jq -n 'input as $a | input as $b | input as $c | [$b.resolution.ratio < 0.9 * $a.resolution.ratio,
     ($b.quads / $a.quads | 0.94 < . and . < 1.06), $b.valid, $c.sizes.chord.count[0]]' -c a.json b.json c.json
   assert_output '[true,true,true,9]'

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "mesh/element_sizes.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr int max_rounds = 6;
 constexpr double skewness_weight = 2;  ///< over ln R, of ln (0.7 / least scaled Jacobian) of blocks
-constexpr double worthwhile = 0.98;    ///< of the resolution ratio: less is not worth another mesh
+constexpr double worthwhile = 0.95;    ///< of the resolution ratio: less is not worth another mesh
 
 /// How counts change the error: the second is true of more layouts, the first changes more.
 struct Estimate {
@@ -99,6 +100,7 @@ bool is_better(const SplitMesh& next, const SplitMesh& split) {
 void lower_error(const SplitRequest& request, SplitMesh& result) {
   double num_elems = 0;  // of the first mesh, that sizes and breaks mean
   std::size_t estimate = 0;
+  std::set<std::vector<int>> tried;
   for (int round = 0; round < max_rounds && estimate < estimates.size(); ++round) {
     sizing::ErrorParts of =
         sizing::error_parts(request.equal, result.divisions, result.mesh, mesh::resolution(result.mesh));
@@ -110,7 +112,8 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
     AchievedCounts achieved(request, result);
     const sizing::ErrorCounts counts = sizing::least_error_counts(of, std::ref(achieved));
     std::optional<SplitMesh> next;
-    if (counts.ratio < worthwhile) next = split_again(request, result, of, counts.counts);
+    if (counts.ratio < worthwhile && tried.insert(counts.counts).second)
+      next = split_again(request, result, of, counts.counts);
     if (next && is_better(*next, result))
       result = std::move(*next);
     else
