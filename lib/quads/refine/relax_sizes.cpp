@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "base/tolerance.hpp"
-#include "refine/coarse_moves.hpp"
+#include "refine/inverse_hessian.hpp"
 #include "refine/size_energy.hpp"
 #include "refine/validity.hpp"
 #include "refine/vertex_symmetry.hpp"
@@ -19,7 +17,6 @@ namespace quadrille::refine {
 namespace {
 
 struct SizeConstants {
-  int memory = 12;            ///< steps from which the quasi-Newton matrix is made
   double longest_step = 0.3;  ///< of the prescribed size, by which the ends of an edge move apart at most in one step
   int sweeps_kept = 10;       ///< after which sizes and diagonal blocks are those of the new positions
   /// Relaxation ends after this many sweeps in turn that lower the energy by less than this fraction.
@@ -36,69 +33,6 @@ struct SizeConstants {
   double good_scaled_jacobian = 0.7, greatest_loss = 0.1;  ///< elements below both are too skew
 };
 constexpr SizeConstants size_constants;
-
-double inner_product(const VertexMoves& a, const VertexMoves& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
-  return sum;
-}
-
-void add(VertexMoves& to, double factor, const VertexMoves& other) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * other[i];
-}
-
-/// The inverse of the Hessian, from its diagonal blocks and the last steps.
-class InverseHessian {
- public:
-  explicit InverseHessian(const RelaxProblem& problem) : first_(problem) {}
-
-  /// Steps so far are not forgotten.
-  void set_blocks(const DiagonalBlocks& blocks, const std::vector<Vec2>& tangents) {
-    first_.set_blocks(blocks, tangents);
-    if (!pairs_.empty()) set_factor();
-  }
-  void forget() { pairs_.clear(), factor_ = 1; }
-  bool is_plain() const { return pairs_.empty(); }
-
-  void add_step(VertexMoves step, VertexMoves change) {
-    const double curvature = inner_product(step, change);
-    if (!(curvature > 1e-10 * std::sqrt(inner_product(step, step) * inner_product(change, change)))) return;
-    pairs_.push_back({std::move(step), std::move(change), curvature});
-    set_factor();
-    if (static_cast<int>(pairs_.size()) > size_constants.memory) pairs_.pop_front();
-  }
-
-  VertexMoves descent(const VertexMoves& gradient) const {
-    VertexMoves d = gradient;
-    std::vector<double> parts;
-    for (auto pair = pairs_.rbegin(); pair != pairs_.rend(); ++pair) {
-      parts.push_back(inner_product(pair->step, d) / pair->curvature);
-      add(d, -parts.back(), pair->change);
-    }
-    d = first_(d);
-    for (Vec2& x : d) x *= factor_;
-    for (const Pair& pair : pairs_) {
-      add(d, parts.back() - inner_product(pair.change, d) / pair.curvature, pair.step);
-      parts.pop_back();
-    }
-    for (Vec2& x : d) x = -x;
-    return d;
-  }
-
- private:
-  struct Pair {
-    VertexMoves step, change;
-    double curvature = 0;
-  };
-  void set_factor() {
-    const Pair& last = pairs_.back();
-    factor_ = last.curvature / inner_product(last.change, first_(last.change));
-  }
-
-  CoarseMoves first_;  ///< but for a factor
-  double factor_ = 1;
-  std::deque<Pair> pairs_;
-};
 
 /// Moves vertices to the least energy.
 class Relaxer {
@@ -177,12 +111,12 @@ bool Relaxer::step(EnergyDerivatives& at) {
   double length = longest_step(direction);
   for (int halving = 0; halving < size_constants.max_halvings; ++halving, length /= 2) {
     VertexMoves next = moves;
-    add(next, length, direction);
+    add_multiple(length, direction, next);
     EnergyDerivatives there = energy.with_derivatives(next);
     if (!(there.value <= at.value + size_constants.descent * length * slope)) continue;
     symmetry_->average(there.gradient);
     VertexMoves change = there.gradient, step = direction;
-    add(change, -1, at.gradient);
+    add_multiple(-1, at.gradient, change);
     for (Vec2& x : step) x *= length;
     inverse_.add_step(std::move(step), std::move(change));
     moves = std::move(next);
