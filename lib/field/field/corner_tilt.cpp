@@ -91,11 +91,13 @@ LiftedData tilt_data(const TriMesh& mesh, const std::vector<int>& joints, TiltPa
 
 void add(const HarmonicPart& part, double factor, Field& field) {
   std::size_t next = 0;
-  for (const int e : part.elems)
-    for (int i = field.coef_offsets[e]; i < field.coef_offsets[e + 1]; ++i, ++next) {
+  for (std::size_t k = 0; k < part.elems.size(); ++k) {
+    const int first = field.coef_offsets[part.elems[k]];
+    for (int i = first; i < first + part.num_modes[k]; ++i, ++next) {
       field.u[i] += factor * part.u[next];
       field.v[i] += factor * part.v[next];
     }
+  }
   for (const Lifting& lifting : part.liftings) {
     const auto same = std::find_if(field.liftings.begin(), field.liftings.end(),
                                    [&](const Lifting& other) { return other.joint == lifting.joint; });

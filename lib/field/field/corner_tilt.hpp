@@ -34,10 +34,11 @@ enum class TiltPart { even, odd };
 LiftedData tilt_data(const TriMesh& mesh, const std::vector<int>& joints, TiltPart part);
 
 /// A harmonic function that may be added to a field, on the mesh and with the orders of that field: coefficients of the
-/// elements on which the function is not negligible.
+/// elements on which the function is not negligible, there up to the last mode that is not.
 struct HarmonicPart {
   std::vector<int> elems;
-  std::vector<double> u, v;  ///< element after element
+  std::vector<int> num_modes;  ///< of each of these elements
+  std::vector<double> u, v;    ///< element after element
   std::vector<Lifting> liftings;
 };
 

@@ -94,6 +94,12 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
   return dofs;
 }
 
+Eigen::MatrixXd ContinuousSystem::solution(const Eigen::MatrixXd& given) {
+  Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
+  dofs << solver_->solve(right_hand_side(*map_, elements_, given)), given;
+  return dofs;
+}
+
 // Of f = (x, given) with A x = b: the energy is that of (0, given) less b^T A^-1 b.
 Eigen::MatrixXd ContinuousSystem::energy_products(const SparseColumns& given) const {
   const SparseData data = sparse_data(*map_, elements_, given);

@@ -18,25 +18,28 @@
 namespace quadrille::galerkin {
 namespace {
 
-/// Smaller coefficients are omitted: what they add up to is far below the error of any field.
-constexpr double negligible = 1e-13;
-
 /// Functions that are solved for together: wide matrices are faster, but take memory.
 constexpr std::size_t batch = 8;
 
 /// Adds what a part is on the elements, from two columns of their coefficients. All room is reserved at once: the parts
 /// of hundreds of functions are most of the memory.
-void add_elements(const std::vector<Eigen::MatrixXd>& elem_coefs, Eigen::Index column, field::HarmonicPart& part) {
-  Eigen::Index size = 0;
+void add_elements(const std::vector<Eigen::MatrixXd>& elem_coefs, Eigen::Index column, double negligible,
+                  field::HarmonicPart& part) {
+  std::size_t size = 0;
   for (int e = 0; e < std::ssize(elem_coefs); ++e) {
-    if (elem_coefs[e].middleCols(column, 2).cwiseAbs().maxCoeff() < negligible) continue;
+    const auto coefs = elem_coefs[e].middleCols(column, 2);
+    auto modes = coefs.rows();
+    while (modes > 0 && coefs.row(modes - 1).cwiseAbs().maxCoeff() < negligible) --modes;
+    if (modes == 0) continue;
     part.elems.push_back(e);
-    size += elem_coefs[e].rows();
+    part.num_modes.push_back(static_cast<int>(modes));
+    size += modes;
   }
   part.u.reserve(size);
   part.v.reserve(size);
-  for (const int e : part.elems) {
-    const auto u = elem_coefs[e].col(column), v = elem_coefs[e].col(column + 1);
+  for (std::size_t k = 0; k < part.elems.size(); ++k) {
+    const Eigen::MatrixXd& coefs = elem_coefs[part.elems[k]];
+    const auto u = coefs.col(column).head(part.num_modes[k]), v = coefs.col(column + 1).head(part.num_modes[k]);
     part.u.insert(part.u.end(), u.begin(), u.end());
     part.v.insert(part.v.end(), v.begin(), v.end());
   }
@@ -153,7 +156,8 @@ void PhaseSolver::factor() {
   parts_->is_factored = true;
 }
 
-std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<field::LiftedData>& data) {
+std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<field::LiftedData>& data,
+                                                             double negligible) {
   factor();
   ContinuousSystem& system = parts_->system;
   std::vector<field::HarmonicPart> parts(data.size());
@@ -165,8 +169,9 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
       given.middleCols(2 * (i - first), 2) =
           DirichletData(parts_->points, data[i].values).values(parts_->context.topology, system.map());
     }
-    const std::vector<Eigen::MatrixXd> coefs = system.all_coefs(system.solve(given, parts_->watch));
-    for (std::size_t i = first; i < last; ++i) add_elements(coefs, 2 * static_cast<Eigen::Index>(i - first), parts[i]);
+    const std::vector<Eigen::MatrixXd> coefs = system.all_coefs(system.solution(given));
+    for (std::size_t i = first; i < last; ++i)
+      add_elements(coefs, 2 * static_cast<Eigen::Index>(i - first), negligible, parts[i]);
   }
   return parts;
 }

@@ -51,9 +51,11 @@ class PhaseSolver {
   /// The energy W of the field and its gradient. Throws as solve(), and ComputeError if a node lies outside the mesh
   /// (between a curve and its elements).
   PhaseEnergy energy(const PhaseNodes& asked, const std::vector<int>& winding_offsets = {});
-  /// Harmonic functions with these boundary data, to be added to a field on this mesh with
-  /// this order map. Throws ComputeError if the factorisation breaks down.
-  std::vector<field::HarmonicPart> harmonic_parts(const std::vector<field::LiftedData>& data);
+  /// Harmonic functions with these boundary data, to be added to a field on this mesh with this order map. Smaller
+  /// coefficients than `negligible` are omitted; what those below 1e-13 add up to is far below the error of any field.
+  /// Throws ComputeError if the factorisation breaks down.
+  std::vector<field::HarmonicPart> harmonic_parts(const std::vector<field::LiftedData>& data,
+                                                  double negligible = 1e-13);
   /// Size of the condensed system for this order map.
   int num_unknowns(const std::vector<int>& elem_order) const;
 

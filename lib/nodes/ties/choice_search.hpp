@@ -2,8 +2,10 @@
 // The zeros of the tilted field for one choice after another. A choice changes the field near a few corners only, so
 // that most elements keep what was found in them for a *base*, the choice from which the others differ by little.
 //
-// An element keeps it as long as the field changes by less than its margin: without a zero, the least |v| there; with
-// zeros, what moves none of them by more than tolerance::same_point. What a choice costs does not depend on less.
+// An element without a zero keeps it as long as the field changes by less than the least |v| there. One with zeros
+// keeps them where they are as long as none moves by more than tolerance::same_point, for what a choice costs does not
+// depend on less; and it keeps their number, so that Newton's method finds their new places, as long as they stay far
+// inside the cells in which they were isolated and the field changes by less than the least |v| elsewhere.
 
 #include <optional>
 #include <vector>
@@ -24,19 +26,31 @@ class ChoiceSearch {
   /// Makes `choice` the base of the choices that follow. Throws as zeros_of.
   void set_base(const Choice& choice);
 
+  /// How often an element was searched.
+  long long num_searched() const { return num_searched_; }
+
  private:
-  /// What was found for the base, or for a choice before that differs by less than the margin was then.
+  /// What was found for the base, or for a choice before that differs by less than a margin was then. Both margins are
+  /// less what the base has changed since; negative: not searched yet.
   struct Known {
     zeros::SearchResult found;
-    double margin = -1;  ///< less what the base has changed since; negative: not searched yet
+    double margin = -1;  ///< below it nothing changes
+    double reach = -1;   ///< below it zeros move
   };
-  double margin_of(const field::FieldEvaluator& evaluator, zeros::FarLiftings& liftings, int elem,
-                   const zeros::SearchResult& found) const;
+  void renew(const Choice& choice);
+  void search(int elem);
+  std::optional<zeros::SearchResult> moved(int elem) const;
+  double resting_margin(const zeros::SearchResult& found) const;
+  Known known_of(int elem, zeros::SearchResult found);
 
   TiltedField& tilted_;
   double noise_;
-  Choice base_;               ///< empty before the first choice
-  std::vector<Known> known_;  ///< by element
+  const field::FieldEvaluator* evaluator_ = nullptr;  ///< of tilted_
+  std::optional<zeros::ZeroSearch> search_;
+  std::optional<zeros::FarLiftings> liftings_;  ///< of the base
+  Choice base_;                                 ///< empty before the first choice
+  std::vector<Known> known_;                    ///< by element
+  long long num_searched_ = 0;
 };
 
 }  // namespace quadrille::ties

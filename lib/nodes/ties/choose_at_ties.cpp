@@ -20,12 +20,7 @@ namespace {
 
 constexpr std::size_t max_compared_orbits = 4;  // of which all choices are compared
 
-struct Outcome {
-  CriticalPoints points;
-  Cost cost{};
-};
-
-/// Follows choices to their nodes. Each is tried once.
+/// Follows choices to their nodes and what these cost. Each is tried once.
 class Trials {
  public:
   Trials(const field::FieldEvaluator& field, const TieOrbits& ties, const PartSolver& solve, const TieOptions& options,
@@ -39,31 +34,32 @@ class Trials {
         part_(progress, "choices") {}
 
   /// Null if the choice leads to no admissible set of nodes.
-  const Outcome* of(const Choice& choice) {
-    const auto known = outcomes_.find(choice);
-    if (known != outcomes_.end()) return known->second ? &*known->second : nullptr;
-    std::optional<Outcome>& outcome = outcomes_[choice];
+  const Cost* of(const Choice& choice) {
+    const auto known = costs_.find(choice);
+    if (known != costs_.end()) return known->second ? &*known->second : nullptr;
+    std::optional<Cost>& cost = costs_[choice];
     try {
-      outcome = attempt(choice);
+      cost = attempt(choice);
     } catch (const ComputeError&) {
     }
     part_.advance();
-    return outcome ? &*outcome : nullptr;
+    return cost ? &*cost : nullptr;
   }
   /// Null if the choice was not tried, or leads to no admissible set of nodes.
-  const Outcome* known(const Choice& choice) const {
-    const auto found = outcomes_.find(choice);
-    return found != outcomes_.end() && found->second ? &*found->second : nullptr;
+  const Cost* known(const Choice& choice) const {
+    const auto found = costs_.find(choice);
+    return found != costs_.end() && found->second ? &*found->second : nullptr;
   }
-  std::size_t count() const { return outcomes_.size(); }
+  std::size_t count() const { return costs_.size(); }
 
   /// The choices that follow differ from this one by little.
   void set_base(const Choice& choice) { search_.set_base(choice); }
 
   /// The nodes of a choice by a search of all elements, which proves that no zero is missing.
   CriticalPoints proved(const Choice& choice, Report& report) {
+    const Field field = tilted_.solved(choice);
     CriticalPoints points =
-        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), report);
+        guide::find_critical_points(field::FieldEvaluator(field), options_.search, valences(choice), report);
     guide::resolve_clusters(face_, options_.max_valence, points);
     return points;
   }
@@ -82,16 +78,14 @@ class Trials {
     return result;
   }
 
-  std::optional<Outcome> attempt(const Choice& choice) {
-    Outcome outcome;
+  std::optional<Cost> attempt(const Choice& choice) {
     Report of_this_choice;
     const zeros::SearchResult found = search_.zeros_of(choice);
-    outcome.points =
+    CriticalPoints points =
         guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), found, of_this_choice);
-    guide::resolve_clusters(face_, options_.max_valence, outcome.points);
-    if (outcome.points.index_sum != outcome.points.index_sum_expected) return {};
-    outcome.cost = measure_(choice, outcome.points);
-    return outcome;
+    guide::resolve_clusters(face_, options_.max_valence, points);
+    if (points.index_sum != points.index_sum_expected) return {};
+    return measure_(choice, points);
   }
 
   const CadFace& face_;
@@ -100,7 +94,7 @@ class Trials {
   TiltedField tilted_;
   ChoiceSearch search_;
   CostMeasure measure_;
-  std::map<Choice, std::optional<Outcome>> outcomes_;
+  std::map<Choice, std::optional<Cost>> costs_;
   Progress::Part part_;
 };
 
@@ -138,13 +132,13 @@ class Chooser {
 
   /// Whether `choice` is better than the best so far; it then becomes the best.
   bool replace_if_better(const Choice& choice) {
-    const Outcome *now = trials_.of(best_), *then = trials_.of(choice);
+    const Cost *now = trials_.of(best_), *then = trials_.of(choice);
     if (!then) return false;
     if (now) {
-      const auto criterion = difference(then->cost, now->cost);
+      const auto criterion = difference(*then, *now);
       if (!criterion) return false;
       const auto i = static_cast<std::size_t>(*criterion);
-      if (then->cost[i] > now->cost[i]) return false;
+      if ((*then)[i] > (*now)[i]) return false;
     }
     best_ = choice;
     trials_.set_base(best_);
@@ -172,8 +166,8 @@ class Chooser {
   /// Allows mirror images to differ where a node would lie too close to the boundary or to another node.
   void halve() {
     for (const std::vector<int>& orbit : ties_.orbits) {
-      const Outcome* now = trials_.of(best_);
-      if (orbit.size() < 2 || (now && now->cost[static_cast<std::size_t>(Criterion::crowded)] == 0)) continue;
+      const Cost* now = trials_.of(best_);
+      if (orbit.size() < 2 || (now && (*now)[static_cast<std::size_t>(Criterion::crowded)] == 0)) continue;
       for (const bool is_first : {true, false}) {
         Choice choice = best_;
         choice[orbit[0]] = is_first;
@@ -193,9 +187,9 @@ class Chooser {
 std::string reason(const Choice& choice, const TieOrbits& ties, const Trials& trials, std::size_t unit) {
   Choice other = choice;
   for (const int u : ties.orbits[ties.unit2orbit[unit]]) other[u] = !choice[u];
-  const Outcome *chosen = trials.known(choice), *instead = trials.known(other);
+  const Cost *chosen = trials.known(choice), *instead = trials.known(other);
   if (!instead) return "by rule";
-  const auto criterion = difference(chosen->cost, instead->cost);
+  const auto criterion = difference(*chosen, *instead);
   return criterion ? "because " + text_of(*criterion) : "because it comes first in the file";
 }
 

@@ -6,13 +6,11 @@
 #include <optional>
 
 #include "base/angle.hpp"
-#include "base/tolerance.hpp"
 #include "curve/symmetry.hpp"
 #include "field/error_estimate.hpp"
 #include "field/explicit_value.hpp"
 #include "guide/valence.hpp"
 #include "spectral/orthogonal_basis.hpp"
-#include "zeros/enclosure.hpp"
 
 namespace quadrille::ties {
 namespace {
@@ -68,19 +66,13 @@ std::vector<int> joints_of(const TieOrbits& ties, const std::vector<int>& unit) 
   return joints;
 }
 
-/// The even parts of all ties, the odd part of those without a choice, then that of each unit.
-std::vector<field::LiftedData> tilts(const TriMesh& mesh, const TieOrbits& ties) {
-  std::vector<int> all, without_choice;
-  for (const Tie& tie : ties.ties) {
-    all.push_back(tie.joint);
-    if (tie.smaller == 0) without_choice.push_back(tie.joint);
-  }
-  std::vector<field::LiftedData> data{field::tilt_data(mesh, all, field::TiltPart::even),
-                                      field::tilt_data(mesh, without_choice, field::TiltPart::odd)};
-  for (const std::vector<int>& unit : ties.units)
-    data.push_back(field::tilt_data(mesh, joints_of(ties, unit), field::TiltPart::odd));
-  return data;
-}
+/// Coefficients that parts omit. That of a few units is far below the error of any field; with many, each tie has
+/// others between itself and most of the face, where its part is small.
+struct Negligible {
+  double always = 1e-13, of_many = 1e-8;
+  std::size_t many_units = 16;
+};
+constexpr Negligible negligible;
 
 }  // namespace
 
@@ -118,47 +110,67 @@ std::vector<std::vector<int>> chamfers(const CadFace& face, const TieOrbits& tie
   return pairs;
 }
 
-TiltedField::TiltedField(const Field& field, const TieOrbits& ties, const PartSolver& solve) : sum_(field) {
-  std::vector<field::HarmonicPart> parts = solve(tilts(field.mesh, ties));
-  field::add(parts[0], 1, sum_);
-  field::add(parts[1], -1, sum_);
-  odd_.assign(parts.begin() + 2, parts.end());
-  sum_.elem_error.clear();
-  evaluator_ = std::make_unique<field::FieldEvaluator>(sum_);
-  find_empty_elements();
+TiltedField::TiltedField(const Field& field, const TieOrbits& ties, PartSolver solve)
+    : field_(&field),
+      ties_(&ties),
+      solve_(std::move(solve)),
+      choice_(ties.units.size(), false),
+      sum_(solved(choice_)),
+      evaluator_(sum_) {
+  std::vector<field::LiftedData> data;
+  for (const std::vector<int>& unit : ties.units)
+    data.push_back(field::tilt_data(field.mesh, joints_of(ties, unit), field::TiltPart::odd));
+  const bool are_many = data.size() > negligible.many_units;
+  odd_ = solve_(data, are_many ? negligible.of_many : negligible.always);
+  for (const field::HarmonicPart& part : odd_) greatest_.push_back(greatest_values(part));
+}
+
+Field TiltedField::solved(const Choice& choice) const {
+  std::vector<int> all, smaller, larger;  // joints
+  for (const Tie& tie : ties_->ties) {
+    all.push_back(tie.joint);
+    if (tie.smaller == 0) larger.push_back(tie.joint);
+  }
+  for (std::size_t u = 0; u < choice.size(); ++u)
+    for (const int joint : joints_of(*ties_, ties_->units[u])) (choice[u] ? smaller : larger).push_back(joint);
+  const TriMesh& mesh = field_->mesh;
+  const std::vector<field::HarmonicPart> parts =
+      solve_({field::tilt_data(mesh, all, field::TiltPart::even), field::tilt_data(mesh, smaller, field::TiltPart::odd),
+              field::tilt_data(mesh, larger, field::TiltPart::odd)},
+             negligible.always);
+  Field sum = *field_;
+  field::add(parts[0], 1, sum);
+  field::add(parts[1], 1, sum);
+  field::add(parts[2], -1, sum);
+  sum.elem_error = field::error_estimate(sum);
+  return sum;
+}
+
+std::size_t TiltedField::num_numbers() const {
+  std::size_t sum = 0;
+  for (const field::HarmonicPart& part : odd_) sum += part.u.size() + part.v.size();
+  return sum;
 }
 
 std::vector<double> TiltedField::greatest_values(const field::HarmonicPart& part) {
   std::vector<double> greatest;
   std::size_t next = 0;
-  for (const int e : part.elems) {
-    const int order = sum_.elem_order[e], size = spectral::num_tri_modes(order);
+  for (std::size_t k = 0; k < part.elems.size(); ++k) {
+    const int e = part.elems[k], order = sum_.elem_order[e], size = part.num_modes[k];
     Eigen::MatrixXd& basis = sampled_basis_[order];
     if (basis.size() == 0) basis = spectral::orthogonal_vandermonde(order, {samples.begin(), samples.end()});
     Eigen::Matrix<double, Eigen::Dynamic, 2> values(basis.rows(), 2);
-    values.col(0).noalias() = basis * Eigen::Map<const Eigen::VectorXd>(&part.u[next], size);
-    values.col(1).noalias() = basis * Eigen::Map<const Eigen::VectorXd>(&part.v[next], size);
+    values.col(0).noalias() = basis.leftCols(size) * Eigen::Map<const Eigen::VectorXd>(&part.u[next], size);
+    values.col(1).noalias() = basis.leftCols(size) * Eigen::Map<const Eigen::VectorXd>(&part.v[next], size);
     next += size;
     for (const Lifting& lifting : part.liftings)
       for (std::size_t i = 0; i < samples.size(); ++i) {
-        const Vec2 lifted = field::lifting_angle(lifting, evaluator_->maps()[e].position(samples[i])) * lifting.jump;
+        const Vec2 lifted = field::lifting_angle(lifting, evaluator_.maps()[e].position(samples[i])) * lifting.jump;
         values.row(static_cast<Eigen::Index>(i)) += Eigen::RowVector2d(lifted.x, lifted.y);
       }
     greatest.push_back(safety * values.rowwise().norm().maxCoeff());
   }
   return greatest;
-}
-
-void TiltedField::find_empty_elements() {
-  for (const field::HarmonicPart& part : odd_) greatest_.push_back(greatest_values(part));
-  is_empty_.assign(sum_.mesh.num_elems(), false);
-  if (sum_.method != FieldMethod::cg) return;
-  std::vector<double> sums(sum_.mesh.num_elems(), 0);
-  for (std::size_t i = 0; i < odd_.size(); ++i)
-    for (std::size_t k = 0; k < odd_[i].elems.size(); ++k) sums[odd_[i].elems[k]] += greatest_[i][k];
-  zeros::FarLiftings liftings(*evaluator_);
-  for (int e = 0; e < sum_.mesh.num_elems(); ++e)
-    is_empty_[e] = zeros::is_surely_empty(*evaluator_, liftings, e, sums[e] + tolerance::round_off);
 }
 
 std::vector<double> TiltedField::changes(const Choice& from, const Choice& to) const {
@@ -171,15 +183,10 @@ std::vector<double> TiltedField::changes(const Choice& from, const Choice& to) c
 }
 
 const field::FieldEvaluator& TiltedField::with(const Choice& choice) {
-  if (choice_.empty()) {
-    choice_ = choice;
-    for (std::size_t i = 0; i < odd_.size(); ++i) field::add(odd_[i], choice[i] ? 1 : -1, sum_);
-  }
   for (std::size_t i = 0; i < odd_.size(); ++i)
     if (choice[i] != choice_[i]) field::add(odd_[i], choice[i] ? 2 : -2, sum_);
   choice_ = choice;
-  if (sum_.elem_error.empty()) sum_.elem_error = field::error_estimate(sum_);
-  return *evaluator_;
+  return evaluator_;
 }
 
 }  // namespace quadrille::ties

@@ -3,13 +3,12 @@
 // corner decides nothing (lib/method.md §3). All that follows takes the angle of the tie itself, so that 44.98 and 45
 // degrees get one layout.
 //
-// The field with its data tilted at all ties (field/corner_tilt), for any choice of the valences: the sum of parts that
-// are solved for once.
+// The field with its data tilted at all ties (field/corner_tilt), for any choice of the valences: the sum of the field
+// for one choice and of parts that are solved for once.
 
 #include <Eigen/Dense>
 #include <functional>
 #include <map>
-#include <memory>
 #include <vector>
 
 #include "curve/symmetry.hpp"
@@ -45,31 +44,40 @@ std::vector<std::vector<int>> chamfers(const CadFace& face, const TieOrbits& tie
 /// Which units of ties have the smaller valence.
 using Choice = std::vector<bool>;
 
-/// Solves for harmonic functions with the mesh and the orders of the field.
-using PartSolver = std::function<std::vector<field::HarmonicPart>(const std::vector<field::LiftedData>&)>;
+/// Solves for harmonic functions with the mesh and the orders of the field, without coefficients that are smaller than
+/// `negligible`.
+using PartSolver =
+    std::function<std::vector<field::HarmonicPart>(const std::vector<field::LiftedData>&, double negligible)>;
 
 class TiltedField {
  public:
-  TiltedField(const Field& field, const TieOrbits& ties, const PartSolver& solve);
+  /// `field` and `ties` must outlive this. Throws as `solve`.
+  TiltedField(const Field& field, const TieOrbits& ties, PartSolver solve);
 
-  /// Valid until the next choice. Its error estimate is that of the first choice.
+  /// The field for a choice, solved for as a whole.
+  Field solved(const Choice& choice) const;
+
+  /// The field for a choice, by parts: of more than 16 units without what is below 1e-8, so that memory does not grow
+  /// like the square of the face. Valid until the next choice. Its error estimate is that for the larger valence
+  /// everywhere.
   const field::FieldEvaluator& with(const Choice& choice);
-  /// For each element whether it has no zero for any choice, as far as sampled values of the tilts tell.
-  const std::vector<bool>& is_empty() const { return is_empty_; }
   /// For each element a bound of the difference between the fields of two choices, as far as sampled values tell.
   std::vector<double> changes(const Choice& from, const Choice& to) const;
+  /// Of all parts, the memory that they take.
+  std::size_t num_numbers() const;
 
  private:
   std::vector<double> greatest_values(const field::HarmonicPart& part);
-  void find_empty_elements();
 
-  Field sum_;                                         ///< with the odd parts of choice_
-  Choice choice_;                                     ///< empty before the first choice
-  std::vector<field::HarmonicPart> odd_;              ///< of each unit
-  std::vector<std::vector<double>> greatest_;         ///< |odd part| of each unit on its elements, twice the sampled
-  std::map<int, Eigen::MatrixXd> sampled_basis_;      ///< by order
-  std::unique_ptr<field::FieldEvaluator> evaluator_;  ///< of sum_
-  std::vector<bool> is_empty_;
+  const Field* field_;
+  const TieOrbits* ties_;
+  PartSolver solve_;
+  Choice choice_;
+  Field sum_;                                     ///< for choice_
+  field::FieldEvaluator evaluator_;               ///< of sum_
+  std::vector<field::HarmonicPart> odd_;          ///< of each unit
+  std::vector<std::vector<double>> greatest_;     ///< |odd part| of each unit on its elements, twice the sampled
+  std::map<int, Eigen::MatrixXd> sampled_basis_;  ///< by order
 };
 
 }  // namespace quadrille::ties

@@ -27,6 +27,11 @@ struct Cell {
   Vec2 xi_at(Vec2 lambda) const { return xi[0] + lambda.x * (xi[1] - xi[0]) + lambda.y * (xi[2] - xi[0]); }
 };
 
+struct Disc {
+  Vec2 centre;
+  double radius = 0;
+};
+
 /// An upper bound of the greatest stretch of a vector by m.
 inline double frobenius_norm(const Mat2& m) { return std::sqrt(m.xx * m.xx + m.xy * m.xy + m.yx * m.yx + m.yy * m.yy); }
 

@@ -28,28 +28,22 @@ Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
   return angles;
 }
 
-constexpr int most_bisections = 4;
+constexpr int most_bisections = 4, most_beside_discs = 8;
 
-bool is_cell_empty(const Field& field, const LiftingGroup& group, const Cell& cell, double margin, int bisections) {
-  Enclosure enclosure;
-  enclosure.set(cell, field, group, margin);
-  if (enclosure.excludes_zero()) return true;
-  if (bisections == 0) return false;
-  Cell first, second;
-  bisect(cell, first, second);
-  return is_cell_empty(field, group, first, margin, bisections - 1) &&
-         is_cell_empty(field, group, second, margin, bisections - 1);
-}
-
-double least_value_in(const Field& field, const LiftingGroup& group, const Cell& cell, int bisections) {
+double least_value_in(const Field& field, const LiftingGroup& group, const Cell& cell, const std::vector<Disc>& discs,
+                      int bisections) {
   Enclosure enclosure;
   enclosure.set(cell, field, group);
+  const auto contains_cell = [&](const Disc& disc) {
+    return distance(disc.centre, enclosure.centre()) + enclosure.radius() <= disc.radius;
+  };
+  if (std::any_of(discs.begin(), discs.end(), contains_cell)) return INFINITY;
   const double least = enclosure.least_value();
   if (least > 0 || bisections == 0) return least;
   Cell first, second;
   bisect(cell, first, second);
-  const double in_first = least_value_in(field, group, first, bisections - 1);
-  return in_first > 0 ? std::min(in_first, least_value_in(field, group, second, bisections - 1)) : 0;
+  const double in_first = least_value_in(field, group, first, discs, bisections - 1);
+  return in_first > 0 ? std::min(in_first, least_value_in(field, group, second, discs, bisections - 1)) : 0;
 }
 
 }  // namespace
@@ -219,13 +213,10 @@ double Enclosure::greatest_value() const {
   return greatest + far_rest_;
 }
 
-bool is_surely_empty(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem, double margin) {
-  if (margin >= 1) return false;
-  return is_cell_empty(evaluator.field(), liftings.of(elem), element_cell(evaluator, elem), margin, most_bisections);
-}
-
-double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem) {
-  return least_value_in(evaluator.field(), liftings.of(elem), element_cell(evaluator, elem), most_bisections);
+double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem,
+                   const std::vector<Disc>& discs) {
+  return least_value_in(evaluator.field(), liftings.of(elem), element_cell(evaluator, elem), discs,
+                        discs.empty() ? most_bisections : most_beside_discs);
 }
 
 }  // namespace quadrille::zeros

@@ -64,12 +64,10 @@ class Enclosure {
   double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised
 };
 
-/// Whether it is proved that each field that differs by at most `margin` from this one on element `elem` has no zero
-/// there. With few cells: false does not mean that there is a zero. For continuous fields.
-bool is_surely_empty(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem, double margin);
-
-/// A lower bound of |v| over element `elem`: no field that differs by less has a zero there. With few cells: 0 does not
-/// mean that there is a zero. For continuous fields.
-double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem);
+/// A lower bound of |v| over the parts of element `elem` that are in none of these discs: no field that differs by less
+/// has a zero there; infinite if there is no such part. With few cells: 0 does not mean that there is a zero. For
+/// continuous fields.
+double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem,
+                   const std::vector<Disc>& discs = {});
 
 }  // namespace quadrille::zeros

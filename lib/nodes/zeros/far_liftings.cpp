@@ -114,6 +114,20 @@ void FarLiftings::fill(LiftingGroup& group) const {
   }
 }
 
+void FarLiftings::renew() {
+  if (groups_.size() == 1) {
+    groups_.front().near_liftings = evaluator_->field().liftings;
+    return;
+  }
+  for (LiftingGroup& group : groups_) {
+    LiftingGroup empty;
+    empty.centre = group.centre;
+    empty.radius = group.radius;
+    group = std::move(empty);
+  }
+  is_filled_.assign(groups_.size(), false);
+}
+
 const LiftingGroup& FarLiftings::of(int elem) {
   const int g = elem2group_[elem];
   if (!is_filled_[g]) fill(groups_[g]);

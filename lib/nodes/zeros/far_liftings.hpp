@@ -31,9 +31,11 @@ struct LiftingGroup {
 /// The groups of all elements, each made when it is first asked for. With fewer than 64 liftings all are near.
 class FarLiftings {
  public:
-  /// `evaluator` must outlive it; its field's liftings must stay.
+  /// `evaluator` must outlive it; its field's liftings must stay, or renew() follow.
   explicit FarLiftings(const field::FieldEvaluator& evaluator);
   const LiftingGroup& of(int elem);
+  /// Forgets the liftings, but not the places of the elements.
+  void renew();
 
  private:
   void group_elements();

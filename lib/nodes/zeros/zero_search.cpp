@@ -100,9 +100,11 @@ void ZeroSearch::add(const SearchResult& found) {
   found_.counts.greatest_depth = std::max(found_.counts.greatest_depth, found.counts.greatest_depth);
 }
 
-void ZeroSearch::skip() {
-  ++found_.counts.examined;
-  ++found_.counts.excluded;
+void ZeroSearch::renew() {
+  jumps_ = edge_jumps(*evaluator_);
+  liftings_.renew();
+  budget_ = 1;
+  found_ = {};
 }
 
 bool ZeroSearch::is_ignored() const {

@@ -28,12 +28,6 @@ struct Jumps {
 /// (method "cg").
 std::vector<Jumps> edge_jumps(const field::FieldEvaluator& evaluator);
 
-/// A disc that the search ignores: zeros inside belong to a corner (guide/valence).
-struct Disc {
-  Vec2 centre;
-  double radius = 0;
-};
-
 /// A zero of the polynomial of `elem`. If the field jumps between elements it may lie beyond the element's edge.
 struct FoundZero {
   int elem = 0;
@@ -69,13 +63,14 @@ struct SearchResult {
 
 class ZeroSearch {
  public:
-  /// Cells in which |v| stays below `noise` are not bisected further. The field must stay as it is.
+  /// Cells in which |v| stays below `noise` are not bisected further. Zeros in `ignored` belong to a corner
+  /// (guide/valence). The field must stay as it is, or renew() follow.
   ZeroSearch(const field::FieldEvaluator& evaluator, std::vector<Disc> ignored, double noise = field_noise);
 
   /// Searches one element. Stops early, with an open cell, if the element needs more cells than zeros ever require.
   void search(int elem);
-  /// Counts an element that is known to have no zero.
-  void skip();
+  /// Begins anew, because the field has changed.
+  void renew();
 
   /// Adds what was found in an element before.
   void add(const SearchResult& found);

@@ -11,6 +11,10 @@ namespace {
 
 using namespace testing_faces;
 
+PartSolver parts_by(galerkin::PhaseSolver& solver) {
+  return [&](const auto& data, double negligible) { return solver.harmonic_parts(data, negligible); };
+}
+
 std::vector<zeros::FoundZero> zeros_by_full_search(const field::FieldEvaluator& evaluator) {
   zeros::ZeroSearch search(evaluator, {});
   for (int e = 0; e < evaluator.field().mesh.num_elems(); ++e) search.search(e);
@@ -21,7 +25,7 @@ TEST(ChoiceSearch, zeros_of_later_choices_are_those_of_a_search_of_all_elements)
   const Field field = adapted_field(plate(12, 7, {0.5, 0.6, 0.7, 3}));
   galerkin::PhaseSolver solver(field.mesh, field.elem_order);
   const TieOrbits ties = tie_orbits(field.mesh.face);
-  TiltedField tilted(field, ties, [&](const auto& data) { return solver.harmonic_parts(data); });
+  TiltedField tilted(field, ties, parts_by(solver));
   ChoiceSearch search(tilted, zeros::field_noise);
   Choice choice(ties.units.size(), false);
   for (std::size_t u = 0; u < choice.size(); ++u) {
@@ -38,11 +42,49 @@ TEST(ChoiceSearch, zeros_of_later_choices_are_those_of_a_search_of_all_elements)
   }
 }
 
+/// A row of teeth with chamfers at their tops: two ties at each chamfer.
+CadFace rack(int teeth) {
+  std::vector<Vec2> points{{0, -2}, {2.0 * teeth, -2}};
+  for (double x = 2.0 * teeth; x > 0; x -= 2)
+    points.insert(points.end(), {{x, 1}, {x - 0.7, 1}, {x - 1, 0.7}, {x - 1, 0}, {x - 2, 0}});
+  return make_face({polygon(points)});
+}
+
+TEST(ChoiceSearch, a_choice_searches_few_elements_however_many_ties_there_are) {
+  for (const int teeth : {4, 12}) {
+    const Field field = adapted_field(rack(teeth));
+    galerkin::PhaseSolver solver(field.mesh, field.elem_order);
+    const TieOrbits ties = tie_orbits(field.mesh.face);
+    ASSERT_EQ(ties.units.size(), 2u * teeth);
+    TiltedField tilted(field, ties, parts_by(solver));
+    ChoiceSearch search(tilted, zeros::field_noise);
+    Choice choice(ties.units.size(), false);
+    search.set_base(choice);
+    const long long before = search.num_searched();
+    EXPECT_GE(before, field.mesh.num_elems());
+    choice[3] = true;
+    search.zeros_of(choice);
+    EXPECT_LT(search.num_searched() - before, 120) << teeth;
+  }
+}
+
+TEST(TiltedField, parts_of_many_units_take_memory_in_proportion_to_the_face) {
+  std::vector<double> of_a_unit;
+  for (const int teeth : {12, 24}) {
+    const Field field = adapted_field(rack(teeth));
+    galerkin::PhaseSolver solver(field.mesh, field.elem_order);
+    const TieOrbits ties = tie_orbits(field.mesh.face);
+    const TiltedField tilted(field, ties, parts_by(solver));
+    of_a_unit.push_back(static_cast<double>(tilted.num_numbers()) / static_cast<double>(ties.units.size()));
+  }
+  EXPECT_LT(of_a_unit[1], 1.4 * of_a_unit[0]);
+}
+
 TEST(TiltedField, changes_are_bounded_where_they_are_and_none_for_the_same_choice) {
   const Field field = adapted_field(plate(12, 7, {0, 0, 1, 0}));
   galerkin::PhaseSolver solver(field.mesh, field.elem_order);
   const TieOrbits ties = tie_orbits(field.mesh.face);
-  TiltedField tilted(field, ties, [&](const auto& data) { return solver.harmonic_parts(data); });
+  TiltedField tilted(field, ties, parts_by(solver));
   const Choice first{false, false}, second{true, false};
   for (const double change : tilted.changes(first, first)) EXPECT_EQ(change, 0);
   const std::vector<double> changes = tilted.changes(first, second);

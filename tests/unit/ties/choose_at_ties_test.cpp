@@ -17,7 +17,9 @@ CriticalPoints chosen(const CadFace& face, Report& report) {
   const Field field = adapted_field(face);
   const field::FieldEvaluator evaluator(field);
   galerkin::PhaseSolver solver(field.mesh, field.elem_order);
-  const auto solve = [&](const std::vector<field::LiftedData>& data) { return solver.harmonic_parts(data); };
+  const auto solve = [&](const std::vector<field::LiftedData>& data, double negligible) {
+    return solver.harmonic_parts(data, negligible);
+  };
   const CriticalPoints points = choose_at_ties(evaluator, tie_orbits(field.mesh.face), solve, {}, report);
   EXPECT_EQ(points.form, NodeForm::phase);
   EXPECT_EQ(index_sum_of(points), 4 * face.euler_characteristic());
