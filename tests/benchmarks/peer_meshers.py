@@ -143,15 +143,13 @@ def sized(values, size, unit):
     return values | {"size": f"{size:.6g}", "size_mm": f"{size * unit:.6g}"}
 
 
-def like_ours(mesher, folder, values, unit, count, options):
-    """Size, mesh and least CPU seconds of --repeats runs, with a number of quads near `count`."""
-    size, path, seconds = with_count(mesher, folder, values, unit, count, options.timeout)
-    again = [mesher.run(folder, sized(values, size, unit), options.timeout) for _ in range(options.repeats - 1)]
-    return size, path, min([seconds, *(other for _, other in again)])
-
-
-def as_it_is(mesher, folder, values, unit, options):
-    """Size, mesh and least CPU seconds of --repeats runs, with the size of `values`."""
-    size = values["size"]
-    runs = [mesher.run(folder, sized(values, size, unit), options.timeout) for _ in range(options.repeats)]
-    return size, runs[-1][0], min(seconds for _, seconds in runs)
+def made(mesher, folder, values, unit, count, options):
+    """Size, mesh and least CPU seconds of --repeats runs: with a number of quads near `count`, or with the size of
+    `values` if that is None."""
+    size, runs = values["size"], []
+    if count:
+        size, *nearest = with_count(mesher, folder, values, unit, count, options.timeout)
+        runs.append(nearest)
+    while len(runs) < options.repeats:
+        runs.append(mesher.run(folder, sized(values, size, unit), options.timeout))
+    return size, runs[0][0], min(seconds for _, seconds in runs)

@@ -1,17 +1,21 @@
 """What tests/benchmarks/peers shows of its rows: a line of each, tables and a plot."""
-import math, statistics, textwrap
+import statistics, textwrap
 
 import plot
 
+ORDERS = (3, 5)  # of the solutions
+ERRORS = [f"{solution}_p{order}" for order in ORDERS for solution in ("smooth", "waves")]
+HEADINGS = [key.replace("_", " ") for key in ERRORS]
+SIZES = ("greatest_size", "median_size", "least_size")
 COLUMNS = (  # key, heading, format
     ("cpu_seconds", "CPU s", "{:.3g}"),
     ("quads", "quads", "{}"),
     ("irregular_nodes", "irregular inside", "{}"),
-    ("irregular_on_boundary", "on boundary", "{}"),
     ("scaled_jacobian", "scaled Jacobian", "{:.3f}"),
     ("edge_ratio", "edge ratio", "{:.2f}"),
-    ("boundary_distance", "boundary", "{:.1e}"),
-    ("l2_equal", "L2 error", "{:.2e}"),
+    *((key, key.replace("_", " "), "{:.2f}") for key in SIZES),
+    ("resolution_ratio", "R", "{:.2f}"),
+    *((key, heading, "{:.2e}") for key, heading in zip(ERRORS, HEADINGS)),
 )
 
 
@@ -35,37 +39,52 @@ def meshers_of(rows):
     return [mesher for mesher in dict.fromkeys(row["mesher"] for row in rows) if mesher]
 
 
-def ratio(mine, other, key):
-    """The geometric mean of the ratios to the first mesher, over the shapes that both have."""
-    pairs = [(mine[shape].get(key), other[shape].get(key)) for shape in mine if shape in other]
-    logs = [math.log(a / b) for a, b in pairs if a and b]
-    return f"{math.exp(statistics.fmean(logs)):.2f}" if logs else ""
+def mean(values):
+    """Geometric; empty without values."""
+    return f"{statistics.geometric_mean(values):.2f}" if values else ""
+
+
+def accuracy(rows):
+    """A row of texts for each shape, with a heading: our errors over the best peer's, and what decides them."""
+    columns = (*(f"{key}_ratio" for key in ERRORS), "resolution_ratio", "peers_resolution_ratio", *SIZES)
+    table = [["shape", *HEADINGS, "R", "least R of peers", *(key.replace("_", " ") for key in SIZES)]]
+    ours = [row for row in rows if row["mesher"] in meshers_of(rows)[:1] and "quads" in row]
+    table += [[row["shape"], *(f"{row[key]:.2f}" if key in row else "" for key in columns)] for row in ours]
+    for name, of in ("geometric mean", statistics.geometric_mean), ("greatest", max):
+        values = [[row[key] for row in ours if "peers_resolution_ratio" in row] for key in columns]
+        table.append([name, *(f"{of(column):.2f}" if column else "" for column in values)])
+    return table
 
 
 def summaries(rows):
     """A row of texts for each mesher, with a heading, over the shapes on which its mesh is accepted."""
     meshers = meshers_of(rows)
     reference = accepted(rows, meshers[0]) if meshers else {}
-    table = [["mesher", "accepted", "failed", "CPU ratio", "irregular inside, median", "on boundary, median",
-              "scaled Jacobian, median", "least", "edge ratio, median", "greatest", "L2 error ratio"]]
+    table = [["mesher", "accepted", "failed", "CPU ratio", "irregular inside, median", "scaled Jacobian, median",
+              "least", "edge ratio, median", "greatest", "R, median", *HEADINGS]]
     for mesher in meshers:
         good, mine = accepted(rows, mesher), [row for row in rows if row["mesher"] == mesher]
+        values = lambda key: [row[key] for row in good.values() if key in row]
+        both = [shape for shape in good if shape in reference and reference[shape]["cpu_seconds"] > 0]
         texts = [f"{len(good)} of {len(mine)}", str(sum(row["verdict"] == "failed" for row in mine)),
-                 ratio(good, reference, "cpu_seconds")]
+                 mean([good[shape]["cpu_seconds"] / reference[shape]["cpu_seconds"] for shape in both])]
         if good:
-            values = lambda key: [row[key] for row in good.values()]
-            texts += [f"{statistics.median(values(key)):g}" for key in ("irregular_nodes", "irregular_on_boundary")]
+            texts += [f"{statistics.median(values('irregular_nodes')):g}"]
             texts += [f"{f(values('scaled_jacobian')):.3f}" for f in (statistics.median, min)]
             texts += [f"{f(values('edge_ratio')):.2f}" for f in (statistics.median, max)]
-            texts.append(ratio(good, reference, "l2_equal"))
+            texts += [f"{statistics.median(values('resolution_ratio')):.2f}"]
+            texts += [mean(values(f"{key}_ratio")) for key in ERRORS]
         table.append([mesher, *texts] + [""] * (len(table[0]) - 1 - len(texts)))
     return table
 
 
-def summary(rows):
-    table = summaries(rows)
+def aligned(table):
     widths = [max(len(row[k]) for row in table) for k in range(len(table[0]))]
     return "\n".join("  ".join(text.ljust(width) for text, width in zip(row, widths)).rstrip() for row in table)
+
+
+def summary(rows):
+    return f"{aligned(accuracy(rows))}\n\n{aligned(summaries(rows))}"
 
 
 def markdown(table):
@@ -88,33 +107,39 @@ def page(result):
 
 {textwrap.fill(note, 120)}
 
-Over the shapes on which the mesh is accepted; ratios are geometric means against the first row:
+Our L2 error over that of the best peer of each shape, at equal unknowns (of a smooth solution and of waves; p: order),
+and what decides it: R, 1 for equal squares, and sizes, 1 as prescribed. Means are those of shapes with peers:
+
+{markdown(accuracy(rows))}
+
+![Errors over the best peer's, R and scaled Jacobians](peers.svg)
+
+Over the shapes on which the mesh is accepted; CPU times are geometric means against the first row, errors against the
+best peer of each shape:
 
 {markdown(summaries(rows))}
 
-All shapes:
+All shapes; errors are those of each mesh with its own number of unknowns:
 
 {markdown(table)}
 """
 
 
-PANELS = (  # key, title, logarithmic, whether the best is the greatest, what is added
-    ("cpu_seconds", "CPU seconds", True, False, 0),
-    ("quads", "quads", True, False, 0),
-    ("irregular_nodes", "1 + irregular nodes inside", True, False, 1),
-    ("scaled_jacobian", "least scaled Jacobian", False, True, 0),
-    ("edge_ratio", "greatest edge ratio", True, False, 0),
-    ("l2_equal", "L2 error at our number of unknowns", True, False, 0),
+PANELS = (  # key, title, logarithmic, whether the best is the greatest
+    *((f"{key}_ratio", f"{heading}, error over the best peer's", True, False)
+      for key, heading in zip(ERRORS, HEADINGS)),
+    ("resolution_ratio", "resolution ratio R", True, False),
+    ("scaled_jacobian", "least scaled Jacobian", False, True),
 )
 
 
 def draw(path, rows):
     """For each mesher its values on all shapes with an accepted mesh, the best first."""
     panels = []
-    for key, title, is_log, descending, more in PANELS:
+    for key, title, is_log, descending in PANELS:
         series = {}
         for mesher in meshers_of(rows):
-            values = [row[key] + more for row in accepted(rows, mesher).values() if row.get(key) is not None]
+            values = [row[key] for row in accepted(rows, mesher).values() if row.get(key) is not None]
             if values:
                 series[mesher] = list(enumerate(sorted(values, reverse=descending), 1))
         if series:

@@ -1,10 +1,11 @@
-"""Poisson's equation with a known solution, solved by dolfinx: what tests/benchmarks/poisson and peers share.
+"""Poisson's equation with known solutions, solved by dolfinx: what tests/benchmarks/poisson and peers share.
 
--Laplace(u) = f with u = exp(x) sin(y) + sin(2x + y) given on the whole boundary, for coordinates of the size of 1.
-Needs the package python3-dolfinx, and with it the distribution's own interpreter."""
+-Laplace(u) = f with u given on the whole boundary, for coordinates of the size of 1. Needs the package python3-dolfinx,
+and with it the distribution's own interpreter."""
 import math
 
 QUADRILATERALS = {1: 3, 2: 10, 3: 36}  # types of Gmsh by shape order: those that dolfinx 0.5 knows
+WAVES, CHOICES = 8, 4  # waves of a sum, and wave lengths across the diameter; sums of which the mean counts
 
 
 def mesh_of(points, cells, order):
@@ -21,23 +22,54 @@ def mesh_of(points, cells, order):
     return create_mesh(MPI.COMM_SELF, cells, points[used], domain)
 
 
-def solve(mesh, order):
+def smooth(x, lib, _):
+    """u = exp(x) sin(y) + sin(2x + y), and f."""
+    bent = lib.sin(2 * x[0] + x[1])
+    return lib.exp(x[0]) * lib.sin(x[1]) + bent, 5 * bent  # exp(x) sin(y) is harmonic
+
+
+def waves(x, lib, terms):
+    """u = sum of sin(k_x x + k_y y + phase) / 2 over the rows (k_x, k_y, phase) of `terms`, all |k| equal, and f."""
+    u = sum(lib.sin(terms[i, 0] * x[0] + terms[i, 1] * x[1] + terms[i, 2]) for i in range(WAVES)) / 2
+    return u, (terms[0, 0] ** 2 + terms[0, 1] ** 2) * u
+
+
+def choices_of_waves(diameter):
+    """Terms of `waves` in directions that are evenly spaced over half a turn; the first one and the phases by chance,
+    the same for all meshes."""
+    import numpy
+    random, k = numpy.random.default_rng(1), 2 * math.pi * WAVES / diameter
+    for _ in range(CHOICES):
+        angles = random.uniform(0, math.pi) + numpy.arange(WAVES) * math.pi / WAVES
+        yield numpy.stack([k * numpy.cos(angles), k * numpy.sin(angles), random.uniform(0, 2 * math.pi, WAVES)], axis=1)
+
+
+def solve(mesh, order, solution=smooth, terms=0.0):
     """The L2 error, the area and the number of unknowns, of Lagrange elements of that order."""
     import dolfinx, numpy, ufl
     from dolfinx import fem
     from dolfinx.fem.petsc import LinearProblem
     space = fem.FunctionSpace(mesh, ("Lagrange", order))
-    exact = lambda x, lib: lib.exp(x[0]) * lib.sin(x[1]) + lib.sin(2 * x[0] + x[1])
     given = fem.Function(space)
-    given.interpolate(lambda x: exact(x, numpy))
+    given.interpolate(lambda x: solution(x, numpy, terms)[0])
     mesh.topology.create_connectivity(1, 2)
     rim = dolfinx.mesh.exterior_facet_indices(mesh.topology)
     fixed = fem.dirichletbc(given, fem.locate_dofs_topological(space, 1, rim))
-    u, v, x = ufl.TrialFunction(space), ufl.TestFunction(space), ufl.SpatialCoordinate(mesh)
-    dx = ufl.dx(metadata={"quadrature_degree": 2 * order + 4})
-    source = 5 * ufl.sin(2 * x[0] + x[1])  # exp(x) sin(y) is harmonic
-    problem = LinearProblem(ufl.inner(ufl.grad(u), ufl.grad(v)) * dx, source * v * dx, bcs=[fixed],
-                            petsc_options={"ksp_type": "preonly", "pc_type": "lu"})
-    difference = problem.solve() - exact(x, ufl)
+    u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
+    exact, source = solution(ufl.SpatialCoordinate(mesh), ufl, fem.Constant(mesh, terms))  # compiled once for all terms
+    dx = ufl.dx(metadata={"quadrature_degree": 2 * order + 8})
+    problem = LinearProblem(ufl.inner(ufl.grad(u), ufl.grad(v)) * dx, source * v * dx, bcs=[fixed])
+    problem.solver.setType("preonly")  # not by petsc_options, of which a program can set 512
+    problem.solver.getPC().setType("lu")
+    difference = problem.solve() - exact
     squared, area = (fem.assemble_scalar(fem.form(what)) for what in (difference**2 * dx, fem.Constant(mesh, 1.0) * dx))
     return math.sqrt(squared), area, space.dofmap.index_map.size_global
+
+
+def errors(mesh, order, diameter):
+    """The errors of `smooth` and of `waves`, and the number of unknowns."""
+    from petsc4py import PETSc
+    error, _, unknowns = solve(mesh, order)
+    squares = [solve(mesh, order, waves, terms)[0] ** 2 for terms in choices_of_waves(diameter)]
+    PETSc.garbage_cleanup(mesh.comm)  # of factors, which otherwise stay in memory until the end
+    return error, math.sqrt(sum(squares) / CHOICES), unknowns

@@ -77,14 +77,16 @@ def elements_of(path):
     return len(mesh.cells), mesh.others
 
 
-def dets(x, at):
-    """det J and the product of both tangents' lengths at the points `at` x `at` of elements x [e, j, i, 2]."""
-    width = x.shape[1]
-    value, slope = lagrange(numpy.linspace(-1, 1, width), at)
+def tangents(x, at):
+    """Both tangents [e, j, i, 2] and det J [e, j, i] at the points `at` x `at` of elements x [e, j, i, 2]."""
+    value, slope = lagrange(numpy.linspace(-1, 1, x.shape[1]), at)
     by_1 = numpy.einsum("ja,ib,eabk->ejik", value, slope, x, optimize=True)
     by_2 = numpy.einsum("ja,ib,eabk->ejik", slope, value, x, optimize=True)
-    det = by_1[..., 0] * by_2[..., 1] - by_1[..., 1] * by_2[..., 0]
-    return det, numpy.linalg.norm(by_1, axis=3) * numpy.linalg.norm(by_2, axis=3)
+    return by_1, by_2, by_1[..., 0] * by_2[..., 1] - by_1[..., 1] * by_2[..., 0]
+
+
+def dets(x, at):
+    return tangents(x, at)[2]
 
 
 def bernstein(x):
@@ -94,7 +96,7 @@ def bernstein(x):
     k, t = numpy.arange(degree + 1), (1 + at[:, None]) / 2
     basis = numpy.array([math.comb(degree, i) for i in k]) * t**k * (1 - t) ** (degree - k)
     inverse = numpy.linalg.inv(basis)
-    return numpy.einsum("aj,bi,eji->eab", inverse, inverse, dets(x, at)[0], optimize=True)
+    return numpy.einsum("aj,bi,eji->eab", inverse, inverse, dets(x, at), optimize=True)
 
 
 def halves(degree):
@@ -123,9 +125,21 @@ def scaled_jacobian(x):
     """The least of all samples."""
     at, least = numpy.linspace(-1, 1, SAMPLES), math.inf
     for part in numpy.array_split(x, 1 + len(x) // 2000):
-        det, product = dets(part, at)
+        by_1, by_2, det = tangents(part, at)
+        product = numpy.linalg.norm(by_1, axis=3) * numpy.linalg.norm(by_2, axis=3)
         least = min(least, float((det / numpy.maximum(product, 1e-300)).min()))
     return least
+
+
+def resolution(x):
+    """The resolution ratio: the integral of (|x_xi|^8 + |x_eta|^8) J over unit squares, over that of as many equal
+    squares, which is the squared error of waves of order 3 against theirs; and the square roots of the areas."""
+    at, weights = numpy.polynomial.legendre.leggauss(4 * x.shape[1])
+    by_1, by_2, det = tangents(x, at)
+    mass = numpy.outer(weights, weights) * numpy.abs(det)
+    areas = mass.sum(axis=(1, 2))
+    powers = sum((2 * numpy.linalg.norm(by, axis=3)) ** 8 for by in (by_1, by_2))
+    return float((mass * powers).sum() / (2 * areas.sum() * areas.mean() ** 4)), numpy.sqrt(areas)
 
 
 def sides_of(elems):
@@ -162,10 +176,10 @@ class Topology:
         if torn:
             self.faults.append(f"{torn} nodes of edges belong to another edge or are vertices too")
         self.rim = sides[first[counts == 1]]
-        vertices, self.quads = numpy.unique(elems[:, [0, 0, -1, -1], [0, -1, -1, 0]], return_counts=True)
+        vertices, quads = numpy.unique(elems[:, [0, 0, -1, -1], [0, -1, -1, 0]], return_counts=True)
         on_rim = numpy.isin(vertices, self.rim[:, [0, -1]])
-        self.inner_irregular = int((self.quads[~on_rim] != 4).sum())
-        self.rim_vertices, self.rim_quads = vertices[on_rim], self.quads[on_rim]
+        self.inner_irregular = int((quads[~on_rim] != 4).sum())
+        self.rim_vertices = vertices[on_rim]
         self.euler = len(vertices) - len(counts) + len(elems)
         self.loops = self.count_loops()
 
@@ -205,25 +219,17 @@ def faults_of_boundary(topology, x, outline, height, tolerance):
     return distance, faults
 
 
-def irregular_on_boundary(topology, x, outline, tolerance):
-    """Vertices of the boundary with a number of quads other than 2, corners of the face left out."""
-    away = numpy.full(len(topology.rim_vertices), numpy.inf)
-    for corner in outline.corners:
-        away = numpy.minimum(away, numpy.linalg.norm(x[topology.rim_vertices] - corner, axis=1))
-    return int(((topology.rim_quads != 2) & (away > tolerance * outline.diameter)).sum())
-
-
 def judge(path, outline, unit=1.0, tolerance=1e-4):
     """What is measured, and `faults`: a list of reasons why the mesh is not accepted. `unit`: the factor from lengths
-    of the CAD file to those that Gmsh reads; meshes may be in either. `tolerance` in diameters. Also returns (points
-    [n, 2], cells, order) for a solver, with coordinates from -1 to 1, or None if the mesh is not conforming, valid and
-    of the face's topology: dolfinx ends the program on some that are not."""
+    of the CAD file to those that Gmsh reads; meshes may be in either. `tolerance` and sizes in diameters. Also returns
+    ((points [n, 2], cells, order), diameter) for a solver, with coordinates from -1 to 1, or None if the mesh is not
+    conforming, valid and of the face's topology: dolfinx ends the program on some that are not."""
     mesh = Mesh(path)
     space = mesh.points * scale_of(mesh, outline, unit)
     x, height = outline.flat(space), numpy.abs(outline.height(space[numpy.unique(mesh.cells)])).max()
     elems = mesh.elems
     gauss, weights = numpy.polynomial.legendre.leggauss(2 * mesh.order)
-    area = float(numpy.einsum("eji,j,i->", dets(x[elems], gauss)[0], weights, weights))
+    area = float(numpy.einsum("eji,j,i->", dets(x[elems], gauss), weights, weights))
     if area < 0:
         elems, area = elems[:, :, ::-1], -area
     topology, faults = Topology(elems), []
@@ -241,11 +247,13 @@ def judge(path, outline, unit=1.0, tolerance=1e-4):
     if not abs(area - outline.area) <= tolerance * outline.diameter * outline.perimeter:
         faults.append(f"the area is {area / outline.area:.6g} of the face's")
     sides = lengths(x[sides_of(elems)])
+    ratio, sizes = resolution(x[elems])
     measured = {
         "quads": len(elems), "irregular_nodes": topology.inner_irregular,
-        "irregular_on_boundary": irregular_on_boundary(topology, x, outline, tolerance),
         "scaled_jacobian": scaled_jacobian(x[elems]),
         "edge_ratio": float((sides.max(axis=1) / numpy.maximum(sides.min(axis=1), 1e-300)).max()),
+        "resolution_ratio": ratio, "sizes": numpy.quantile(sizes, [1, 0.5, 0]) / outline.diameter,
         "boundary_distance": distance, "faults": faults}
-    scaled = (x - (outline.low + outline.high) / 2) * 2 / (outline.high - outline.low).max()
-    return measured, (scaled, mesh.cells, mesh.order) if solvable else None
+    half = (outline.high - outline.low).max() / 2
+    scaled = (x - (outline.low + outline.high) / 2) / half
+    return measured, ((scaled, mesh.cells, mesh.order), outline.diameter / half) if solvable else None
