@@ -7,12 +7,13 @@
 #include "base/disjoint_sets.hpp"
 #include "base/tolerance.hpp"
 #include "curve/symmetry_lines.hpp"
+#include "mesh/transfinite.hpp"
 
 namespace quadrille::refine {
 namespace {
 
 constexpr int samples = 32;
-constexpr double least_slope = 0.25;  ///< of the parameter, as of aligned ones (refine/align_chords)
+constexpr double least_slope = 0.02;  ///< of the parameter
 
 /// The arcs on one line of symmetry.
 class ArcsOnLine {
@@ -92,32 +93,67 @@ bool are_equal(const std::vector<double>& fractions) {
   return true;
 }
 
+/// Of the arc at a side of a block, in the direction of its chord.
+std::vector<double> fractions_of_whole(const sizing::MeasuredLayout& layout, int block, const HalvedSide& halved) {
+  const auto& sides = layout.blocks().block2arcs[block];
+  const int arc = sides[halved.side].arc, other = sides[(halved.side + 2) % 4].arc;
+  return fractions_of_whole(layout, layout.chords()[layout.chord_of(arc)], layout.position_in_chord(arc),
+                            layout.position_in_chord(other), halved.line.direction);
+}
+
 }  // namespace
 
-sizing::MeasuredLayout with_lines_of_whole(const sizing::MeasuredLayout& layout,
-                                           const std::vector<std::string>& symmetry) {
+HalvedSides halved_sides(const sizing::MeasuredLayout& layout, const std::vector<std::string>& symmetry) {
   const BlockLayout& blocks = layout.blocks();
   const std::vector<curve::SymmetryLine> lines =
       curve::symmetry_lines(blocks.face, curve::curves_that_fit(blocks.face, symmetry)).lines;
-  if (!curve::is_part_of_whole(lines)) return layout;
-  std::vector<sizing::ArcParameter> parameters;
-  for (int arc = 0; arc < layout.num_arcs(); ++arc) parameters.push_back(layout.parameter(arc));
+  if (!curve::is_part_of_whole(lines)) return {};
+  HalvedSides result(blocks.block2arcs.size());
   for (const curve::SymmetryLine& line : lines) {
     const ArcsOnLine on_line(blocks, line);
-    for (const auto& sides : blocks.block2arcs)
+    for (int b = 0; b < blocks.num_blocks(); ++b)
       for (int side = 0; side < 4; ++side) {
-        const int arc = sides[side].arc, other = sides[(side + 2) % 4].arc;
+        const int arc = blocks.block2arcs[b][side].arc, other = blocks.block2arcs[b][(side + 2) % 4].arc;
         if (!on_line.contains(arc) || on_line.is_line_of_whole(arc) || on_line.contains(other)) continue;
-        const mesh::Chord& chord = layout.chords()[layout.chord_of(arc)];
-        const int i = layout.position_in_chord(arc);
-        std::vector<double> fractions =
-            fractions_of_whole(layout, chord, i, layout.position_in_chord(other), line.direction);
-        if (!are_in_order(fractions) || are_equal(fractions)) continue;
-        if (chord.backwards[i]) sizing::reverse_fractions(fractions);
-        parameters[arc] = sizing::ArcParameter(std::move(fractions));
+        const HalvedSide halved{side, line};
+        const std::vector<double> fractions = fractions_of_whole(layout, b, halved);
+        if (are_in_order(fractions) && !are_equal(fractions)) result[b] = halved;
       }
   }
+  return result;
+}
+
+sizing::MeasuredLayout with_lines_of_whole(const sizing::MeasuredLayout& layout, const HalvedSides& sides) {
+  std::vector<sizing::ArcParameter> parameters;
+  for (int arc = 0; arc < layout.num_arcs(); ++arc) parameters.push_back(layout.parameter(arc));
+  for (int b = 0; b < static_cast<int>(sides.size()); ++b) {
+    if (!sides[b]) continue;
+    const int arc = layout.blocks().block2arcs[b][sides[b]->side].arc;
+    std::vector<double> fractions = fractions_of_whole(layout, b, *sides[b]);
+    if (layout.chords()[layout.chord_of(arc)].backwards[layout.position_in_chord(arc)])
+      sizing::reverse_fractions(fractions);
+    parameters[arc] = sizing::ArcParameter(std::move(fractions));
+  }
   return layout.with_parameters(std::move(parameters));
+}
+
+Vec2 position_in_whole(SidePoints points, const HalvedSide& halved) {
+  const int side = halved.side, after = (side + 1) % 4, opposite = (side + 2) % 4, before = (side + 3) % 4;
+  auto& [positions, corners, fractions] = points;
+  const Vec2 on_line = positions[side], first = corners[side], last = corners[after];
+  positions[side] = halved.line(positions[opposite]);
+  corners[side] = halved.line(corners[before]);
+  corners[after] = halved.line(corners[opposite]);
+  fractions[side] = fractions[opposite];
+  Vec2 st = mesh::crossing_parameters(fractions[0], fractions[1], fractions[2], fractions[3]);
+  double& across = side % 2 == 0 ? st.y : st.x;  // from the line on, or up to it
+  const double from_line = side == 0 || side == 3 ? across : 1 - across;
+  across = side == 0 || side == 3 ? (1 + across) / 2 : across / 2;
+  const Vec2 position = mesh::blend_sides(positions, corners, st.x, st.y);
+  across = 0.5;
+  positions[before] = first, positions[after] = last;
+  // Divisions of the side may be others: they are met there, and matter the less the farther away the point is.
+  return position + (1 - from_line) * (on_line - mesh::blend_sides(positions, corners, st.x, st.y));
 }
 
 }  // namespace quadrille::refine

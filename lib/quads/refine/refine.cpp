@@ -82,13 +82,14 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   prescribed.validate();
   require_periodic_arcs(layout, "make the blocks again (separatrix, blocksplit)");
   const sizing::MeasuredLayout measured(layout);
-  const sizing::MeasuredLayout aligned =
-      with_lines_of_whole(measured.with_parameters(align_chords(measured)), prescribed.symmetry);
+  const sizing::MeasuredLayout upright = measured.with_parameters(align_chords(measured));
+  const HalvedSides halved = halved_sides(upright, prescribed.symmetry);
+  const sizing::MeasuredLayout aligned = with_lines_of_whole(upright, halved);
   RefineOptions options = prescribed;
   if (!options.walls.empty() && options.size_rule == sizing::SizeRule::error)
     options.size_rule = sizing::SizeRule::nearest;  // the growth from wall to wall determines counts
   const SplitRequest request{
-      options, measured, aligned, size_field(options, layout.face), score_limits(options, layout.face), report};
+      options, measured, aligned, halved, size_field(options, layout.face), score_limits(options, layout.face), report};
   const std::vector<prescribe::LayeredCount> layered = layered_counts(request);
   options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts,
                                                    layered, options.end_gradings, options.end_growth);

@@ -1,6 +1,7 @@
 #include "refine/split_isoparametric.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "mesh/transfinite.hpp"
@@ -15,6 +16,7 @@ struct SplitInput {
   const sizing::ArcDivisions& divisions;
   const layers::WallPlan* walls;
   const growth::LinePlan& lines;
+  const HalvedSides& halved;
 
   const BlockLayout& layout() const { return measured.blocks(); }
 };
@@ -62,13 +64,20 @@ std::vector<Vec2> layered_nodes(const SplitInput& in, int block, const std::arra
   return layers::layered_positions(layered, order, in.layout().face.origin);
 }
 
-/// The node (i, j) inside a block: the blend of its sides where the straight lines between opposite nodes cross.
+/// The node (i, j) inside a block: the blend of its sides, or of those of the block of the whole, where the straight
+/// lines between opposite nodes cross.
 Vec2 inner_node(const QuadMesh& mesh, const std::array<Vec2, 4>& corners, const std::array<ArcNodes, 4>& sides, int i,
-                int j) {
-  const auto on_side = [&](int side, int k) { return mesh.nodes[sides[side].ids[k]]; };
-  const Vec2 st = mesh::crossing_parameters(sides[0].fractions[i], sides[1].fractions[j], sides[2].fractions[i],
-                                            sides[3].fractions[j]);
-  return mesh::blend_sides({on_side(0, i), on_side(1, j), on_side(2, i), on_side(3, j)}, corners, st.x, st.y);
+                int j, const std::optional<HalvedSide>& halved) {
+  SidePoints points{{}, corners, {}};
+  for (int side = 0; side < 4; ++side) {
+    const int k = side % 2 == 0 ? i : j;
+    points.positions[side] = mesh.nodes[sides[side].ids[k]];
+    points.fractions[side] = sides[side].fractions[k];
+  }
+  if (halved) return position_in_whole(points, *halved);
+  const auto& [a, b, c, d] = points.fractions;
+  const Vec2 st = mesh::crossing_parameters(a, b, c, d);
+  return mesh::blend_sides(points.positions, corners, st.x, st.y);
 }
 
 /// Node ids of the whole block, along side 0 fastest; appends the nodes inside to the mesh.
@@ -77,6 +86,7 @@ std::vector<int> place_in_block(const SplitInput& in, int block, const std::arra
   for (int k = 0; k < 4; ++k) corners[k] = in.layout().nodes[in.layout().block2nodes[block][k]].position;
   const int width = static_cast<int>(sides[0].ids.size()), height = static_cast<int>(sides[1].ids.size());
   const std::vector<Vec2> layered = layered_nodes(in, block, sides, mesh.order);
+  const std::optional<HalvedSide> halved = in.halved.empty() ? std::nullopt : in.halved[block];
   std::vector<int> grid;
   grid.reserve(width * height);
   for (int j = 0; j < height; ++j)
@@ -87,7 +97,7 @@ std::vector<int> place_in_block(const SplitInput& in, int block, const std::arra
         grid.push_back(sides[i == 0 ? 3 : 1].ids[j]);
       } else {
         grid.push_back(static_cast<int>(mesh.nodes.size()));
-        mesh.nodes.push_back(layered.empty() ? inner_node(mesh, corners, sides, i, j) : layered[j * width + i]);
+        mesh.nodes.push_back(layered.empty() ? inner_node(mesh, corners, sides, i, j, halved) : layered[j * width + i]);
       }
     }
   return grid;
@@ -169,8 +179,8 @@ std::array<ArcNodes, 4> side_nodes(const BlockLayout& layout, int block, const s
 }
 
 QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, int order,
-                             const layers::WallPlan* walls, const growth::LinePlan& lines) {
-  const SplitInput in{measured, divisions, walls, lines};
+                             const layers::WallPlan* walls, const growth::LinePlan& lines, const HalvedSides& halved) {
+  const SplitInput in{measured, divisions, walls, lines, halved};
   QuadMesh mesh = mesh_without_elements(in.layout(), order);
   std::vector<ArcNodes> arc_nodes;
   for (int arc = 0; arc < measured.num_arcs(); ++arc)

@@ -15,6 +15,7 @@ namespace {
 /// height if the left and the right side are upright, else the line is one of its lines.
 struct HalfBlock {
   BlockLayout layout;
+  HalvedSides sides;
   sizing::ArcParameter on_line;
 
   explicit HalfBlock(double right = 2, const std::string& name = "symmetry") {
@@ -25,7 +26,9 @@ struct HalfBlock {
     hand_made::give_name(face, 0, name);
     Report report;
     layout = block::extract_blocks(hand_made::one_block(face, {{0}, {1}, {2}, {3}}), report);
-    on_line = with_lines_of_whole(sizing::MeasuredLayout(layout), {"symmetry"}).parameter(0);
+    const sizing::MeasuredLayout measured(layout);
+    sides = halved_sides(measured, {"symmetry"});
+    on_line = with_lines_of_whole(measured, sides).parameter(0);
   }
 };
 
@@ -34,6 +37,19 @@ TEST(HalvedBlocks, LinesMeetTheLineOfSymmetryAsInTheWhole) {
   // The whole is symmetric about x = 1, too: in its middle the points of both curved sides have this x.
   for (const double u : {0.0, 0.25, 0.5, 0.8125, 1.0})
     EXPECT_NEAR(2 * half.on_line.fraction(u), 1 - std::sqrt(2) * std::cos(pi / 4 + u * half_pi), 1e-6) << u;
+}
+
+TEST(HalvedBlocks, PointsInsideAreThoseOfTheWhole) {
+  const HalfBlock half;
+  ASSERT_TRUE(half.sides.at(0).has_value());
+  // The whole is a square with two bulging sides: its map is known.
+  const double t = 0.75, u = 0.3, s = half.on_line.fraction(u), angle = pi / 4 + u * half_pi;
+  const double x = 1 - std::sqrt(2) * std::cos(angle), bulge = std::sqrt(2) * std::sin(angle) - 1;
+  const SidePoints points{
+      {Vec2{2 * s, 0}, {2, t}, {x, 1 + bulge}, {0, t}}, {Vec2{0, 0}, {2, 0}, {2, 1}, {0, 1}}, {s, t, u, t}};
+  const Vec2 inside = position_in_whole(points, *half.sides[0]);
+  EXPECT_NEAR(inside.x, x, 1e-6);
+  EXPECT_NEAR(inside.y, t * (1 + bulge), 1e-12);
 }
 
 TEST(HalvedBlocks, OtherBlocksKeepTheirFractions) {
