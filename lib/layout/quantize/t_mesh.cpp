@@ -173,7 +173,9 @@ bool TMeshTracer::follow_unstopped_lines(const std::vector<CoveredPart>& covered
       add_cut(cut_across_limit_cycle(evaluator_, tracer_, line), tracer_.max_length());
       break;
     }
-    tracer_.follow_to(merged.streamline, 2 * line.length());
+    const double before = line.length();
+    tracer_.follow_to(merged.streamline, 2 * before);
+    if (line.is_endless() && !(line.length() > before)) fail_stuck(evaluator_.field().mesh.face, line);
   }
   if (any) lines_.renew();
   return any;
