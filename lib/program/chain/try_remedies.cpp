@@ -104,10 +104,10 @@ bool is_better(const io::LayoutTrial& a, const io::LayoutTrial& b) {
   return faults_a != faults_b ? faults_a < faults_b : a.resolution < trial_limits.gain * b.resolution;
 }
 
-stage::QuadrefineOptions trial_options(const ChainState& chain) {
+stage::QuadrefineOptions trial_options(const ChainState& chain, sizing::SizeRule rule) {
   stage::QuadrefineOptions options;
   options.refine.order = 2;
-  options.refine.size_rule = sizing::SizeRule::error;
+  options.refine.size_rule = rule;
   options.refine.allow_invalid = true;
   options.relax = "size";
   options.symmetry = chain.values.quadrefine.symmetry;
@@ -115,14 +115,14 @@ stage::QuadrefineOptions trial_options(const ChainState& chain) {
 }
 
 /// Makes a mesh, whose figures are the last of chain.trials. Returns false if there is none.
-bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options) {
+bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const std::string& options) {
   StageFile<QuadMesh> quads(chain.runner.scratch() + "/trial.quad.h5");
   StageTask task;
   task.stage = ChainStage::quadrefine;
   task.output = quads.path();
   task.words = {files.blocks.path()};
   task.compute = [&](Run& run) {
-    quads.set(stage::quadrefine(files.blocks.input(), {}, trial_options(chain), run), chain.keeps_files);
+    quads.set(stage::quadrefine(files.blocks.input(), {}, trial_options(chain, rule), run), chain.keeps_files);
   };
   task.write_inputs = [&] { files.blocks.write(); };
   if (!run_stage(chain, task)) return false;
@@ -152,14 +152,17 @@ bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
 /// Returns whether they are taken.
 bool try_nodes_at_least_energy(ChainState& chain, std::size_t first_replaced) {
   NodeFiles& usual = chain.files.of_nodes;
-  if (!try_mesh(chain, usual, {}) || is_good(chain.trials.back())) return false;
+  // Counts by the error take longer, and are needed for poor meshes alone.
+  if (!try_mesh(chain, usual, sizing::SizeRule::nearest, {}) || is_good(chain.trials.back())) return false;
+  chain.trials.pop_back();
+  if (!try_mesh(chain, usual, sizing::SizeRule::error, {}) || is_good(chain.trials.back())) return false;
   const io::LayoutTrial first = chain.trials.back();
   const Remedy remedy{"--place", "energy"};
   const std::size_t first_run = chain.runner.reports().size();
   NodeFiles files(chain.files.stem + ".remedy");
   if (make_nodes(chain, files, remedy) && !are_same_nodes(files.nodes.model(), usual.nodes.model()) &&
       make_graph(chain, files) && io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint" &&
-      make_blocks(chain, files) && try_mesh(chain, files, options_text(remedy)) &&
+      make_blocks(chain, files) && try_mesh(chain, files, sizing::SizeRule::error, options_text(remedy)) &&
       is_better(chain.trials.back(), first)) {
     if (chain.options.is_verbose) inform(chain, fmt::format("{} makes a better mesh", options_text(remedy)));
     take_remedy(chain, files, remedy, first_replaced, first_run);

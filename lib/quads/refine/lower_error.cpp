@@ -17,6 +17,7 @@
 namespace quadrille::refine {
 namespace {
 
+constexpr double good_resolution = 1.5;  ///< a quarter more error than equal squares at most
 constexpr int max_rounds = 6;
 constexpr double skewness_weight = 2;  ///< over ln R, of ln (0.7 / least scaled Jacobian) of blocks
 constexpr double worthwhile = 0.95;    ///< of the resolution ratio: less is not worth another mesh
@@ -102,8 +103,9 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
   std::size_t estimate = 0;
   std::set<std::vector<int>> tried;
   for (int round = 0; round < max_rounds && estimate < estimates.size(); ++round) {
-    sizing::ErrorParts of =
-        sizing::error_parts(request.equal, result.divisions, result.mesh, mesh::resolution(result.mesh));
+    const mesh::Resolution resolution = mesh::resolution(result.mesh);
+    if (resolution.ratio <= good_resolution) return;
+    sizing::ErrorParts of = sizing::error_parts(request.equal, result.divisions, result.mesh, resolution);
     if (round == 0) num_elems = of.num_elems;
     of.num_elems = num_elems;
     of.exponent = estimates[estimate].exponent;

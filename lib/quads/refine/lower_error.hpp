@@ -6,9 +6,9 @@
 
 namespace quadrille::refine {
 
-/// Splits the blocks again with such counts, at most three times, as long as this lowers the resolution ratio and the
-/// mesh exceeds nothing more than before. Prescribed counts and end lengths, layers, and counts that remedies changed
-/// are kept. `result`: placed, with prescribed lengths; so it is returned.
+/// Splits the blocks again with such counts, at most six times, as long as the resolution ratio is above 1.5, this
+/// lowers it, and the mesh exceeds nothing more than before. Prescribed counts and end lengths, layers, and counts that
+/// remedies changed are kept. `result`: placed, with prescribed lengths; so it is returned.
 void lower_error(const SplitRequest& request, SplitMesh& result);
 
 }  // namespace quadrille::refine
