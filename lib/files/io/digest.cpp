@@ -1,12 +1,17 @@
 #include "io/digest.hpp"
 
-#include <cpuid.h>
-#include <immintrin.h>
-
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
+
+// clang-format would move these out of their condition
+// clang-format off
+#ifdef __x86_64__
+#include <cpuid.h>
+#include <immintrin.h>
+#endif
+// clang-format on
 
 namespace quadrille::io {
 
