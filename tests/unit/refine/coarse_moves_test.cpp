@@ -60,8 +60,12 @@ TEST(CoarseMoves, MoveOnlyWhatMayMove) {
   const Preconditioner on(mesh_of(hand_made::cut_annulus(3), 0.3));
   const VertexMoves moves = on.moves(on.sample(1));
   for (int v = 0; v < on.problem.num_vertices(); ++v) {
-    if (on.problem.is_fixed[v]) EXPECT_EQ(moves[v], Vec2{});
-    if (on.problem.follow.on_boundary(v) >= 0) EXPECT_EQ(moves[v].y, 0);
+    if (on.problem.is_fixed[v]) {
+      EXPECT_EQ(moves[v], Vec2{});
+    }
+    if (on.problem.follow.on_boundary(v) >= 0) {
+      EXPECT_EQ(moves[v].y, 0);
+    }
   }
 }
 
