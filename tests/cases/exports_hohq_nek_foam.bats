@@ -104,7 +104,7 @@ exports() {
 }
 
 @test "the readers see what is wrong" {
-  quadrefine -q --inner-edges curved "$blocks/half_disc.blocks.h5" -o a.quad.h5
+  quadrefine -q --inner-edges curved --relax none --size-rule nearest "$blocks/half_disc.blocks.h5" -o a.quad.h5
   for name in a.ism a.inp a.re2 blockMeshDict; do quadexport -q a.quad.h5 -o $name; done
   # spoilt READER FILE SED: a change that the reader must notice
   spoilt() {

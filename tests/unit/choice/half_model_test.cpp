@@ -4,7 +4,6 @@
 
 #include "../support/polygon_field.hpp"
 #include "../triangulate/faces.hpp"
-#include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "choice/choose_nodes.hpp"
 
@@ -67,13 +66,14 @@ TEST(HalfModel, PrescribedValencesHoldForTheImageToo) {
   expect_half(half, whole);
 }
 
-TEST(HalfModel, ANodeOfOddValenceOnTheLineLeavesTheFaceForItself) {
+TEST(HalfModel, WhereTheWholeHasANodeOfOddValenceOnTheLineTheHalfHasItsOwn) {
   CadFace face = make_face({polygon({{-1, 0}, {std::sqrt(3.0) - 1, 0}, {-1, 1}})});  // of an equilateral triangle
   face.curve_names = {"symmetry", "side", "side"};
   Report report;
   const CriticalPoints points = choose_nodes(adapted_field(face), at_symmetry(), 1, report);
-  ASSERT_EQ(report.warnings().size(), 1U);
-  EXPECT_EQ(report.warnings()[0].code, warning::half_for_itself);
+  EXPECT_TRUE(report.warnings().empty());
+  ASSERT_EQ(points.critical_points.size(), 1U);
+  EXPECT_EQ(points.critical_points[0].valence, 3);
   EXPECT_EQ(points.index_sum, 4);
 }
 

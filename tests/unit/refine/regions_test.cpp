@@ -131,7 +131,7 @@ TEST(Regions, SizesOnOneSideOfAnInterface) {
   graph.face.curve_names[1] = graph.face.curve_names[7] = "wet";
   graph.face.region_names = {"fluid", "solid"};
   const auto heights = [&](const std::string& name) {
-    RefineOptions options{.size = 0.25, .order = 2, .relax = Relax::none};
+    RefineOptions options{.size = 0.25, .order = 2, .size_rule = sizing::SizeRule::nearest, .relax = Relax::none};
     sizing::SizeOptions sizes;
     sizes.size = 0.25;
     sizes.near = {{name, 0.05}};
