@@ -17,7 +17,7 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   assert_regex "${stderr_lines[0]}" "$one_line_of_limit"
   assert_regex "${stderr_lines[1]}" '^separatrix: warning W-SEP-002: '
   run -0 jq -c '[.certificate.method, .valid, (.warnings | map([.tool, .code])), (.stages | keys_unsorted)]' report.json
-  assert_output '["midpoint",true,[["quadmesh","W-RUN-001"],["separatrix","W-SEP-002"]],["cad2tri","fieldsolve","padapt","midpoint_separatrix","midpoint_blocksplit","midpoint_quadrefine","quadexport"]]'
+  assert_output '["midpoint",true,[["quadmesh","W-RUN-001"],["separatrix","W-SEP-002"],["quadrefine","W-QUA-005"]],["cad2tri","fieldsolve","padapt","midpoint_separatrix","midpoint_blocksplit","midpoint_quadrefine","quadexport"]]'
   run -0 jq -r '.given_up, "quadmesh: warning W-RUN-001: " + .warnings[0].message' report.json
   assert_line --index 0 --regexp '^padapt: stopped at '
   assert_line --index 1 --regexp "$one_line_of_limit"
@@ -133,7 +133,7 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   assert_equal "$(grep -c trying <<<"$stderr")" 1
   assert_regex "$stderr" 'quadmesh: warning W-RUN-001: critpoints was stopped at'
   run -0 jq -c '[.certificate.method, .remedy, .valid, (.warnings | map(.code) | sort)]' report.json
-  assert_output '["midpoint",null,true,["W-ADAPT-002","W-RUN-001","W-SEP-002"]]'
+  assert_output '["midpoint",null,true,["W-ADAPT-002","W-QUA-005","W-RUN-001","W-SEP-002"]]'
   rm -r fake
   assert_nothing_left out.msh report.json snail.step
 }
