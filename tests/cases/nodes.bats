@@ -141,7 +141,7 @@ apart() {
     fieldsolve x.tri.h5 --nodes x.crit.json | padapt -o x.phase.h5
     [[ $size != 0 ]] || cp x.field.h5 x.phase.h5
     separatrix x.phase.h5 x.crit.json --report x.json | blocksplit -o x.blocks.h5
-    quadrefine x.blocks.h5 --report quads.json -o x.quad.h5
+    quadrefine --relax none --size-rule nearest x.blocks.h5 --report quads.json -o x.quad.h5
     jq -e '.least_scaled_jacobian > 0.68' quads.json
     run -0 jq .blocks quads.json
     assert [ "$output" -le "$last" ]

@@ -38,7 +38,7 @@ struct PlacementOptions {
   double tolerance = 1e-10;  ///< of the nodes' positions, relative to the diameter
   int max_iterations = 200;  ///< each takes a few evaluations of the energy at most
   double pair_reach = 0.02;  ///< greatest reach of a repulsion term, relative to the diameter
-  /// Patterns of the names of curves at lines of symmetry (curve/mirrored_face.hpp), which are no boundary of the
+  /// Patterns of the names of curves at lines of symmetry (curve/symmetry_lines.hpp), which are no boundary of the
   /// whole.
   std::vector<std::string> symmetry = {};
 };

@@ -10,6 +10,7 @@
 #include "base/tolerance.hpp"
 #include "chain/chain_nodes.hpp"
 #include "chain/make_graph.hpp"
+#include "model/name_rules.hpp"
 
 namespace quadrille::chain {
 
@@ -85,7 +86,8 @@ struct TrialLimits {
   double edge_ratio = 100;
   double scaled_jacobian = 0.3;
   double resolution = 2;
-  double gain = 0.95;  ///< of the resolution ratio
+  double gain = 0.95;      ///< of the resolution ratio
+  std::size_t nodes = 24;  ///< of more, the least energy takes longer than all other stages
 };
 constexpr TrialLimits trial_limits;
 
@@ -138,9 +140,9 @@ bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const 
 bool may_try_nodes(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   return !chain.has_fixed_nodes && !options.is_dry_run && chain.has_other_way && chain.remedy.empty() &&
-         options.programs.empty() && chain.num_nodes > 0 && chain.is_due(ChainStage::critpoints) &&
-         chain.is_due(ChainStage::blocksplit) && !options.has("critpoints", "--place") &&
-         !options.has("critpoints", "--nodes");
+         options.programs.empty() && chain.num_nodes > 0 && chain.num_nodes <= trial_limits.nodes &&
+         chain.is_due(ChainStage::critpoints) && chain.is_due(ChainStage::blocksplit) &&
+         !options.has("critpoints", "--place") && !options.has("critpoints", "--nodes");
 }
 
 bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
@@ -205,6 +207,7 @@ void try_better_nodes(ChainState& chain) {
   if (!may_try_nodes(chain)) return;
   const std::vector<io::StageReport>& reports = chain.runner.reports();
   const auto first_replaced = std::ranges::find(reports, std::string("separatrix"), &io::StageReport::stage);
+  if (has_far_field(chain.files.of_nodes.nodes.model().face)) return;  // where sizes grow with the distance
   if (first_replaced == reports.end() || io::value_of(*first_replaced, "certificate.method") == "midpoint") return;
   const std::size_t first_run = first_replaced - reports.begin();
   const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);

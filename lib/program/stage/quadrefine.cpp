@@ -104,7 +104,7 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
            "the number of elements of each chord: nearest deviates least from the prescribed lengths in the mean; "
            "at-most makes no edge longer than prescribed; error begins with nearest, and then moves elements from "
            "chord to chord as long as this lowers the error of a smooth solution at their number; elements are shorter "
-           "only where the boundary needs it");
+           "only where the boundary needs it. With --wall, or without --relax size, error is nearest");
   o.texts("--count", options.counts, "CHORD=N|NAME=N",
           "N elements across a chord, or along the boundary NAME (all its curves together), instead of the number from "
           "the sizes; the pictures of stageview BLOCKS and arc_chord in BLOCKS show the numbers of the chords");

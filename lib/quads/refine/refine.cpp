@@ -86,8 +86,9 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   const HalvedSides halved = halved_sides(upright, prescribed.symmetry);
   const sizing::MeasuredLayout aligned = with_lines_of_whole(upright, halved);
   RefineOptions options = prescribed;
-  if (!options.walls.empty() && options.size_rule == sizing::SizeRule::error)
-    options.size_rule = sizing::SizeRule::nearest;  // the growth from wall to wall determines counts
+  // The growth from wall to wall determines counts; and vertices that stay have other parts of the error.
+  if (options.size_rule == sizing::SizeRule::error && (!options.walls.empty() || options.relax != Relax::size))
+    options.size_rule = sizing::SizeRule::nearest;
   const SplitRequest request{
       options, measured, aligned, halved, size_field(options, layout.face), score_limits(options, layout.face), report};
   const std::vector<prescribe::LayeredCount> layered = layered_counts(request);

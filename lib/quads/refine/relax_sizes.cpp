@@ -105,7 +105,8 @@ double Relaxer::longest_step(const VertexMoves& direction) const {
 
 /// Returns whether the energy became less.
 bool Relaxer::step(EnergyDerivatives& at) {
-  const VertexMoves direction = inverse_.descent(at.gradient);
+  VertexMoves direction = inverse_.descent(at.gradient);
+  symmetry_->average(direction);
   const double slope = inner_product(direction, at.gradient);
   if (!(slope < -size_constants.least_slope * at.value)) return false;
   double length = longest_step(direction);

@@ -1,7 +1,7 @@
 #pragma once
 // The counts of chords with the least error of a smooth solution at a given number of elements.
 //
-// E of mesh/resolution is a sum over chords, with parts s_c of all 1. With counts n' in place of n, and vertices that
+// E of mesh/element_sizes is a sum over chords, with parts s_c of all 1. With counts n' in place of n, and vertices that
 // are relaxed to the sizes again (refine/relax_sizes), it is estimated as
 //
 //   E'/E = (sum over chords of s_c (n_c / n'_c)^e)^(2q / e),   0 < e <= 2q,
@@ -24,7 +24,7 @@
 namespace quadrille::sizing {
 
 struct ErrorParts {
-  std::vector<double> parts;                     ///< by chord: of E, of all 1 (mesh/resolution)
+  std::vector<double> parts;                     ///< by chord: of E, of all 1 (mesh/element_sizes)
   std::vector<int> counts;                       ///< by chord: of the mesh with these parts
   std::vector<bool> is_fixed;                    ///< by chord: its count is prescribed
   std::vector<std::array<int, 2>> block_chords;  ///< of the blocks whose elements have a part
