@@ -1,8 +1,8 @@
 #pragma once
 // The counts of chords with the least error of a smooth solution at a given number of elements.
 //
-// E of mesh/element_sizes is a sum over chords, with parts s_c of all 1. With counts n' in place of n, and vertices that
-// are relaxed to the sizes again (refine/relax_sizes), it is estimated as
+// E of mesh/element_sizes is a sum over chords, with parts s_c of all 1. With counts n' in place of n, and vertices
+// that are relaxed to the sizes again (refine/relax_sizes), it is estimated as
 //
 //   E'/E = (sum over chords of s_c (n_c / n'_c)^e)^(2q / e),   0 < e <= 2q,
 //
