@@ -24,7 +24,7 @@ separatrix proposes, one after another: if a strip of blocks winds onto itself, 
 The first that gives a layout is kept. Where the layout's mesh is poor (a resolution ratio above 2, not proved, an edge
 ratio above 100 or a scaled Jacobian below 0.3), nodes at the least energy (--place energy) are tried too, and taken
 if their mesh is better; both are judged at edges of diameter / 20, so that blocks do not depend on sizes. Not with
-more than 24 nodes, in a far field, or with --place or --nodes.
+more than 24 nodes, in a far field, with --wall, --place or --nodes.
 Where the field gives no valid mesh, the face is meshed without it, by triangles divided into quads, with a
 warning (--layout midpoint; with --layout traced or quantized the exit code is 1 instead).
 

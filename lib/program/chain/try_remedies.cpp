@@ -58,7 +58,7 @@ void take_remedy(ChainState& chain, NodeFiles& files, const Remedy& remedy, std:
   for (std::size_t i = first_replaced; i < reports.size(); ++i) {
     std::string& stage = reports[i].stage;
     const bool is_trial = stage.starts_with(prefix_of_trials);
-    if (i < first_run && !is_trial) stage = prefix_of_trials + stage;
+    if (i < first_run && !is_trial) stage.insert(0, prefix_of_trials);
     if (i >= first_run && io::value_of(reports[i], "tool") != "quadrefine")
       stage = "remedy_" + stage.substr(std::string(prefix_of_trials).size());
   }
@@ -140,9 +140,10 @@ bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const 
 bool may_try_nodes(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   return !chain.has_fixed_nodes && !options.is_dry_run && chain.has_other_way && chain.remedy.empty() &&
-         options.programs.empty() && chain.num_nodes > 0 && chain.num_nodes <= trial_limits.nodes &&
-         chain.is_due(ChainStage::critpoints) && chain.is_due(ChainStage::blocksplit) &&
-         !options.has("critpoints", "--place") && !options.has("critpoints", "--nodes");
+         options.programs.empty() && chain.values.quadrefine.walls.empty() && chain.num_nodes > 0 &&
+         chain.num_nodes <= trial_limits.nodes && chain.is_due(ChainStage::critpoints) &&
+         chain.is_due(ChainStage::blocksplit) && !options.has("critpoints", "--place") &&
+         !options.has("critpoints", "--nodes");
 }
 
 bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {

@@ -15,7 +15,7 @@ void try_remedies(ChainState& chain);
 /// are tried (critpoints --place energy), and taken if their mesh is better: with fewer faults, else with a resolution
 /// ratio that is less by 5 %. Both meshes have edges of diameter / 20 and order 2 whatever the user asks for, so that
 /// blocks do not depend on sizes. Nothing changes with more than 24 nodes, in a far
-/// field, or where a user chose nodes or where they are placed. Needs the blocks.
+/// field, with layers along walls, or where a user chose nodes or where they are placed. Needs the blocks.
 void try_better_nodes(ChainState& chain);
 
 }  // namespace quadrille::chain
