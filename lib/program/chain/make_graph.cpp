@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "chain/chain_inputs.hpp"
 #include "chain/chain_nodes.hpp"
 #include "cli/messages.hpp"
@@ -15,31 +17,18 @@ namespace {
 bool solve_phase(ChainState& chain, NodeFiles& files) {
   StageFile<TriMesh>& triangles = chain.files.triangles;
   StageFile<Field>& field = chain.files.field;
-  StageTask solve;
-  solve.stage = ChainStage::fieldsolve;
-  solve.is_of_phase = true;
-  solve.output = files.phase_solve.path();
-  solve.words = {"--nodes", files.nodes.name(), "--orders", field.path(), triangles.path()};
-  solve.compute = [&](Run& run) {
+  const auto solve = [&](Run& run) {
     const OrderMap orders{field.model().elem_order, field.model().kind == FieldKind::harmonic};
     stage::FieldsolveInput input{triangles.input(), {}, "field", {}};
     input.orders.emplace(orders, field.input().file);
     input.nodes.emplace(files.nodes.input());
-    files.phase_solve.set(stage::fieldsolve(input, chain.values.fieldsolve, run), chain.keeps_files);
+    return stage::fieldsolve(input, chain.values.fieldsolve, run);
   };
-  solve.write_inputs = [&] { triangles.write(), field.write(), files.nodes.write(); };
-  solve.drop_result = [&] { files.phase_solve.forget(); };
-  StageTask adapt;
-  adapt.stage = ChainStage::padapt;
-  adapt.is_of_phase = true;
-  adapt.output = files.phase.path();
-  adapt.words = {files.phase_solve.path()};
-  adapt.compute = [&](Run& run) {
-    files.phase.set(stage::padapt(files.phase_solve.input(), chain.values.padapt, run), chain.keeps_files);
-  };
-  adapt.write_inputs = [&] { files.phase_solve.write(); };
-  adapt.drop_result = [&] { files.phase.forget(); };
-  const bool is_solved = run_stage(chain, solve) && run_stage(chain, adapt);
+  const auto adapt = [&](Run& run) { return stage::padapt(files.phase_solve.input(), chain.values.padapt, run); };
+  StageTask task{ChainStage::fieldsolve, true, {"--nodes", files.nodes.name(), "--orders", field.path()}};
+  task.words.push_back(triangles.path());
+  const bool is_solved = make_file(chain, std::move(task), files.phase_solve, solve, triangles, field, files.nodes) &&
+                         make_file(chain, {ChainStage::padapt, true}, files.phase, adapt, files.phase_solve);
   files.phase_solve.forget();
   return is_solved;
 }
@@ -58,17 +47,10 @@ void print_phase_stages(ChainState& chain, NodeFiles& files) {
 }
 
 bool trace(ChainState& chain, NodeFiles& files, StageFile<Field>& field) {
-  StageTask task;
-  task.stage = ChainStage::separatrix;
-  task.output = files.graph.path();
-  task.words = {field.path(), files.nodes.name()};
-  task.compute = [&](Run& run) {
-    files.graph.set(stage::separatrix(field.input(), files.nodes.input(), layout_options(chain), run),
-                    chain.keeps_files);
+  const auto graph = [&](Run& run) {
+    return stage::separatrix(field.input(), files.nodes.input(), layout_options(chain), run);
   };
-  task.write_inputs = [&] { field.write(), files.nodes.write(); };
-  task.drop_result = [&] { files.graph.forget(); };
-  return run_stage(chain, task);
+  return make_file(chain, {ChainStage::separatrix}, files.graph, graph, field, files.nodes);
 }
 
 }  // namespace
@@ -77,10 +59,6 @@ stage::SeparatrixOptions layout_options(const ChainState& chain) {
   stage::SeparatrixOptions options = chain.values.separatrix;
   options.coarse_mesher = triangulate::coarse_triangles;
   return options;
-}
-
-bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::string>& node_words) {
-  return make_nodes(chain, files, node_words) && make_graph(chain, files);
 }
 
 bool make_graph(ChainState& chain, NodeFiles& files) {
@@ -96,18 +74,11 @@ bool make_graph(ChainState& chain, NodeFiles& files) {
 }
 
 bool make_blocks(ChainState& chain, NodeFiles& files) {
-  StageTask task;
-  task.stage = ChainStage::blocksplit;
-  task.output = files.blocks.path();
-  task.words = {files.graph.path()};
-  task.compute = [&](Run& run) {
+  const auto blocks = [&](Run& run) {
     const Names names = block_names(chain);
-    files.blocks.set(stage::blocksplit(files.graph.input(), names.input(), chain.values.blocksplit, run),
-                     chain.keeps_files);
+    return stage::blocksplit(files.graph.input(), names.input(), chain.values.blocksplit, run);
   };
-  task.write_inputs = [&] { files.graph.write(); };
-  task.drop_result = [&] { files.blocks.forget(); };
-  return run_stage(chain, task);
+  return make_file(chain, {ChainStage::blocksplit}, files.blocks, blocks, files.graph);
 }
 
 }  // namespace quadrille::chain

@@ -5,11 +5,7 @@
 
 namespace quadrille::chain {
 
-/// The graph of `files.graph` for the triangles and the field, with these words for critpoints beside the chosen ones;
-/// first a field of their own, if the nodes need one. Returns false as run_stage does.
-bool make_graph(ChainState& chain, NodeFiles& files, const std::vector<std::string>& node_words);
-
-/// The same for nodes that are made.
+/// The graph of the nodes of `files`; first a field of their own, if they need one. Returns false as run_stage does.
 bool make_graph(ChainState& chain, NodeFiles& files);
 
 /// The blocks of `files.graph`. Returns false as run_stage does.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "chain/chain_inputs.hpp"
+#include "chain/chain_nodes.hpp"
 #include "chain/make_graph.hpp"
 #include "chain/try_remedies.hpp"
 
@@ -12,58 +13,30 @@ namespace {
 
 bool solve_field(ChainState& chain) {
   ChainFiles& files = chain.files;
-  StageTask solve;
-  solve.stage = ChainStage::fieldsolve;
-  solve.output = files.solve.path();
-  solve.words = {files.triangles.path()};
-  solve.compute = [&](Run& run) {
-    files.solve.set(stage::fieldsolve({files.triangles.input(), {}, {}, {}}, chain.values.fieldsolve, run),
-                    chain.keeps_files);
+  const auto solve = [&](Run& run) {
+    return stage::fieldsolve({files.triangles.input(), {}, {}, {}}, chain.values.fieldsolve, run);
   };
-  solve.write_inputs = [&] { files.triangles.write(); };
-  solve.drop_result = [&] { files.solve.forget(); };
-  StageTask adapt;
-  adapt.stage = ChainStage::padapt;
-  adapt.output = files.field.path();
-  adapt.words = {files.solve.path()};
-  adapt.compute = [&](Run& run) {
-    files.field.set(stage::padapt(files.solve.input(), chain.values.padapt, run), chain.keeps_files);
-  };
-  adapt.write_inputs = [&] { files.solve.write(); };
-  adapt.drop_result = [&] { files.field.forget(); };
-  const bool is_solved = run_stage(chain, solve) && run_stage(chain, adapt);
+  const auto adapt = [&](Run& run) { return stage::padapt(files.solve.input(), chain.values.padapt, run); };
+  const bool is_solved = make_file(chain, {ChainStage::fieldsolve}, files.solve, solve, files.triangles) &&
+                         make_file(chain, {ChainStage::padapt}, files.field, adapt, files.solve);
   files.solve.forget();
   return is_solved;
 }
 
 bool divide_triangles(ChainState& chain) {
   ChainFiles& files = chain.files;
-  StageTask task;
-  task.stage = ChainStage::separatrix;
-  task.output = files.of_nodes.graph.path();
-  task.words = {files.triangles.path()};
-  task.compute = [&](Run& run) {
-    files.of_nodes.graph.set(stage::separatrix(files.triangles.input(), layout_options(chain), run), chain.keeps_files);
-  };
-  task.write_inputs = [&] { files.triangles.write(); };
-  task.drop_result = [&] { files.of_nodes.graph.forget(); };
-  return run_stage(chain, task);
+  const auto graph = [&](Run& run) { return stage::separatrix(files.triangles.input(), layout_options(chain), run); };
+  return make_file(chain, {ChainStage::separatrix}, files.of_nodes.graph, graph, files.triangles);
 }
 
 bool refine_blocks(ChainState& chain) {
-  ChainFiles& files = chain.files;
-  StageTask task;
-  task.stage = ChainStage::quadrefine;
-  task.output = files.quads.path();
-  task.words = {files.of_nodes.blocks.path()};
-  task.compute = [&](Run& run) {
-    const stage::Input<BlockLayout> layout = files.of_nodes.blocks.input();
+  StageFile<BlockLayout>& blocks = chain.files.of_nodes.blocks;
+  const auto quads = [&](Run& run) {
+    const stage::Input<BlockLayout> layout = blocks.input();
     const PrescribedSizes sizes = prescribed_sizes(chain, layout.model.face);
-    files.quads.set(stage::quadrefine(layout, sizes.input(), chain.values.quadrefine, run), chain.keeps_files);
+    return stage::quadrefine(layout, sizes.input(), chain.values.quadrefine, run);
   };
-  task.write_inputs = [&] { files.of_nodes.blocks.write(); };
-  task.drop_result = [&] { files.quads.forget(); };
-  return run_stage(chain, task);
+  return make_file(chain, {ChainStage::quadrefine}, chain.files.quads, quads, blocks);
 }
 
 bool quads_of_triangles(ChainState& chain) {
@@ -71,9 +44,10 @@ bool quads_of_triangles(ChainState& chain) {
 }
 
 bool quads_of_field(ChainState& chain) {
-  if (!solve_field(chain) || !make_graph(chain, chain.files.of_nodes, {})) return false;
+  NodeFiles& files = chain.files.of_nodes;
+  if (!solve_field(chain) || !make_nodes(chain, files, {}) || !make_graph(chain, files)) return false;
   try_remedies(chain);
-  if (!make_blocks(chain, chain.files.of_nodes)) return false;
+  if (!make_blocks(chain, files)) return false;
   try_better_nodes(chain);
   return refine_blocks(chain);
 }

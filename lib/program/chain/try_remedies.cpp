@@ -69,15 +69,19 @@ void take_remedy(ChainState& chain, NodeFiles& files, const Remedy& remedy, std:
   replace(usual.graph, files.graph);
   const bool has_blocks = files.blocks.is_in_memory() || std::filesystem::exists(files.blocks.path());
   if (has_blocks) replace(usual.blocks, files.blocks);
-  chain.last = (has_blocks ? usual.blocks.path() : usual.graph.path());
+  chain.last = has_blocks ? usual.blocks.path() : usual.graph.path();
   chain.remedy = options_text(remedy);
   print_warnings(chain, first_run);
 }
 
+/// Traces or quantizes a layout for nodes that are made. Returns false if there is none.
+bool make_layout(ChainState& chain, NodeFiles& files) {
+  return make_graph(chain, files) && io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint";
+}
+
 bool gives_layout(ChainState& chain, NodeFiles& files, const Remedy& remedy) {
   chain.prefix = prefix_of_trials;
-  const bool is_made = make_graph(chain, files, remedy) &&
-                       io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint";
+  const bool is_made = make_nodes(chain, files, remedy) && make_layout(chain, files);
   chain.prefix.clear();
   return is_made;
 }
@@ -116,18 +120,13 @@ stage::QuadrefineOptions trial_options(const ChainState& chain, sizing::SizeRule
   return options;
 }
 
-/// Makes a mesh, whose figures are the last of chain.trials. Returns false if there is none.
+/// Makes a trial mesh and appends its figures to chain.trials. Returns false if there is no mesh.
 bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const std::string& options) {
-  StageFile<QuadMesh> quads(chain.runner.scratch() + "/trial.quad.h5");
-  StageTask task;
-  task.stage = ChainStage::quadrefine;
-  task.output = quads.path();
-  task.words = {files.blocks.path()};
-  task.compute = [&](Run& run) {
-    quads.set(stage::quadrefine(files.blocks.input(), {}, trial_options(chain, rule), run), chain.keeps_files);
+  StageFile<QuadMesh> mesh(chain.runner.scratch() + "/trial.quad.h5");
+  const auto quads = [&](Run& run) {
+    return stage::quadrefine(files.blocks.input(), {}, trial_options(chain, rule), run);
   };
-  task.write_inputs = [&] { files.blocks.write(); };
-  if (!run_stage(chain, task)) return false;
+  if (!make_file(chain, {ChainStage::quadrefine}, mesh, quads, files.blocks)) return false;
   const io::StageReport& report = chain.runner.reports().back();
   const auto number = [&](const char* key) { return std::stod(io::value_of(report, key).value_or("0")); };
   chain.trials.push_back({options, io::value_of(report, "valid") == "true", number("greatest_edge_ratio.value"),
@@ -136,7 +135,7 @@ bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const 
   return true;
 }
 
-/// Whether this run finds the nodes, as it pleases, and the blocks.
+/// Whether this run finds nodes and blocks, and the user left the choice of nodes to it.
 bool may_try_nodes(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   return !chain.has_fixed_nodes && !options.is_dry_run && chain.has_other_way && chain.remedy.empty() &&
@@ -164,9 +163,8 @@ bool try_nodes_at_least_energy(ChainState& chain, std::size_t first_replaced) {
   const std::size_t first_run = chain.runner.reports().size();
   NodeFiles files(chain.files.stem + ".remedy");
   if (make_nodes(chain, files, remedy) && !are_same_nodes(files.nodes.model(), usual.nodes.model()) &&
-      make_graph(chain, files) && io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint" &&
-      make_blocks(chain, files) && try_mesh(chain, files, sizing::SizeRule::error, options_text(remedy)) &&
-      is_better(chain.trials.back(), first)) {
+      make_layout(chain, files) && make_blocks(chain, files) &&
+      try_mesh(chain, files, sizing::SizeRule::error, options_text(remedy)) && is_better(chain.trials.back(), first)) {
     if (chain.options.is_verbose) inform(chain, fmt::format("{} makes a better mesh", options_text(remedy)));
     take_remedy(chain, files, remedy, first_replaced, first_run);
     return true;
@@ -210,12 +208,14 @@ void try_better_nodes(ChainState& chain) {
   const auto first_replaced = std::ranges::find(reports, std::string("separatrix"), &io::StageReport::stage);
   if (has_far_field(chain.files.of_nodes.nodes.model().face)) return;  // where sizes grow with the distance
   if (first_replaced == reports.end() || io::value_of(*first_replaced, "certificate.method") == "midpoint") return;
-  const std::size_t first_run = first_replaced - reports.begin();
+  const std::size_t replaced_run = first_replaced - reports.begin();
   const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);
   chain.prefix = prefix_of_trials;
-  const bool is_better = try_nodes_at_least_energy(chain, first_run);
+  const bool is_better = try_nodes_at_least_energy(chain, replaced_run);
   chain.prefix.clear();
   if (is_better) return;
+  // The report of a stage that was stopped says that the quads are made without a field; here the nodes stay.
+  if (chain.given_up && chain.given_up->is_stopped) chain.runner.reports().pop_back();
   chain.given_up.reset();
   std::tie(chain.form, chain.num_nodes, chain.last) = before;
 }

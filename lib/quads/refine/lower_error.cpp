@@ -41,7 +41,7 @@ void fix_chords(const SplitRequest& request, const SplitMesh& split, sizing::Err
   }
 }
 
-/// Of the counts that chords get, which are found by dividing their arcs.
+/// The counts that chords get where others are asked for, found by dividing their arcs.
 class AchievedCounts {
  public:
   AchievedCounts(const SplitRequest& request, const SplitMesh& split)
@@ -84,16 +84,12 @@ std::optional<SplitMesh> split_again(const SplitRequest& request, const SplitMes
   }
 }
 
-/// The logarithm of the resolution ratio, and what the mesh is skewed beyond what is allowed.
-double cost(const SplitMesh& split) {
-  return std::log(mesh::resolution(split.mesh).ratio) + skewness_weight * split.score.skewness;
-}
-
-bool is_better(const SplitMesh& next, const SplitMesh& split) {
+/// `resolution`: the ratio of `next` over that of `split`.
+bool is_better(const SplitMesh& next, const SplitMesh& split, double resolution) {
   const mesh::MeshScore &before = split.score, &after = next.score;
   return after.unproved <= before.unproved && !mesh::exceeds(after.distance, before.distance) &&
          !mesh::exceeds(after.elongation, before.elongation) && after.growth <= before.growth &&
-         cost(next) < cost(split) + std::log(worthwhile);
+         std::log(resolution) + skewness_weight * (after.skewness - before.skewness) < std::log(worthwhile);
 }
 
 }  // namespace
@@ -102,8 +98,8 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
   double num_elems = 0;  // of the first mesh, that sizes and breaks mean
   std::size_t estimate = 0;
   std::set<std::vector<int>> tried;
+  mesh::Resolution resolution = mesh::resolution(result.mesh);
   for (int round = 0; round < max_rounds && estimate < estimates.size(); ++round) {
-    const mesh::Resolution resolution = mesh::resolution(result.mesh);
     if (resolution.ratio <= good_resolution) return;
     sizing::ErrorParts of = sizing::error_parts(request.equal, result.divisions, result.mesh, resolution);
     if (round == 0) num_elems = of.num_elems;
@@ -116,10 +112,13 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
     std::optional<SplitMesh> next;
     if (counts.ratio < worthwhile && tried.insert(counts.counts).second)
       next = split_again(request, result, of, counts.counts);
-    if (next && is_better(*next, result))
+    mesh::Resolution of_next = next ? mesh::resolution(next->mesh) : resolution;
+    if (next && is_better(*next, result, of_next.ratio / resolution.ratio)) {
       result = std::move(*next);
-    else
+      resolution = std::move(of_next);
+    } else {
       ++estimate;
+    }
   }
 }
 

@@ -65,6 +65,7 @@ class RealCounts {
     for (std::size_t c = 0; c < counts_.size(); ++c)
       if (others[c] > 0) counts_[c] = bounded(c, std::sqrt(counts_[c] * best(c, others[c] / (2 * num))));
   }
+  /// Where the estimate is least if the other counts stay. `others`: their sum over the blocks of the chord, over 2 N.
   double best(std::size_t c, double others) const {
     return std::pow(of_.parts[c] * std::pow(of_.counts[c], of_.exponent) / others, 1 / (1 + of_.exponent));
   }

@@ -57,17 +57,17 @@ TEST_F(HohqmeshQuads, AnEdgeHasBothItsElements) {
 }
 
 TEST_F(HohqmeshQuads, LossesAreTold) {
-  const auto tells = [&](const std::string& part) {
+  const auto has_loss = [&](const std::string& part) {
     for (const std::string& loss : model.losses)
       if (loss.find(part) != std::string::npos) return true;
     return false;
   };
-  EXPECT_TRUE(tells("in & out"));  // renamed: one word
+  EXPECT_TRUE(has_loss("in & out"));  // renamed: one word
   EXPECT_EQ(model.side_files.size(), 1u);
-  EXPECT_FALSE(tells("nodes inside elements"));
+  EXPECT_FALSE(has_loss("nodes inside elements"));
   mesh = two_quads_with_moved_middle();
   model = model_of(mesh, plane_frame(mesh.face));
-  EXPECT_TRUE(tells("nodes inside elements are not stored"));
+  EXPECT_TRUE(has_loss("nodes inside elements are not stored"));
 }
 
 TEST_F(HohqmeshQuads, SidesRunInTheLocalCoordinatesDirection) {
