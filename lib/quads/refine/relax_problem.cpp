@@ -120,9 +120,9 @@ ElementEnergy ShapeEnergy::with_derivatives(int elem, const std::vector<Vec2>& n
   return energy;
 }
 
-BoundarySlide::BoundarySlide(const QuadMesh& mesh, bool leaves_breaks)
+BoundarySlide::BoundarySlide(const QuadMesh& mesh, SlidesOff slides_off)
     : mesh_(&mesh),
-      leaves_breaks_(leaves_breaks),
+      slides_off_(slides_off),
       table_(mesh.face, no_splines_),
       curve_start_(mesh.face.curves.size(), 0.0) {
   const CadFace& face = mesh.face;
@@ -130,6 +130,7 @@ BoundarySlide::BoundarySlide(const QuadMesh& mesh, bool leaves_breaks)
     loops_.push_back(walked_twice(face, table_, loop));
     for (int c = face.loop_offsets[loop] + 1; c < face.loop_offsets[loop + 1]; ++c)
       curve_start_[c] = curve_start_[c - 1] + table_.arc_length(c - 1).total();
+    find_free_joints(loop);
   }
   for (const std::vector<QuadBoundaryEdge>& edges : edges_of_loops(mesh)) add_loop(edges);
 }
@@ -150,16 +151,24 @@ void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
   for (int e = first; e < first + count; ++e) fix_beside_joints(e);
 }
 
-/// Whether vertices may slide off the joint after that piece: a seam, or if breaks may be left a smooth joint of curves
-/// whose names are the same, or not given.
+/// Whether vertices may slide off the joint after that piece, or edges pass it.
 bool BoundarySlide::may_leave(const curve::Chain& chain, int piece) const {
   const CadFace& face = mesh_->face;
   const int before = chain.pieces()[piece].curve, after = chain.pieces()[piece + 1].curve;
   if (is_seam(face, after)) return true;
-  const bool is_named = face.curve_names[before] != face.curve_names[after] &&
-                        (face.has_given_name(before) || face.has_given_name(after));
-  return leaves_breaks_ && !is_named && !face.joints[after].is_corner &&
-         std::abs(face.joints[after].interior_angle - pi) < tolerance::same_angle;
+  const bool is_named = face.has_given_name(before) || face.has_given_name(after);
+  const bool is_other_name = face.curve_names[before] != face.curve_names[after];
+  return slides_off_ != SlidesOff::nothing && (!is_other_name || (slides_off_ == SlidesOff::joints && !is_named)) &&
+         !face.joints[after].is_corner && std::abs(face.joints[after].interior_angle - pi) < tolerance::same_angle;
+}
+
+void BoundarySlide::find_free_joints(int loop) {
+  const CadFace& face = mesh_->face;
+  for (int c = face.loop_offsets[loop], piece = 0; c < face.loop_offsets[loop + 1]; ++c, ++piece) {
+    const int next = face.next_in_loop(c);
+    if (face.curve_names[c] != face.curve_names[next] && may_leave(loops_[loop], piece))
+      free_joints_.push_back({loop, curve_start_[next]});
+  }
 }
 
 /// An edge that passes a joint keeps its ends.
@@ -200,9 +209,12 @@ void BoundarySlide::fix_at_breaks(int vertex) {
   const bool has_seam = is_seam(mesh_->face, mesh_->face.loop_offsets[v.loop]);
   const auto is_at = [&](double x, double f) { return std::abs(std::remainder(x - f * 2 * total, total)) < same; };
   for (const double f : chain.break_fractions()) v.is_at_break |= is_at(v.length, f) && !(has_seam && is_at(0, f));
-  if (!leaves_breaks_) v.is_fixed |= v.is_at_break;
+  // Another vertex will be there.
+  for (const LoopJoint& joint : free_joints_)
+    v.is_at_break &= joint.loop != v.loop || !is_at(v.length, joint.length / (2 * total));
+  if (slides_off_ == SlidesOff::nothing) v.is_fixed |= v.is_at_break;
   const std::vector<double> joints = chain.joint_fractions();
-  for (std::size_t k = 0; leaves_breaks_ && k < joints.size(); ++k)
+  for (std::size_t k = 0; slides_off_ != SlidesOff::nothing && k < joints.size(); ++k)
     if (is_at(v.length, joints[k]) && !may_leave(chain, static_cast<int>(k))) v.is_fixed = true;
 }
 
@@ -328,9 +340,9 @@ void NodeFollow::shift_inside(int elem, std::vector<Vec2>& shifts) const {
     }
 }
 
-RelaxProblem::RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, bool leaves_breaks)
+RelaxProblem::RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, SlidesOff slides_off)
     : start(mesh),
-      boundary(start, leaves_breaks),
+      boundary(start, slides_off),
       follow(start, boundary),
       energy(start),
       is_fixed(follow.num_vertices(), false) {

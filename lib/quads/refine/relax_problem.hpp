@@ -2,9 +2,9 @@
 // A mesh to be relaxed: its movable vertices, the nodes that follow them, and the energy to minimise.
 //
 // Vertices on the boundary have a position along the loops of CAD curves, on which they slide. Fixed are those at
-// joints between curves (corners and changes of name among them) and at breaks of a curve, the ends of an edge that
-// passes a joint, and all on interfaces, which both regions share, and on periodic curves. The seam of a smooth closed
-// curve fixes no vertex.
+// joints between curves (corners and changes of name among them) and at breaks of a curve, unless they may slide off
+// (SlidesOff), the ends of an edge that passes a joint, and all on interfaces, which both regions share, and on
+// periodic curves. The seam of a smooth closed curve fixes no vertex.
 //
 // The energy that relaxation minimises: the deviation of elements from their prescribed shape.
 //
@@ -53,6 +53,13 @@ class ShapeEnergy {
   std::vector<Vec2> inverse_lengths_;  ///< 1 / l1, 1 / l2 at each node of each element
 };
 
+/// What vertices on the boundary may slide off.
+enum class SlidesOff {
+  nothing,
+  breaks,  ///< of curves, and smooth joints between curves of one name
+  joints,  ///< also smooth joints between curves whose names are not given
+};
+
 struct SlidingVertex {
   int node = 0;
   int loop = 0;
@@ -66,16 +73,24 @@ struct SlidingEdge {
   int from = 0, to = 0;  ///< vertices
 };
 
+/// A joint of a loop.
+struct LoopJoint {
+  int loop = 0;
+  double length = 0;  ///< along the loop from the start of its first curve, less than its length
+};
+
 class BoundarySlide {
  public:
-  /// `mesh` must outlive it. `leaves_breaks`: vertices slide off breaks of curves and
-  /// smooth joints between curves that have one name or none.
-  explicit BoundarySlide(const QuadMesh& mesh, bool leaves_breaks = false);
+  /// `mesh` must outlive it.
+  explicit BoundarySlide(const QuadMesh& mesh, SlidesOff slides_off = SlidesOff::nothing);
   BoundarySlide(const BoundarySlide&) = delete;
   BoundarySlide& operator=(const BoundarySlide&) = delete;
 
   const std::vector<SlidingVertex>& vertices() const { return vertices_; }
   const std::vector<SlidingEdge>& edges() const { return edges_; }
+  /// Joints between curves of different names that vertices may slide off.
+  const std::vector<LoopJoint>& free_joints() const { return free_joints_; }
+  double loop_length(int loop) const { return loops_[loop].length() / 2; }
 
   /// Position and unit tangent of a vertex that has slid by `slide`, a length along the loop.
   curve::ChainPoint at(int vertex, double slide) const;
@@ -95,14 +110,16 @@ class BoundarySlide {
   double length_at(int loop, int curve, Vec2 x) const;
   void fix_at_breaks(int vertex);
   bool may_leave(const curve::Chain& chain, int joint) const;
+  void find_free_joints(int loop);
   void fix_beside_joints(int edge);
 
   const QuadMesh* mesh_;
-  bool leaves_breaks_;
+  SlidesOff slides_off_;
   std::vector<Nurbs> no_splines_;
   curve::CurveTable table_;
   std::vector<curve::Chain> loops_;  ///< each doubled: its curves twice in turn
   std::vector<double> curve_start_;  ///< length along its loop
+  std::vector<LoopJoint> free_joints_;
   std::vector<SlidingVertex> vertices_;
   std::vector<SlidingEdge> edges_;
 };
@@ -146,7 +163,7 @@ class NodeFollow {
 /// The data that do not change during the relaxation.
 struct RelaxProblem {
   /// `frozen_elems` by element: keeps all nodes; empty: none does.
-  RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, bool leaves_breaks = false);
+  RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, SlidesOff slides_off = SlidesOff::nothing);
   RelaxProblem(const RelaxProblem&) = delete;
   RelaxProblem& operator=(const RelaxProblem&) = delete;
 

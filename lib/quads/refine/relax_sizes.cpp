@@ -9,6 +9,7 @@
 
 #include "base/tolerance.hpp"
 #include "refine/inverse_hessian.hpp"
+#include "refine/joint_vertices.hpp"
 #include "refine/size_energy.hpp"
 #include "refine/validity.hpp"
 #include "refine/vertex_symmetry.hpp"
@@ -39,8 +40,12 @@ class Relaxer {
  public:
   Relaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options);
   void run();
-  /// With the vertices that are fixed by now where they began; if that is not possible, with all.
-  void begin_again();
+  /// Puts the vertex nearest to each joint that vertices may slide off there, and fixes it. Returns whether that is
+  /// possible.
+  bool hold_joints(RelaxProblem& problem);
+  /// With the vertices that are fixed by now where they are held; if that is not possible, with all. Returns whether
+  /// either is possible.
+  bool begin_again();
   /// Shortens the size of an element along a side.
   void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
 
@@ -57,6 +62,7 @@ class Relaxer {
 
   const RelaxProblem& problem_;
   const SizeRelaxation& options_;
+  VertexMoves held_;           ///< the moves of vertices that are fixed
   std::vector<double> size_;   ///< by element
   std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
   std::optional<VertexSymmetry> symmetry_;
@@ -68,6 +74,7 @@ Relaxer::Relaxer(const RelaxProblem& problem, const QuadMesh& shaped, const Size
       moves(problem.num_vertices()),
       problem_(problem),
       options_(options),
+      held_(moves),
       shorter_(shaped.num_elems(), {1, 1}),
       inverse_(problem) {
   set_sizes();
@@ -127,10 +134,23 @@ bool Relaxer::step(EnergyDerivatives& at) {
   return false;
 }
 
-void Relaxer::begin_again() {
+bool Relaxer::hold_joints(RelaxProblem& problem) {
+  const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves);
+  if (!at_joints) return false;
+  for (const JointVertex& at : *at_joints) {
+    moves[at.vertex].x += at.slide;
+    held_[at.vertex] = moves[at.vertex];
+    problem.is_fixed[at.vertex] = true;
+  }
+  return std::isfinite(energy.value(moves));
+}
+
+bool Relaxer::begin_again() {
   for (std::size_t v = 0; v < moves.size(); ++v)
-    if (problem_.is_fixed[v]) moves[v] = {};
-  if (!std::isfinite(energy.value(moves))) moves.assign(moves.size(), {});
+    if (problem_.is_fixed[v]) moves[v] = held_[v];
+  if (std::isfinite(energy.value(moves))) return true;
+  moves = held_;
+  return std::isfinite(energy.value(moves));
 }
 
 EnergyDerivatives Relaxer::begin() {
@@ -227,15 +247,15 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, Relaxer
   return is_any;
 }
 
-/// Relaxes until all edges meet the tolerance.
-void relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem, Relaxer& relaxer) {
+/// Relaxes until all edges meet the tolerance. Returns whether that is possible.
+bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem, Relaxer& relaxer) {
   relaxer.run();
   for (int round = 0;; ++round) {
     const std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
-    if (rough.empty()) return;
+    if (rough.empty()) return true;
     bool is_any_fixed = false;
     for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, problem, relaxer);
-    if (is_any_fixed) relaxer.begin_again();
+    if (is_any_fixed ? !relaxer.begin_again() : round >= size_constants.shortenings) return false;
     relaxer.run();
   }
 }
@@ -264,6 +284,37 @@ void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, con
   mesh = shaped;
 }
 
+/// `result`: the mesh with its edges inside shaped. Returns whether it is relaxed; with joints that vertices slide off,
+/// it may be impossible to have vertices at all of them again.
+bool relax_vertices(const QuadMesh& mesh, const SizeRelaxation& options, SlidesOff slides_off, SizeRelaxed& result) {
+  const QuadMesh shaped = result.mesh;
+  RelaxProblem problem(mesh, options.frozen_elems, slides_off);
+  Relaxer relaxer(problem, shaped, options);
+  if (!std::isfinite(relaxer.value)) return true;
+  const double num_free = std::max(1.0, static_cast<double>(mesh.num_elems()));
+  SizeRelaxed relaxed{shaped, 0, relaxer.value / num_free};
+  const bool passes_joints = !problem.boundary.free_joints().empty();
+  if (passes_joints) {
+    relaxer.run();
+    if (!relaxer.hold_joints(problem)) return false;
+  }
+  for (int round = 0; round <= size_constants.rounds; ++round) {
+    if (!relax_within_tolerance(options, problem, relaxer)) return false;
+    relaxed.mesh = moved_mesh(problem, options, relaxer.moves);
+    if (round == 0) relaxed.energy_after = relaxer.value / num_free;
+    const std::vector<bool> is_skew = skew_elements(shaped, relaxed.mesh, relaxer.energy);
+    if (std::ranges::count(is_skew, true) == 0) break;
+    if (round == size_constants.rounds && passes_joints) return false;
+    if (round == size_constants.rounds) halve_moves(problem, options, shaped, relaxer, relaxed.mesh);
+    for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
+      if (is_skew[elem]) relaxer.energy.shape_weights[elem] *= size_constants.heavier;
+  }
+  relaxed.sweeps = relaxer.num_sweeps;
+  for (const Vec2 move : relaxer.moves) relaxed.largest_move = std::max(relaxed.largest_move, norm(move));
+  result = std::move(relaxed);
+  return true;
+}
+
 }  // namespace
 
 void report_relaxation(Report& report, const QuadMesh& before, const SizeRelaxed& relaxed) {
@@ -278,24 +329,10 @@ void report_relaxation(Report& report, const QuadMesh& before, const SizeRelaxed
 SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) {
   SizeRelaxed result{mesh};
   shape_inner_edges(result.mesh, options.inner_edges, options.kept_elems);
-  const QuadMesh shaped = result.mesh;
-  RelaxProblem problem(mesh, options.frozen_elems, true);
-  Relaxer relaxer(problem, shaped, options);
-  if (!mesh.is_valid || !std::isfinite(relaxer.value)) return result;
-  const double num_free = std::max(1.0, static_cast<double>(mesh.num_elems()));
-  result.energy_before = relaxer.value / num_free;
-  for (int round = 0; round <= size_constants.rounds; ++round) {
-    relax_within_tolerance(options, problem, relaxer);
-    result.mesh = moved_mesh(problem, options, relaxer.moves);
-    if (round == 0) result.energy_after = relaxer.value / num_free;
-    const std::vector<bool> is_skew = skew_elements(shaped, result.mesh, relaxer.energy);
-    if (std::ranges::count(is_skew, true) == 0) break;
-    if (round == size_constants.rounds) halve_moves(problem, options, shaped, relaxer, result.mesh);
-    for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
-      if (is_skew[elem]) relaxer.energy.shape_weights[elem] *= size_constants.heavier;
-  }
-  result.sweeps = relaxer.num_sweeps;
-  for (const Vec2 move : relaxer.moves) result.largest_move = std::max(result.largest_move, norm(move));
+  if (!mesh.is_valid) return result;
+  const bool may_pass = mesh.open_curves.empty();  // edges get the curves along which they lie
+  if (may_pass && relax_vertices(mesh, options, SlidesOff::joints, result)) return result;
+  relax_vertices(mesh, options, SlidesOff::breaks, result);
   return result;
 }
 

@@ -4,7 +4,8 @@
 //
 // The method is a limited-memory quasi-Newton method (Nocedal 1980), whose first matrix has the moves of all levels of
 // the blocks' grids (refine/coarse_moves), so that the number of steps hardly grows with that of elements. Where sizes
-// differ, they are those at the middles of elements, and are taken anew every few sweeps.
+// differ, they are those at the middles of elements, and are taken anew every few sweeps. Vertices on the boundary slide
+// across smooth joints of curves without given names; then the nearest ones are put at these (refine/joint_vertices).
 
 #include <vector>
 

@@ -124,7 +124,7 @@ void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
 
 void SizeEnergy::place(const VertexMoves& moves) {
   for (int v = 0; v < problem_.num_vertices(); ++v) {
-    if (problem_.is_fixed[v]) {
+    if (problem_.is_fixed[v] && moves[v] == Vec2{}) {
       position_[v] = start_[v];
       continue;
     }

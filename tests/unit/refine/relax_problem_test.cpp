@@ -124,7 +124,8 @@ TEST(BoundarySlide, EdgesGoFromVertexToVertexByArcLength) {
 
 TEST(BoundarySlide, EdgesThatPassAJointKeepTheirEnds) {
   // Coarse and lax: the long sides of the bend get edges that pass its joints.
-  const QuadMesh mesh = refined(hand_made::elbow(), {1.3, 4, 0.1});
+  const QuadMesh mesh =
+      refined(hand_made::elbow(), {.size = 1.3, .order = 4, .geometry_tol = 0.1, .relax = Relax::none});
   const BoundarySlide boundary(mesh);
   int num_passing = 0;
   for (const SlidingEdge& edge : boundary.edges())
@@ -138,6 +139,19 @@ TEST(BoundarySlide, EdgesThatPassAJointKeepTheirEnds) {
       EXPECT_TRUE(from.is_fixed && to.is_fixed);
     }
   EXPECT_GT(num_passing, 0) << "else this shows nothing";
+}
+
+TEST(BoundarySlide, SmoothJointsHoldVerticesByTheirNames) {
+  QuadMesh mesh = refined(hand_made::elbow(), {.size = 0.3, .order = 3, .geometry_tol = 1e-3, .relax = Relax::none});
+  EXPECT_TRUE(BoundarySlide(mesh, SlidesOff::breaks).free_joints().empty());
+  const std::vector<LoopJoint> joints = BoundarySlide(mesh, SlidesOff::joints).free_joints();
+  ASSERT_EQ(joints.size(), 2u);
+  EXPECT_NEAR(joints[0].length, 1, 1e-9);
+  EXPECT_NEAR(joints[1].length, 1 + pi + 1 + half_pi, 1e-9);
+  hand_made::give_name(mesh.face, 1, "bend");
+  EXPECT_EQ(BoundarySlide(mesh, SlidesOff::joints).free_joints().size(), 1u) << "a given name holds its ends";
+  mesh.face.curve_names[4] = mesh.face.curve_names[3];
+  EXPECT_TRUE(BoundarySlide(mesh, SlidesOff::joints).free_joints().empty()) << "one name on both sides";
 }
 
 /// The vertex of a mesh that is nearest to a position.

@@ -91,6 +91,33 @@ TEST(RelaxSizes, TheBoundaryMeetsItsTolerance) {
   EXPECT_LE(mesh::boundary_distance(relaxed.mesh).worst().distance, tolerance * (1 + 1e-6));
 }
 
+/// The number of the vertex at a joint of the face, -1 if none is there.
+int vertex_at_joint(const QuadMesh& mesh, int joint) {
+  const std::vector<Vec2> x = corners(mesh);
+  const auto is_there = [&](Vec2 a) { return distance(a, mesh.face.joints[joint].position) < 1e-9; };
+  const auto at = std::ranges::find_if(x, is_there);
+  return at == x.end() ? -1 : static_cast<int>(at - x.begin());
+}
+
+TEST(RelaxSizes, ACurveEndsAtAVertexAndNotAlwaysAtTheOneBefore) {
+  // Shorter elements at the start of the bend pull vertices off its two smooth joints.
+  const QuadMesh mesh = mesh_of(hand_made::elbow(), 0.25, 3);
+  const sizing::SizeField sizes(0.4, {{{{0, 0.5}, 0.1, 0}}, {}, 0}, {}, 1.2);
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+  for (const int joint : {1, 4}) {
+    ASSERT_FALSE(mesh.face.joints[joint].is_corner);
+    EXPECT_GE(vertex_at_joint(relaxed.mesh, joint), 0);
+    EXPECT_NE(vertex_at_joint(relaxed.mesh, joint), vertex_at_joint(mesh, joint));
+  }
+  for (const QuadBoundaryEdge& edge : relaxed.mesh.boundary_edges) {
+    for (int k = 0; k <= 3; ++k) {
+      const double x = relaxed.mesh.nodes[side_node(relaxed.mesh, edge.elem, edge.side, k)].x;
+      EXPECT_TRUE((edge.curve != 0 && edge.curve != 4) || x < 1 + 1e-9) << "beyond the end of a straight curve";
+      EXPECT_TRUE((edge.curve != 1 && edge.curve != 3) || x > 1 - 1e-9) << "beyond the end of an arc";
+    }
+  }
+}
+
 TEST(RelaxSizes, MirrorImagesStayMirrorImages) {
   QuadMesh mesh = mesh_of(hand_made::quarter_annulus(), 0.25, 3);
   const sizing::SizeField sizes(0.25);
