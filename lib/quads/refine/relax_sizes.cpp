@@ -330,7 +330,8 @@ SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) 
   SizeRelaxed result{mesh};
   shape_inner_edges(result.mesh, options.inner_edges, options.kept_elems);
   if (!mesh.is_valid) return result;
-  const bool may_pass = mesh.open_curves.empty();  // edges get the curves along which they lie
+  // Edges get the curves along which they lie.
+  const bool may_pass = mesh.open_curves.empty() && options.slides_off == SlidesOff::joints;
   if (may_pass && relax_vertices(mesh, options, SlidesOff::joints, result)) return result;
   relax_vertices(mesh, options, SlidesOff::breaks, result);
   return result;
