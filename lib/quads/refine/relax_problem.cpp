@@ -256,6 +256,23 @@ double BoundarySlide::edge_error(int edge, double slide_from, double slide_to) c
   return sizing::interval_error(table_, loops_[vertices_[edges_[edge].from].loop], ends.low, ends.high, mesh_->order);
 }
 
+bool BoundarySlide::passes_free_joint(int edge, double slide_from, double slide_to) const {
+  const Ends ends = ends_of(edge, slide_from, slide_to);
+  const int loop = vertices_[edges_[edge].from].loop;
+  const double same = tolerance::round_off * mesh_->face.diameter, total = loop_length(loop);
+  return std::ranges::any_of(free_joints_, [&](const LoopJoint& joint) {
+    const double onward = joint.length - 2 * total * ends.low;
+    const double beyond = onward - total * std::floor((onward - same) / total);
+    return joint.loop == loop && beyond < 2 * total * (ends.high - ends.low) - same;
+  });
+}
+
+double BoundarySlide::error_between(int loop, double from, double to) const {
+  const double total = loop_length(loop), turns = std::floor(from / total) * total;
+  return sizing::interval_error(table_, loops_[loop], (from - turns) / (2 * total), (to - turns) / (2 * total),
+                                mesh_->order);
+}
+
 NodeFollow::NodeFollow(const QuadMesh& mesh, const BoundarySlide& boundary)
     : mesh_(&mesh), boundary_(&boundary), nodes_(mesh.nodes) {
   std::vector<int> node2vertex(mesh.nodes.size(), -1);

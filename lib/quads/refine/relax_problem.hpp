@@ -100,6 +100,9 @@ class BoundarySlide {
   std::vector<Vec2> edge_nodes(int edge, double slide_from, double slide_to) const;
   /// Distance of the edge's polynomial from the curve (sizing/interval_error).
   double edge_error(int edge, double slide_from, double slide_to) const;
+  bool passes_free_joint(int edge, double slide_from, double slide_to) const;
+  /// The error of an edge between two lengths along a loop, `from` < `to`.
+  double error_between(int loop, double from, double to) const;
 
  private:
   struct Ends {

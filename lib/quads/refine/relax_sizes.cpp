@@ -26,10 +26,11 @@ struct SizeConstants {
   double least_slope = 1e-9;  ///< least decrease that the linear model promises, of the energy
   double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
   int max_halvings = 20;      ///< of a step
-  int shortenings = 4;        ///< of edges that miss the tolerance of the boundary
+  int shortenings = 12;       ///< of edges that miss the tolerance of the boundary
   double shorter = 0.95;      ///< than the length at which the distance would be the tolerance
   double heavier = 3;         ///< the weight of the shape of elements that became too skew, over the one before
   int rounds = 6;             ///< of heavier weights
+  int joint_steps = 8;        ///< in which vertices slide to joints
   int move_halvings = 4;      ///< of all moves, if elements are too skew all the same
   double good_scaled_jacobian = 0.7, greatest_loss = 0.1;  ///< elements below both are too skew
 };
@@ -40,8 +41,8 @@ class Relaxer {
  public:
   Relaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options);
   void run();
-  /// Puts the vertex nearest to each joint that vertices may slide off there, and fixes it. Returns whether that is
-  /// possible.
+  /// Puts vertices at the joints that they may slide off (refine/joint_vertices), and fixes them. Returns whether that
+  /// is possible.
   bool hold_joints(RelaxProblem& problem);
   /// With the vertices that are fixed by now where they are held; if that is not possible, with all. Returns whether
   /// either is possible.
@@ -135,13 +136,25 @@ bool Relaxer::step(EnergyDerivatives& at) {
 }
 
 bool Relaxer::hold_joints(RelaxProblem& problem) {
-  const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves);
+  const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves, options_.tolerance);
   if (!at_joints) return false;
-  for (const JointVertex& at : *at_joints) {
-    moves[at.vertex].x += at.slide;
-    held_[at.vertex] = moves[at.vertex];
-    problem.is_fixed[at.vertex] = true;
+  for (const JointVertex& at : *at_joints) problem.is_fixed[at.vertex] = true;
+  const VertexMoves before = moves;
+  // As far at once as elements allow, and the others follow.
+  for (double left = 1, step = 0; step < size_constants.joint_steps; ++step) {
+    const VertexMoves from = moves;
+    const auto is_possible = [&](double part) {
+      moves = from;
+      for (const JointVertex& at : *at_joints) held_[at.vertex].x = moves[at.vertex].x += part * at.slide;
+      return std::isfinite(energy.value(moves));
+    };
+    double part = left;
+    for (int halving = 0; !is_possible(part) && halving < size_constants.max_halvings; ++halving) part /= 2;
+    left -= part;
+    if (left == 0) break;
+    run();
   }
+  for (const JointVertex& at : *at_joints) moves[at.vertex].x = held_[at.vertex].x = before[at.vertex].x + at.slide;
   return std::isfinite(energy.value(moves));
 }
 
@@ -230,6 +243,13 @@ std::vector<EdgeError> rough_edges(const RelaxProblem& problem, const VertexMove
   return errors;
 }
 
+/// Makes the element at an edge that misses the tolerance shorter.
+void shorten(const EdgeError& rough, const RelaxProblem& problem, Relaxer& relaxer) {
+  const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
+  relaxer.shorten(edge.elem, edge.side,
+                  size_constants.shorter * std::pow(rough.error, -1.0 / (problem.start.order + 1)));
+}
+
 /// Makes an edge that misses the tolerance shorter, or fixes ends where they began: an end that left a break of its
 /// curve at once, both after a few rounds. Returns whether it fixes any.
 bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, Relaxer& relaxer) {
@@ -241,9 +261,7 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, Relaxer
       continue;
     problem.is_fixed[v] = is_any = true;
   }
-  if (!is_any)
-    relaxer.shorten(edge.elem, edge.side,
-                    size_constants.shorter * std::pow(rough.error, -1.0 / (problem.start.order + 1)));
+  if (!is_any) shorten(rough, problem, relaxer);
   return is_any;
 }
 
@@ -256,6 +274,24 @@ bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
     bool is_any_fixed = false;
     for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, problem, relaxer);
     if (is_any_fixed ? !relaxer.begin_again() : round >= size_constants.shortenings) return false;
+    relaxer.run();
+  }
+}
+
+/// Relaxes as if curves went on smoothly at the joints that vertices may slide off, so that there are about as many
+/// elements between them as there have to be.
+void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& problem, Relaxer& relaxer) {
+  const auto passes_joint = [&](const EdgeError& rough) {
+    const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
+    const auto slide = [&](int end) { return relaxer.moves[problem.follow.vertex_of(end)].x; };
+    return problem.boundary.passes_free_joint(rough.edge, slide(edge.from), slide(edge.to));
+  };
+  relaxer.run();
+  for (int round = 0; round < size_constants.shortenings; ++round) {
+    std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
+    std::erase_if(rough, passes_joint);
+    if (rough.empty()) return;
+    for (const EdgeError& edge : rough) shorten(edge, problem, relaxer);
     relaxer.run();
   }
 }
@@ -295,7 +331,7 @@ bool relax_vertices(const QuadMesh& mesh, const SizeRelaxation& options, SlidesO
   SizeRelaxed relaxed{shaped, 0, relaxer.value / num_free};
   const bool passes_joints = !problem.boundary.free_joints().empty();
   if (passes_joints) {
-    relaxer.run();
+    relax_across_joints(options, problem, relaxer);
     if (!relaxer.hold_joints(problem)) return false;
   }
   for (int round = 0; round <= size_constants.rounds; ++round) {
