@@ -36,11 +36,13 @@ bool is_seam(const CadFace& face, int curve) {
          std::abs(face.joints[curve].interior_angle - pi) < tolerance::same_angle;
 }
 
-/// Whether another curve has the same nodes, or nodes that a motion maps onto them.
-bool is_shared(const CadFace& face, int curve) {
+bool is_periodic(const CadFace& face, int curve) {
   const auto is_of = [curve](const PeriodicPair& pair) { return pair.curves[0] == curve || pair.curves[1] == curve; };
-  return face.is_interface(curve) || std::any_of(face.periodic_pairs.begin(), face.periodic_pairs.end(), is_of);
+  return std::any_of(face.periodic_pairs.begin(), face.periodic_pairs.end(), is_of);
 }
+
+/// Whether another curve has the same nodes, or nodes that a motion maps onto them.
+bool is_shared(const CadFace& face, int curve) { return face.is_interface(curve) || is_periodic(face, curve); }
 
 /// The edges on the boundary and on interfaces, loop by loop and in the order of each.
 std::vector<std::vector<QuadBoundaryEdge>> edges_of_loops(const QuadMesh& mesh) {
@@ -131,7 +133,25 @@ BoundarySlide::BoundarySlide(const QuadMesh& mesh, bool leaves_breaks)
     for (int c = face.loop_offsets[loop] + 1; c < face.loop_offsets[loop + 1]; ++c)
       curve_start_[c] = curve_start_[c - 1] + table_.arc_length(c - 1).total();
   }
-  for (const std::vector<QuadBoundaryEdge>& edges : edges_of_loops(mesh)) add_loop(edges);
+  std::vector<std::vector<int>> curve_edges(face.curves.size());
+  for (const std::vector<QuadBoundaryEdge>& edges : edges_of_loops(mesh)) {
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      curve_edges[edges[k].curve].push_back(static_cast<int>(edges_.size() + k));
+    add_loop(edges);
+  }
+  for (const PeriodicPair& pair : face.periodic_pairs) add_twins(pair.curves[0], pair.curves[1], curve_edges);
+  for (const int curve : mesh.open_curves)
+    if (curve < face.partners[curve]) add_twins(curve, face.partners[curve], curve_edges);
+}
+
+/// Curves with different numbers of edges have no common nodes, as between regions that do not conform.
+void BoundarySlide::add_twins(int curve, int twin, const std::vector<std::vector<int>>& curve_edges) {
+  const std::vector<int>&own = curve_edges[curve], &other = curve_edges[twin];
+  for (std::size_t k = 0; own.size() == other.size() && k < own.size(); ++k) {
+    const SlidingEdge &a = edges_[own[k]], &b = edges_[other[own.size() - 1 - k]];
+    twins_.push_back({a.from, b.to});
+    twins_.push_back({a.to, b.from});
+  }
 }
 
 void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
@@ -145,7 +165,7 @@ void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
   }
   for (int k = 0; k < count; ++k)
-    if (is_shared(mesh_->face, loop_edges[k].curve))
+    if (!leaves_breaks_ && is_shared(mesh_->face, loop_edges[k].curve))
       vertices_[first_vertex + k].is_fixed = vertices_[first_vertex + (k + 1) % count].is_fixed = true;
   for (int e = first; e < first + count; ++e) fix_beside_joints(e);
 }
@@ -158,7 +178,9 @@ bool BoundarySlide::may_leave(const curve::Chain& chain, int piece) const {
   if (is_seam(face, after)) return true;
   const bool is_named = face.curve_names[before] != face.curve_names[after] &&
                         (face.has_given_name(before) || face.has_given_name(after));
-  return leaves_breaks_ && !is_named && !face.joints[after].is_corner &&
+  const bool is_same_kind =
+      face.is_interface(before) == face.is_interface(after) && is_periodic(face, before) == is_periodic(face, after);
+  return leaves_breaks_ && !is_named && is_same_kind && !face.joints[after].is_corner &&
          std::abs(face.joints[after].interior_angle - pi) < tolerance::same_angle;
 }
 
@@ -291,7 +313,7 @@ template <class Visit>
 void NodeFollow::for_moved_edges(const VertexMoves& moves, const Visit& visit) const {
   for (std::size_t e = 0; e < boundary_->edges().size(); ++e) {
     const SlidingEdge& edge = boundary_->edges()[e];
-    const double from = moves[boundary2vertex_[edge.from]].x, to = moves[boundary2vertex_[edge.to]].x;
+    const double from = slide(edge.from, moves), to = slide(edge.to, moves);
     if (from != 0 || to != 0) visit(edge, from, to, boundary_->edge_nodes(static_cast<int>(e), from, to));
   }
 }
@@ -333,12 +355,33 @@ RelaxProblem::RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen
       boundary(start, leaves_breaks),
       follow(start, boundary),
       energy(start),
-      is_fixed(follow.num_vertices(), false) {
-  for (int v = 0; v < num_vertices(); ++v)
-    if (const int b = follow.on_boundary(v); b >= 0) is_fixed[v] = boundary.vertices()[b].is_fixed;
+      is_fixed(follow.num_vertices(), false),
+      twin_(follow.num_vertices(), -1) {
+  for (const auto& [a, b] : boundary.twins()) {
+    twin_[follow.vertex_of(a)] = follow.vertex_of(b);
+    twin_[follow.vertex_of(b)] = follow.vertex_of(a);
+  }
+  std::vector<int> num_loops(num_vertices(), 0);
+  for (std::size_t b = 0; b < boundary.vertices().size(); ++b) {
+    const int v = follow.vertex_of(static_cast<int>(b));
+    if (boundary.vertices()[b].is_fixed || ++num_loops[v] > 2) fix_vertex(v);
+  }
   for (std::size_t elem = 0; elem < frozen_elems.size(); ++elem)
     if (frozen_elems[elem])
-      for (const int v : follow.elem_vertices()[elem]) is_fixed[v] = true;
+      for (const int v : follow.elem_vertices()[elem]) fix_vertex(v);
+}
+
+void RelaxProblem::fix_vertex(int vertex) {
+  is_fixed[vertex] = true;
+  if (twin_[vertex] >= 0) is_fixed[twin_[vertex]] = true;
+}
+
+void RelaxProblem::join_twins(VertexMoves& moves) const {
+  for (int v = 0; v < num_vertices(); ++v) {
+    if (twin_[v] <= v) continue;
+    const double slide = (moves[v].x - moves[twin_[v]].x) / 2;
+    moves[v].x = slide, moves[twin_[v]].x = -slide;
+  }
 }
 
 double RelaxProblem::total_energy(const std::vector<Vec2>& nodes) const {

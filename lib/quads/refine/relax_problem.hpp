@@ -1,10 +1,10 @@
 #pragma once
 // A mesh to be relaxed: its movable vertices, the nodes that follow them, and the energy to minimise.
 //
-// Vertices on the boundary have a position along the loops of CAD curves, on which they slide. Fixed are those at
-// joints between curves (corners and changes of name among them) and at breaks of a curve, the ends of an edge that
-// passes a joint, and all on interfaces, which both regions share, and on periodic curves. The seam of a smooth closed
-// curve fixes no vertex.
+// Vertices on the boundary and on interfaces have a position along the loops of CAD curves, on which they slide. Fixed
+// are those at joints between curves (corners and changes of name among them) and at breaks of a curve, the ends of an
+// edge that passes a joint, and those where more than two regions meet. The seam of a smooth closed curve fixes no
+// vertex. Vertices on periodic curves, and on both sides of an open slit, slide together.
 //
 // The energy that relaxation minimises: the deviation of elements from their prescribed shape.
 //
@@ -76,6 +76,9 @@ class BoundarySlide {
 
   const std::vector<SlidingVertex>& vertices() const { return vertices_; }
   const std::vector<SlidingEdge>& edges() const { return edges_; }
+  /// Pairs of vertices, on periodic curves or on both sides of an open slit, that slide together, in opposite
+  /// directions.
+  const std::vector<std::array<int, 2>>& twins() const { return twins_; }
 
   /// Position and unit tangent of a vertex that has slid by `slide`, a length along the loop.
   curve::ChainPoint at(int vertex, double slide) const;
@@ -96,6 +99,7 @@ class BoundarySlide {
   void fix_at_breaks(int vertex);
   bool may_leave(const curve::Chain& chain, int joint) const;
   void fix_beside_joints(int edge);
+  void add_twins(int curve, int twin, const std::vector<std::vector<int>>& curve_edges);
 
   const QuadMesh* mesh_;
   bool leaves_breaks_;
@@ -105,6 +109,7 @@ class BoundarySlide {
   std::vector<double> curve_start_;  ///< length along its loop
   std::vector<SlidingVertex> vertices_;
   std::vector<SlidingEdge> edges_;
+  std::vector<std::array<int, 2>> twins_;
 };
 
 /// The move of a vertex from its first position: on the boundary (slide, 0), a length along the loop; inside a shift.
@@ -121,8 +126,16 @@ class NodeFollow {
   const std::vector<std::array<int, 4>>& elem_vertices() const { return elem_vertices_; }
   /// The number of a vertex among the boundary vertices, -1 inside.
   int on_boundary(int vertex) const { return on_boundary_[vertex]; }
-  /// The vertex of a boundary vertex.
+  /// The vertex of a boundary vertex. That of an interface is one of both regions.
   int vertex_of(int boundary_vertex) const { return boundary2vertex_[boundary_vertex]; }
+  /// The direction along its loop in which a boundary vertex slides: -1 if its vertex slides along the other region's.
+  int direction(int boundary_vertex) const {
+    return on_boundary_[vertex_of(boundary_vertex)] == boundary_vertex ? 1 : -1;
+  }
+  /// The slide of a boundary vertex along its loop.
+  double slide(int boundary_vertex, const VertexMoves& moves) const {
+    return direction(boundary_vertex) * moves[vertex_of(boundary_vertex)].x;
+  }
 
   /// All nodes. Nodes of elements whose vertices do not move keep their position bit for bit.
   std::vector<Vec2> nodes(const VertexMoves& moves) const;
@@ -156,9 +169,15 @@ struct RelaxProblem {
   const ShapeEnergy energy;
   std::vector<bool> is_fixed;  ///< by vertex
 
+  void fix_vertex(int vertex);
+  /// Makes moves, or a gradient, of vertices that slide together the same.
+  void join_twins(VertexMoves& moves) const;
   int num_vertices() const { return follow.num_vertices(); }
   /// Sum over all elements, for these nodes; infinite if det J is not positive.
   double total_energy(const std::vector<Vec2>& nodes) const;
+
+ private:
+  std::vector<int> twin_;  ///< by vertex: that with which it slides together, or -1
 };
 
 }  // namespace quadrille::refine

@@ -144,11 +144,14 @@ void SizeEnergy::place(const VertexMoves& moves) {
 
 void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {
   const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
-  const int from = problem_.follow.vertex_of(edge.from), to = problem_.follow.vertex_of(edge.to);
-  side.tangent[0] = tangent_[from], side.tangent[points - 1] = tangent_[to];
+  const NodeFollow& follow = problem_.follow;
+  const int from = follow.vertex_of(edge.from), to = follow.vertex_of(edge.to);
+  side.tangent[0] = follow.direction(edge.from) * tangent_[from];
+  side.tangent[points - 1] = follow.direction(edge.to) * tangent_[to];
   const SlidingVertex &start = problem_.boundary.vertices()[edge.from], &end = problem_.boundary.vertices()[edge.to];
-  const double low = start.length + moves[from].x, beyond = end.length <= start.length ? loops_.length(end.loop) : 0;
-  const double length = end.length + beyond + moves[to].x - low;
+  const double low = start.length + follow.slide(edge.from, moves);
+  const double beyond = end.length <= start.length ? loops_.length(end.loop) : 0;
+  const double length = end.length + beyond + follow.slide(edge.to, moves) - low;
   for (int p = 1; p < points - 1; ++p) {
     const LoopPoint at = loops_.at(start.loop, low + curved_rule_.at[p] * length);
     side.tangent[p] = at.tangent;
@@ -268,8 +271,8 @@ void SizeEnergy::pull_back_sides(int elem, const Tangents& by) {
       from += (1 - curved_rule_.at[p]) * dot(by_shift[p], side.tangent[p] - side.tangent[0]);
       to += curved_rule_.at[p] * dot(by_shift[p], side.tangent[p] - side.tangent[points - 1]);
     }
-    slide_gradient_[problem_.follow.vertex_of(edge.from)] += from;
-    slide_gradient_[problem_.follow.vertex_of(edge.to)] += to;
+    slide_gradient_[problem_.follow.vertex_of(edge.from)] += problem_.follow.direction(edge.from) * from;
+    slide_gradient_[problem_.follow.vertex_of(edge.to)] += problem_.follow.direction(edge.to) * to;
   }
 }
 
