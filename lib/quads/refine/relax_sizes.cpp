@@ -286,7 +286,7 @@ SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) 
   const QuadMesh shaped = result.mesh;
   RelaxProblem problem(mesh, options.frozen_elems, true);
   Relaxer relaxer(problem, shaped, options);
-  if (!mesh.is_valid || !std::isfinite(relaxer.value)) return result;
+  if (!shaped.is_valid || !std::isfinite(relaxer.value)) return result;
   const double num_free = std::max(1.0, static_cast<double>(mesh.num_elems()));
   result.energy_before = relaxer.value / num_free;
   for (int round = 0; round <= size_constants.rounds; ++round) {
