@@ -12,6 +12,7 @@ namespace quadrille::refine {
 namespace {
 
 constexpr double first_shape_weight = 2;  ///< w
+constexpr double sharp_sine = 0.5;        ///< of the angle of a corner between curves
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct SidePoint {
@@ -81,7 +82,24 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
   }
   position_ = start_;
   tangent_.resize(start_.size());
+  lighten_sharp_corners();
   add_curved_sides(shaped);
+}
+
+/// The shape of an element in a sharp corner between two curves, which no motion of vertices changes, does not outweigh
+/// that of all others: it gets the weight that the corner would have at 30 degrees.
+void SizeEnergy::lighten_sharp_corners() {
+  std::vector<std::array<bool, 4>> is_on_curve(shape_weights.size());
+  for (const SlidingEdge& edge : problem_.boundary.edges()) is_on_curve[edge.elem][edge.side] = true;
+  for (std::size_t elem = 0; elem < is_on_curve.size(); ++elem)
+    for (int c = 0; c < 4; ++c) {
+      const int before = (c + 3) % 4;
+      if (!is_on_curve[elem][c] || !is_on_curve[elem][before]) continue;
+      const auto& v = problem_.follow.elem_vertices()[elem];
+      const Vec2 out = start_[v[(c + 1) % 4]] - start_[v[c]], in = start_[v[before]] - start_[v[c]];
+      const double sine = cross(out, in) / (norm(out) * norm(in));
+      if (sine > 0 && sine < sharp_sine && dot(out, in) > 0) shape_weights[elem] *= std::pow(sine / sharp_sine, 3);
+    }
 }
 
 void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
