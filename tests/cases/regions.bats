@@ -17,7 +17,7 @@ mesh_of() {
 # is what the checker and stagecheck ask for.
 has() {
   rm -rf work
-  mesh_of "${@:3}" --relax none
+  mesh_of "${@:3}" --relax none --inner-edges curved
   run -0 jq -r ".blocks <= $1 and .least_scaled_jacobian >= $2 and .valid and .certificate.method != \"midpoint\"" report.json
   assert_output true
   mesh_of "${@:3}"
@@ -44,6 +44,15 @@ keeps() {
   has 8 0.79 half_disc_cut
   keeps 4 half_disc_cut
   has 210 0.5 voronoi_20
+}
+
+@test "vertices on interfaces slide: thin chords of many regions become wider" {
+  mesh_of voronoi_20 --size 0.5 --order 2
+  run -0 jq -r ".greatest_edge_ratio.value < 30 and .resolution.ratio < 50 and .least_scaled_jacobian > 0.6" report.json
+  assert_output true
+  mesh_of voronoi_20 --size 0.5 --order 2 --relax none
+  run -0 jq -r ".greatest_edge_ratio.value > 60" report.json
+  assert_output true
 }
 
 @test "regions inside each other: discs, rings, a channel" {

@@ -87,6 +87,31 @@ setup() {
   assert_equal "$(jq '.boundary_nodes' stages/sharp.crit.json)" '[]'
 }
 
+# cambered CAMBER THICKNESS: a bent aerofoil, in chords.
+cambered() {
+  awk -v camber="$1" -v thick="$2" -v n=24 '
+    function line(k, side, x, y) {
+      x = (1 + cos(atan2(0, -1) * k / n)) / 2
+      y = 5 * thick * (0.2969 * sqrt(x) - 0.126 * x - 0.3516 * x^2 + 0.2843 * x^3 - 0.1036 * x^4)
+      printf "%.7f %.7f\n", x, 4 * camber * x * (1 - x) + side * y
+    }
+    BEGIN {
+      for (k = 0; k <= n; ++k) line(k, 1)
+      for (k = n - 1; k >= 0; --k) line(k, -1)
+    }'
+}
+
+@test "where the H-grid of a box makes a poor mesh, another grid is taken, unless the user chose one" {
+  cambered 0.1 0.06 >thin.dat
+  grid thin '.valid and .remedy == "critpoints --topology o" and .least_scaled_jacobian > 0.45 and
+    .resolution.ratio < 30 and (.trials[0].valid | not)' --farfield box:20
+  grid thin '.remedy == null and .trials == []' --farfield box:20 --place keep
+  grid thin '.remedy == null and (.trials | length) == 1' --farfield box:20 --topology h
+  cambered 0.04 0.12 >thick.dat
+  grid thick '.valid and (.remedy | startswith("critpoints --topology")) and .least_scaled_jacobian > 0.45 and
+    .resolution.ratio < 30' --farfield box:20
+}
+
 @test "blocks and sizes follow a wake" {
   grid sharp '.valid and .blocks == 3 and .irregular_nodes == 0' --farfield cgrid:10 --wake auto \
     --size-near wake=0.1:1

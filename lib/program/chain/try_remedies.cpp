@@ -10,7 +10,10 @@
 #include "base/tolerance.hpp"
 #include "chain/chain_nodes.hpp"
 #include "chain/make_graph.hpp"
+#include "curve/symmetry_lines.hpp"
 #include "model/name_rules.hpp"
+#include "stage/symmetry_option.hpp"
+#include "topology/grid_kind.hpp"
 
 namespace quadrille::chain {
 
@@ -89,6 +92,7 @@ bool gives_layout(ChainState& chain, NodeFiles& files, const Remedy& remedy) {
 struct TrialLimits {
   double edge_ratio = 100;
   double scaled_jacobian = 0.3;
+  double poor_resolution = 50;
   double resolution = 2;
   double gain = 0.95;      ///< of the resolution ratio
   std::size_t nodes = 24;  ///< of more, the least energy takes longer than all other stages
@@ -96,13 +100,16 @@ struct TrialLimits {
 constexpr TrialLimits trial_limits;
 
 /// What a mesh exceeds, the worst first.
-std::array<bool, 3> faults_of(const io::LayoutTrial& trial) {
+std::array<bool, 4> faults_of(const io::LayoutTrial& trial) {
   return {!trial.is_valid, trial.edge_ratio > trial_limits.edge_ratio,
-          trial.scaled_jacobian < trial_limits.scaled_jacobian};
+          trial.scaled_jacobian<trial_limits.scaled_jacobian, trial.resolution> trial_limits.poor_resolution};
 }
 
-bool is_good(const io::LayoutTrial& trial) {
-  return faults_of(trial) == std::array{false, false, false} && trial.resolution <= trial_limits.resolution;
+bool has_faults(const io::LayoutTrial& trial) { return faults_of(trial) != std::array{false, false, false, false}; }
+
+/// In a far field sizes grow with the distance, and lines between them cannot: there the resolution is not judged.
+bool is_good(const io::LayoutTrial& trial, bool is_in_far_field) {
+  return !has_faults(trial) && (is_in_far_field || trial.resolution <= trial_limits.resolution);
 }
 
 bool is_better(const io::LayoutTrial& a, const io::LayoutTrial& b) {
@@ -151,26 +158,49 @@ bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
   });
 }
 
-/// Returns whether they are taken.
-bool try_nodes_at_least_energy(ChainState& chain, std::size_t first_replaced) {
-  NodeFiles& usual = chain.files.of_nodes;
-  // Counts by the error take longer, and are needed for poor meshes alone.
-  if (!try_mesh(chain, usual, sizing::SizeRule::nearest, {}) || is_good(chain.trials.back())) return false;
-  chain.trials.pop_back();
-  if (!try_mesh(chain, usual, sizing::SizeRule::error, {}) || is_good(chain.trials.back())) return false;
-  const io::LayoutTrial first = chain.trials.back();
-  const Remedy remedy{"--place", "energy"};
+/// The first for every mesh that is not good, the others for one with faults.
+std::vector<Remedy> other_nodes(ChainState& chain) {
+  const CadFace& face = chain.files.of_nodes.nodes.model().face;
+  std::vector<Remedy> remedies{{"--place", "energy"}};
+  if (!has_far_field(face)) remedies.push_back({"--nodes", "fewest"});
+  if (chain.options.has("critpoints", "--topology")) return remedies;
+  for (const topology::GridKind grid :
+       topology::other_grids(curve::whole_of(face, stage::symmetry_names(face, chain.values.quadrefine.symmetry))))
+    remedies.push_back({"--topology", std::string(enum_name(grid))});
+  return remedies;
+}
+
+/// Returns whether other nodes make a better mesh than `best`, and are taken.
+bool try_nodes(ChainState& chain, const Remedy& remedy, std::size_t first_replaced, const io::LayoutTrial& best) {
+  const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);
   const std::size_t first_run = chain.runner.reports().size();
   NodeFiles files(chain.files.stem + ".remedy");
-  if (make_nodes(chain, files, remedy) && !are_same_nodes(files.nodes.model(), usual.nodes.model()) &&
+  if (make_nodes(chain, files, remedy) && !are_same_nodes(files.nodes.model(), chain.files.of_nodes.nodes.model()) &&
       make_layout(chain, files) && make_blocks(chain, files) &&
-      try_mesh(chain, files, sizing::SizeRule::error, options_text(remedy)) && is_better(chain.trials.back(), first)) {
+      try_mesh(chain, files, sizing::SizeRule::error, options_text(remedy)) && is_better(chain.trials.back(), best)) {
     if (chain.options.is_verbose) inform(chain, fmt::format("{} makes a better mesh", options_text(remedy)));
     take_remedy(chain, files, remedy, first_replaced, first_run);
     return true;
   }
   remove_files(files);
+  std::tie(chain.form, chain.num_nodes, chain.last) = before;
   return false;
+}
+
+void try_nodes_of_poor_mesh(ChainState& chain, std::size_t first_replaced) {
+  NodeFiles& usual = chain.files.of_nodes;
+  const bool is_in_far_field = has_far_field(usual.nodes.model().face);
+  // Counts by the error take longer, and are needed for poor meshes alone.
+  if (!try_mesh(chain, usual, sizing::SizeRule::nearest, {}) || is_good(chain.trials.back(), is_in_far_field)) return;
+  chain.trials.pop_back();
+  if (!try_mesh(chain, usual, sizing::SizeRule::error, {}) || is_good(chain.trials.back(), is_in_far_field)) return;
+  io::LayoutTrial best = chain.trials.back();
+  const std::vector<Remedy> remedies = other_nodes(chain);
+  for (std::size_t r = 0; r < remedies.size() && (r == 0 || has_faults(best)); ++r) {
+    if (try_nodes(chain, remedies[r], first_replaced, best)) best = chain.trials.back();
+    if (chain.given_up && chain.given_up->is_stopped) return;
+    chain.given_up.reset();
+  }
 }
 
 }  // namespace
@@ -206,18 +236,13 @@ void try_better_nodes(ChainState& chain) {
   if (!may_try_nodes(chain)) return;
   const std::vector<io::StageReport>& reports = chain.runner.reports();
   const auto first_replaced = std::ranges::find(reports, std::string("separatrix"), &io::StageReport::stage);
-  if (has_far_field(chain.files.of_nodes.nodes.model().face)) return;  // where sizes grow with the distance
   if (first_replaced == reports.end() || io::value_of(*first_replaced, "certificate.method") == "midpoint") return;
-  const std::size_t replaced_run = first_replaced - reports.begin();
-  const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);
   chain.prefix = prefix_of_trials;
-  const bool is_better = try_nodes_at_least_energy(chain, replaced_run);
+  try_nodes_of_poor_mesh(chain, first_replaced - reports.begin());
   chain.prefix.clear();
-  if (is_better) return;
   // The report of a stage that was stopped says that the quads are made without a field; here the nodes stay.
   if (chain.given_up && chain.given_up->is_stopped) chain.runner.reports().pop_back();
   chain.given_up.reset();
-  std::tie(chain.form, chain.num_nodes, chain.last) = before;
 }
 
 }  // namespace quadrille::chain

@@ -11,11 +11,13 @@ namespace quadrille::chain {
 /// user chose are not replaced, nor nodes that a user gave or edited.
 void try_remedies(ChainState& chain);
 
-/// Where the mesh of the blocks exceeds what is allowed, or has a resolution ratio above 2, nodes at the least energy
-/// are tried (critpoints --place energy), and taken if their mesh is better: with fewer faults, else with a resolution
-/// ratio that is less by 5 %. Both meshes have edges of diameter / 20 and order 2 whatever the user asks for, so that
-/// blocks do not depend on sizes. Nothing changes with more than 24 nodes, in a far
-/// field, with layers along walls, or where a user chose nodes or where they are placed. Needs the blocks.
+/// Where the mesh of the blocks has faults (is not valid, has an edge ratio above 100, a scaled Jacobian below 0.3 or a
+/// resolution ratio above 50), or a resolution ratio above 2 outside far fields, nodes at the least energy are tried
+/// (critpoints --place energy), and taken if their mesh is better: with fewer faults, else with a resolution ratio that
+/// is less by 5 %. While the best mesh has faults, so are the fewest nodes (--nodes fewest), or in a far field the
+/// other grids (--topology). All have edges of diameter / 20, or of a far field, and order 2 whatever the user asks
+/// for, so that blocks do not depend on sizes. Nothing changes with more than 24 nodes, with layers along walls, or
+/// where a user chose nodes or where they are placed. Needs the blocks.
 void try_better_nodes(ChainState& chain);
 
 }  // namespace quadrille::chain

@@ -179,9 +179,9 @@ void declare(Options& o, QuadrefineOptions& options) {
            "along walls keep their shape");
   o.text(
       "--relax", options.relax, "size|shape|none",
-      "move vertices, also those on sides of blocks and irregular ones, those of boundaries along them: size: to the "
-      "prescribed edge lengths; shape: to the angles of rectangles, with the lengths as they are; none: not. Layers "
-      "along walls, interfaces and periodic sides keep their vertices, and so do all with --blocks");
+      "move vertices, also those on sides of blocks and irregular ones, those of boundaries and interfaces along them: "
+      "size: to the prescribed edge lengths; shape: to the angles of rectangles, with the lengths as they are, and not "
+      "on interfaces and periodic sides; none: not. Layers along walls keep their vertices, and all do with --blocks");
   o.integer("--relax-sweeps", options.refine.relax_sweeps, 0, 1000, "greatest number of steps of --relax");
   o.integer("--refine", options.refine.levels, 0, 10,
             "nested refinement, for studies of convergence: at the end each element becomes 2^K x 2^K elements of its "

@@ -139,6 +139,7 @@ VertexMoves CoarseMoves::operator()(const VertexMoves& gradient) const {
     else if (slides(v))
       moves[v] = {dot(moves[v], tangents_[v]), 0};
   }
+  problem_.join_twins(moves);
   return moves;
 }
 

@@ -130,7 +130,7 @@ std::vector<LoopVertex> JointChoice::vertices(int loop) const {
   for (int b = 0; b < static_cast<int>(all.size()); ++b) {
     if (all[b].loop != loop) continue;
     const int v = problem_.follow.vertex_of(b);
-    const double length = all[b].length + moves_[v].x;
+    const double length = all[b].length + problem_.follow.slide(b, moves_);
     found.push_back({length - total * std::floor(length / total), v});
   }
   std::ranges::stable_sort(found, {}, &LoopVertex::length);

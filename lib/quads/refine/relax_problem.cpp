@@ -4,12 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/angle.hpp"
-#include "base/tolerance.hpp"
-#include "curve/project.hpp"
 #include "mesh/transfinite.hpp"
 #include "model/quad_mesh.hpp"
-#include "sizing/interval_error.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -20,37 +16,6 @@ constexpr int power = 4;
 
 double power_of(double mu) { return mu * mu * mu * mu; }
 static_assert(power == 4);
-
-/// The loop's curves one after the other, twice.
-curve::Chain walked_twice(const CadFace& face, const curve::CurveTable& table, int loop) {
-  std::vector<ArcPiece> pieces;
-  for (int round = 0; round < 2; ++round)
-    for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c)
-      pieces.push_back({c, face.curves[c].begin(), face.curves[c].end()});
-  return {table, std::move(pieces)};
-}
-
-/// The start of a closed curve that is smooth there.
-bool is_seam(const CadFace& face, int curve) {
-  return face.next_in_loop(curve) == curve && !face.joints[curve].is_corner &&
-         std::abs(face.joints[curve].interior_angle - pi) < tolerance::same_angle;
-}
-
-/// Whether another curve has the same nodes, or nodes that a motion maps onto them.
-bool is_shared(const CadFace& face, int curve) {
-  const auto is_of = [curve](const PeriodicPair& pair) { return pair.curves[0] == curve || pair.curves[1] == curve; };
-  return face.is_interface(curve) || std::any_of(face.periodic_pairs.begin(), face.periodic_pairs.end(), is_of);
-}
-
-/// The edges on the boundary and on interfaces, loop by loop and in the order of each.
-std::vector<std::vector<QuadBoundaryEdge>> edges_of_loops(const QuadMesh& mesh) {
-  std::vector<QuadBoundaryEdge> edges = mesh.boundary_edges;
-  edges.insert(edges.end(), mesh.interface_edges.begin(), mesh.interface_edges.end());
-  std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.curve < b.curve; });
-  std::vector<std::vector<QuadBoundaryEdge>> loops(mesh.face.num_loops());
-  for (const QuadBoundaryEdge& edge : edges) loops[mesh.face.loop_of(edge.curve)].push_back(edge);
-  return loops;
-}
 
 }  // namespace
 
@@ -120,159 +85,6 @@ ElementEnergy ShapeEnergy::with_derivatives(int elem, const std::vector<Vec2>& n
   return energy;
 }
 
-BoundarySlide::BoundarySlide(const QuadMesh& mesh, SlidesOff slides_off)
-    : mesh_(&mesh),
-      slides_off_(slides_off),
-      table_(mesh.face, no_splines_),
-      curve_start_(mesh.face.curves.size(), 0.0) {
-  const CadFace& face = mesh.face;
-  for (int loop = 0; loop < face.num_loops(); ++loop) {
-    loops_.push_back(walked_twice(face, table_, loop));
-    for (int c = face.loop_offsets[loop] + 1; c < face.loop_offsets[loop + 1]; ++c)
-      curve_start_[c] = curve_start_[c - 1] + table_.arc_length(c - 1).total();
-    find_free_joints(loop);
-  }
-  for (const std::vector<QuadBoundaryEdge>& edges : edges_of_loops(mesh)) add_loop(edges);
-}
-
-void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
-  const int first_vertex = static_cast<int>(vertices_.size()), count = static_cast<int>(loop_edges.size());
-  const int first = static_cast<int>(edges_.size());
-  for (int k = 0; k < count; ++k) {
-    const QuadBoundaryEdge& edge = loop_edges[k];
-    const int node = side_start(*mesh_, edge.elem, edge.side), loop = mesh_->face.loop_of(edge.curve);
-    vertices_.push_back({node, loop, length_at(loop, edge.curve, mesh_->nodes[node])});
-    fix_at_breaks(static_cast<int>(vertices_.size()) - 1);
-    edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
-  }
-  for (int k = 0; k < count; ++k)
-    if (is_shared(mesh_->face, loop_edges[k].curve))
-      vertices_[first_vertex + k].is_fixed = vertices_[first_vertex + (k + 1) % count].is_fixed = true;
-  for (int e = first; e < first + count; ++e) fix_beside_joints(e);
-}
-
-/// Whether vertices may slide off the joint after that piece, or edges pass it.
-bool BoundarySlide::may_leave(const curve::Chain& chain, int piece) const {
-  const CadFace& face = mesh_->face;
-  const int before = chain.pieces()[piece].curve, after = chain.pieces()[piece + 1].curve;
-  if (is_seam(face, after)) return true;
-  const bool is_named = face.has_given_name(before) || face.has_given_name(after);
-  const bool is_other_name = face.curve_names[before] != face.curve_names[after];
-  return slides_off_ != SlidesOff::nothing && (!is_other_name || (slides_off_ == SlidesOff::joints && !is_named)) &&
-         !face.joints[after].is_corner && std::abs(face.joints[after].interior_angle - pi) < tolerance::same_angle;
-}
-
-void BoundarySlide::find_free_joints(int loop) {
-  const CadFace& face = mesh_->face;
-  for (int c = face.loop_offsets[loop], piece = 0; c < face.loop_offsets[loop + 1]; ++c, ++piece) {
-    const int next = face.next_in_loop(c);
-    if (face.curve_names[c] != face.curve_names[next] && may_leave(loops_[loop], piece))
-      free_joints_.push_back({loop, curve_start_[next]});
-  }
-}
-
-/// An edge that passes a joint keeps its ends.
-void BoundarySlide::fix_beside_joints(int edge) {
-  const curve::Chain& chain = loops_[vertices_[edges_[edge].from].loop];
-  const Ends ends = ends_of(edge, 0, 0);
-  const double slack = 2 * tolerance::round_off * mesh_->face.diameter / chain.length();
-  const std::vector<double> joints = chain.joint_fractions();
-  for (std::size_t k = 0; k < joints.size(); ++k)
-    if (joints[k] > ends.low + slack && joints[k] < ends.high - slack && !may_leave(chain, static_cast<int>(k)))
-      vertices_[edges_[edge].from].is_fixed = vertices_[edges_[edge].to].is_fixed = true;
-}
-
-/// By projection onto the curve of the edge that starts at x, or the one before; negative if it is on neither.
-double BoundarySlide::length_at(int loop, int curve, Vec2 x) const {
-  const CadFace& face = mesh_->face;
-  curve::Projection best;
-  int nearest = -1;
-  const int num_curves = face.loop_offsets[loop + 1] - face.loop_offsets[loop];
-  for (int c = curve, k = 0; k < std::min(num_curves, 3); ++k, c = face.previous_in_loop(c)) {
-    const curve::Projection p = curve::project(face.curves[c], x);
-    if (nearest < 0 || p.distance < best.distance) best = p, nearest = c;
-    if (best.distance < tolerance::round_off * face.diameter) break;
-  }
-  if (best.distance > tolerance::round_off * face.diameter) return -1;
-  return curve_start_[nearest] + table_.arc_length(nearest).at(best.t);
-}
-
-void BoundarySlide::fix_at_breaks(int vertex) {
-  SlidingVertex& v = vertices_[vertex];
-  const curve::Chain& chain = loops_[v.loop];
-  const double total = chain.length() / 2;
-  if (v.length < 0) {
-    v.length = 0, v.is_fixed = true;
-    return;
-  }
-  const double same = tolerance::round_off * mesh_->face.diameter;
-  const bool has_seam = is_seam(mesh_->face, mesh_->face.loop_offsets[v.loop]);
-  const auto is_at = [&](double x, double f) { return std::abs(std::remainder(x - f * 2 * total, total)) < same; };
-  for (const double f : chain.break_fractions()) v.is_at_break |= is_at(v.length, f) && !(has_seam && is_at(0, f));
-  // Another vertex will be there.
-  for (const LoopJoint& joint : free_joints_)
-    v.is_at_break &= joint.loop != v.loop || !is_at(v.length, joint.length / (2 * total));
-  if (slides_off_ == SlidesOff::nothing) v.is_fixed |= v.is_at_break;
-  const std::vector<double> joints = chain.joint_fractions();
-  for (std::size_t k = 0; slides_off_ != SlidesOff::nothing && k < joints.size(); ++k)
-    if (is_at(v.length, joints[k]) && !may_leave(chain, static_cast<int>(k))) v.is_fixed = true;
-}
-
-curve::ChainPoint BoundarySlide::at(int vertex, double slide) const {
-  const SlidingVertex& v = vertices_[vertex];
-  const curve::Chain& chain = loops_[v.loop];
-  const double total = chain.length() / 2, length = v.length + slide;
-  return chain.at((length < 0 ? length + total : length) / (2 * total));
-}
-
-BoundarySlide::Ends BoundarySlide::ends_of(int edge, double slide_from, double slide_to) const {
-  const SlidingVertex &from = vertices_[edges_[edge].from], &to = vertices_[edges_[edge].to];
-  const double total = loops_[from.loop].length() / 2;
-  double low = from.length, high = to.length;
-  if (high <= low) high += total;
-  low += slide_from, high += slide_to;
-  if (low < 0) low += total, high += total;
-  return {low / (2 * total), high / (2 * total)};
-}
-
-PartnerPoint BoundarySlide::edge_middle(int edge, double slide_from, double slide_to) const {
-  const Ends ends = ends_of(edge, slide_from, slide_to);
-  const curve::Chain& chain = loops_[vertices_[edges_[edge].from].loop];
-  const curve::ChainPoint at = chain.at((ends.low + ends.high) / 2);
-  return {chain.pieces()[at.piece].curve, at.t};
-}
-
-std::vector<Vec2> BoundarySlide::edge_nodes(int edge, double slide_from, double slide_to) const {
-  const Ends ends = ends_of(edge, slide_from, slide_to);
-  std::vector<Vec2> nodes;
-  for (const double xi : spectral::gll_points(mesh_->order))
-    nodes.push_back(
-        loops_[vertices_[edges_[edge].from].loop].at(ends.low * (1 - xi) / 2 + ends.high * (1 + xi) / 2).position);
-  return nodes;
-}
-
-double BoundarySlide::edge_error(int edge, double slide_from, double slide_to) const {
-  const Ends ends = ends_of(edge, slide_from, slide_to);
-  return sizing::interval_error(table_, loops_[vertices_[edges_[edge].from].loop], ends.low, ends.high, mesh_->order);
-}
-
-bool BoundarySlide::passes_free_joint(int edge, double slide_from, double slide_to) const {
-  const Ends ends = ends_of(edge, slide_from, slide_to);
-  const int loop = vertices_[edges_[edge].from].loop;
-  const double same = tolerance::round_off * mesh_->face.diameter, total = loop_length(loop);
-  return std::ranges::any_of(free_joints_, [&](const LoopJoint& joint) {
-    const double onward = joint.length - 2 * total * ends.low;
-    const double beyond = onward - total * std::floor((onward - same) / total);
-    return joint.loop == loop && beyond < 2 * total * (ends.high - ends.low) - same;
-  });
-}
-
-double BoundarySlide::error_between(int loop, double from, double to) const {
-  const double total = loop_length(loop), turns = std::floor(from / total) * total;
-  return sizing::interval_error(table_, loops_[loop], (from - turns) / (2 * total), (to - turns) / (2 * total),
-                                mesh_->order);
-}
-
 NodeFollow::NodeFollow(const QuadMesh& mesh, const BoundarySlide& boundary)
     : mesh_(&mesh), boundary_(&boundary), nodes_(mesh.nodes) {
   std::vector<int> node2vertex(mesh.nodes.size(), -1);
@@ -320,7 +132,7 @@ template <class Visit>
 void NodeFollow::for_moved_edges(const VertexMoves& moves, const Visit& visit) const {
   for (std::size_t e = 0; e < boundary_->edges().size(); ++e) {
     const SlidingEdge& edge = boundary_->edges()[e];
-    const double from = moves[boundary2vertex_[edge.from]].x, to = moves[boundary2vertex_[edge.to]].x;
+    const double from = slide(edge.from, moves), to = slide(edge.to, moves);
     if (from != 0 || to != 0) visit(edge, from, to, boundary_->edge_nodes(static_cast<int>(e), from, to));
   }
 }
@@ -362,12 +174,33 @@ RelaxProblem::RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen
       boundary(start, slides_off),
       follow(start, boundary),
       energy(start),
-      is_fixed(follow.num_vertices(), false) {
-  for (int v = 0; v < num_vertices(); ++v)
-    if (const int b = follow.on_boundary(v); b >= 0) is_fixed[v] = boundary.vertices()[b].is_fixed;
+      is_fixed(follow.num_vertices(), false),
+      twin_(follow.num_vertices(), -1) {
+  for (const auto& [a, b] : boundary.twins()) {
+    twin_[follow.vertex_of(a)] = follow.vertex_of(b);
+    twin_[follow.vertex_of(b)] = follow.vertex_of(a);
+  }
+  std::vector<int> num_loops(num_vertices(), 0);
+  for (std::size_t b = 0; b < boundary.vertices().size(); ++b) {
+    const int v = follow.vertex_of(static_cast<int>(b));
+    if (boundary.vertices()[b].is_fixed || ++num_loops[v] > 2) fix_vertex(v);
+  }
   for (std::size_t elem = 0; elem < frozen_elems.size(); ++elem)
     if (frozen_elems[elem])
-      for (const int v : follow.elem_vertices()[elem]) is_fixed[v] = true;
+      for (const int v : follow.elem_vertices()[elem]) fix_vertex(v);
+}
+
+void RelaxProblem::fix_vertex(int vertex) {
+  is_fixed[vertex] = true;
+  if (twin_[vertex] >= 0) is_fixed[twin_[vertex]] = true;
+}
+
+void RelaxProblem::join_twins(VertexMoves& moves) const {
+  for (int v = 0; v < num_vertices(); ++v) {
+    if (twin_[v] <= v) continue;
+    const double slide = (moves[v].x - moves[twin_[v]].x) / 2;
+    moves[v].x = slide, moves[twin_[v]].x = -slide;
+  }
 }
 
 double RelaxProblem::total_energy(const std::vector<Vec2>& nodes) const {

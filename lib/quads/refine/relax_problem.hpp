@@ -1,11 +1,6 @@
 #pragma once
 // A mesh to be relaxed: its movable vertices, the nodes that follow them, and the energy to minimise.
 //
-// Vertices on the boundary have a position along the loops of CAD curves, on which they slide. Fixed are those at
-// joints between curves (corners and changes of name among them) and at breaks of a curve, unless they may slide off
-// (SlidesOff), the ends of an edge that passes a joint, and all on interfaces, which both regions share, and on
-// periodic curves. The seam of a smooth closed curve fixes no vertex.
-//
 // The energy that relaxation minimises: the deviation of elements from their prescribed shape.
 //
 // At each node of an element, a = x_xi1 / l1 and b = x_xi2 / l2 are the derivatives of its map over their lengths in
@@ -18,9 +13,8 @@
 #include <array>
 #include <vector>
 
-#include "curve/chain.hpp"
-#include "model/interfaces.hpp"
 #include "model/quad_mesh.hpp"
+#include "refine/boundary_slide.hpp"
 
 namespace quadrille::refine {
 
@@ -53,80 +47,6 @@ class ShapeEnergy {
   std::vector<Vec2> inverse_lengths_;  ///< 1 / l1, 1 / l2 at each node of each element
 };
 
-/// What vertices on the boundary may slide off.
-enum class SlidesOff {
-  nothing,
-  breaks,  ///< of curves, and smooth joints between curves of one name
-  joints,  ///< also smooth joints between curves whose names are not given
-};
-
-struct SlidingVertex {
-  int node = 0;
-  int loop = 0;
-  double length = 0;  ///< along the loop from the start of its first curve
-  bool is_fixed = false;
-  bool is_at_break = false;  ///< of its curve
-};
-
-struct SlidingEdge {
-  int elem = 0, side = 0;
-  int from = 0, to = 0;  ///< vertices
-};
-
-/// A joint of a loop.
-struct LoopJoint {
-  int loop = 0;
-  double length = 0;  ///< along the loop from the start of its first curve, less than its length
-};
-
-class BoundarySlide {
- public:
-  /// `mesh` must outlive it.
-  explicit BoundarySlide(const QuadMesh& mesh, SlidesOff slides_off = SlidesOff::nothing);
-  BoundarySlide(const BoundarySlide&) = delete;
-  BoundarySlide& operator=(const BoundarySlide&) = delete;
-
-  const std::vector<SlidingVertex>& vertices() const { return vertices_; }
-  const std::vector<SlidingEdge>& edges() const { return edges_; }
-  /// Joints between curves of different names that vertices may slide off.
-  const std::vector<LoopJoint>& free_joints() const { return free_joints_; }
-  double loop_length(int loop) const { return loops_[loop].length() / 2; }
-
-  /// Position and unit tangent of a vertex that has slid by `slide`, a length along the loop.
-  curve::ChainPoint at(int vertex, double slide) const;
-  /// The curve at the middle of an edge whose ends have slid, and the parameter on it.
-  PartnerPoint edge_middle(int edge, double slide_from, double slide_to) const;
-  /// The N + 1 nodes of an edge whose ends have slid: the Gauss-Lobatto-Legendre points by arc length.
-  std::vector<Vec2> edge_nodes(int edge, double slide_from, double slide_to) const;
-  /// Distance of the edge's polynomial from the curve (sizing/interval_error).
-  double edge_error(int edge, double slide_from, double slide_to) const;
-  bool passes_free_joint(int edge, double slide_from, double slide_to) const;
-  /// The error of an edge between two lengths along a loop, `from` < `to`.
-  double error_between(int loop, double from, double to) const;
-
- private:
-  struct Ends {
-    double low = 0, high = 0;  ///< fractions of the doubled loop, so that no edge passes its end
-  };
-  Ends ends_of(int edge, double slide_from, double slide_to) const;
-  void add_loop(const std::vector<QuadBoundaryEdge>& loop_edges);
-  double length_at(int loop, int curve, Vec2 x) const;
-  void fix_at_breaks(int vertex);
-  bool may_leave(const curve::Chain& chain, int joint) const;
-  void find_free_joints(int loop);
-  void fix_beside_joints(int edge);
-
-  const QuadMesh* mesh_;
-  SlidesOff slides_off_;
-  std::vector<Nurbs> no_splines_;
-  curve::CurveTable table_;
-  std::vector<curve::Chain> loops_;  ///< each doubled: its curves twice in turn
-  std::vector<double> curve_start_;  ///< length along its loop
-  std::vector<LoopJoint> free_joints_;
-  std::vector<SlidingVertex> vertices_;
-  std::vector<SlidingEdge> edges_;
-};
-
 /// The move of a vertex from its first position: on the boundary (slide, 0), a length along the loop; inside a shift.
 using VertexMoves = std::vector<Vec2>;
 
@@ -141,8 +61,16 @@ class NodeFollow {
   const std::vector<std::array<int, 4>>& elem_vertices() const { return elem_vertices_; }
   /// The number of a vertex among the boundary vertices, -1 inside.
   int on_boundary(int vertex) const { return on_boundary_[vertex]; }
-  /// The vertex of a boundary vertex.
+  /// The vertex of a boundary vertex. That of an interface is one of both regions.
   int vertex_of(int boundary_vertex) const { return boundary2vertex_[boundary_vertex]; }
+  /// The direction along its loop in which a boundary vertex slides: -1 if its vertex slides along the other region's.
+  int direction(int boundary_vertex) const {
+    return on_boundary_[vertex_of(boundary_vertex)] == boundary_vertex ? 1 : -1;
+  }
+  /// The slide of a boundary vertex along its loop.
+  double slide(int boundary_vertex, const VertexMoves& moves) const {
+    return direction(boundary_vertex) * moves[vertex_of(boundary_vertex)].x;
+  }
 
   /// All nodes. Nodes of elements whose vertices do not move keep their position bit for bit.
   std::vector<Vec2> nodes(const VertexMoves& moves) const;
@@ -176,9 +104,15 @@ struct RelaxProblem {
   const ShapeEnergy energy;
   std::vector<bool> is_fixed;  ///< by vertex
 
+  void fix_vertex(int vertex);
+  /// Makes moves, or a gradient, of vertices that slide together the same.
+  void join_twins(VertexMoves& moves) const;
   int num_vertices() const { return follow.num_vertices(); }
   /// Sum over all elements, for these nodes; infinite if det J is not positive.
   double total_energy(const std::vector<Vec2>& nodes) const;
+
+ private:
+  std::vector<int> twin_;  ///< by vertex: that with which it slides together, or -1
 };
 
 }  // namespace quadrille::refine

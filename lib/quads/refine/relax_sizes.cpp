@@ -123,6 +123,7 @@ bool Relaxer::step(EnergyDerivatives& at) {
     add_multiple(length, direction, next);
     EnergyDerivatives there = energy.with_derivatives(next);
     if (!(there.value <= at.value + size_constants.descent * length * slope)) continue;
+    problem_.join_twins(there.gradient);
     symmetry_->average(there.gradient);
     VertexMoves change = there.gradient, step = direction;
     add_multiple(-1, at.gradient, change);
@@ -138,7 +139,7 @@ bool Relaxer::step(EnergyDerivatives& at) {
 bool Relaxer::hold_joints(RelaxProblem& problem) {
   const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves, options_.tolerance);
   if (!at_joints) return false;
-  for (const JointVertex& at : *at_joints) problem.is_fixed[at.vertex] = true;
+  for (const JointVertex& at : *at_joints) problem.fix_vertex(at.vertex);
   const VertexMoves before = moves;
   // As far at once as elements allow, and the others follow.
   for (double left = 1, step = 0; step < size_constants.joint_steps; ++step) {
@@ -168,7 +169,8 @@ bool Relaxer::begin_again() {
 
 EnergyDerivatives Relaxer::begin() {
   EnergyDerivatives at = energy.with_derivatives(moves, true);
-  if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), at.gradient);
+  problem_.join_twins(at.gradient);
+  if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);
   symmetry_->average(at.gradient);
   inverse_.set_blocks(at.hessian, energy.curve_tangents());
   return at;
@@ -196,28 +198,30 @@ void Relaxer::run() {
   value = at.value;
 }
 
-/// Edges on the boundary are of the curves at their middles, in the order along these.
+/// Edges on the boundary and on interfaces are of the curves at their middles, in the order along these.
 void update_curves(const RelaxProblem& problem, const VertexMoves& moves, QuadMesh& mesh) {
   std::vector<std::pair<PartnerPoint, QuadBoundaryEdge>> placed;
   const std::vector<SlidingEdge>& edges = problem.boundary.edges();
   for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
-    const auto slide = [&](int end) { return moves[problem.follow.vertex_of(end)].x; };
+    const auto slide = [&](int end) { return problem.follow.slide(end, moves); };
     const PartnerPoint at = problem.boundary.edge_middle(e, slide(edges[e].from), slide(edges[e].to));
     placed.push_back({at, {edges[e].elem, edges[e].side, at.curve}});
   }
   const auto key = [](const auto& edge) { return std::tuple(edge.first.curve, edge.first.t, edge.second.elem); };
   std::ranges::sort(placed, {}, key);
-  const auto is_inside = [&](const QuadBoundaryEdge& edge) { return problem.start.face.is_interface(edge.curve); };
-  mesh.boundary_edges.clear();
+  const auto is_inside = [&](int curve) {
+    return mesh.face.is_interface(curve) && !std::ranges::binary_search(mesh.open_curves, curve);
+  };
+  mesh.boundary_edges.clear(), mesh.interface_edges.clear();
   for (const auto& [at, edge] : placed)
-    if (!is_inside(edge)) mesh.boundary_edges.push_back(edge);
+    (is_inside(edge.curve) ? mesh.interface_edges : mesh.boundary_edges).push_back(edge);
 }
 
 /// The mesh of these moves, with its edges inside shaped.
 QuadMesh moved_mesh(const RelaxProblem& problem, const SizeRelaxation& options, const VertexMoves& moves) {
   QuadMesh mesh = problem.start;
   mesh.nodes = problem.follow.nodes(moves);
-  if (mesh.open_curves.empty()) update_curves(problem, moves, mesh);
+  update_curves(problem, moves, mesh);
   measure_elements(mesh);
   shape_inner_edges(mesh, options.inner_edges, options.kept_elems);
   return mesh;
@@ -234,9 +238,9 @@ std::vector<EdgeError> rough_edges(const RelaxProblem& problem, const VertexMove
   std::vector<EdgeError> errors;
   const std::vector<SlidingEdge>& edges = problem.boundary.edges();
   for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
-    const int from = problem.follow.vertex_of(edges[e].from), to = problem.follow.vertex_of(edges[e].to);
-    if (moves[from] == Vec2{} && moves[to] == Vec2{}) continue;
-    errors.push_back({e, problem.boundary.edge_error(e, moves[from].x, moves[to].x) / tolerance});
+    const double from = problem.follow.slide(edges[e].from, moves), to = problem.follow.slide(edges[e].to, moves);
+    if (from == 0 && to == 0) continue;
+    errors.push_back({e, problem.boundary.edge_error(e, from, to) / tolerance});
   }
   if (std::ranges::none_of(errors, [](const EdgeError& e) { return e.error > 1; })) return {};
   std::erase_if(errors, [](const EdgeError& e) { return e.error < 1 - tolerance::tied; });
@@ -259,7 +263,8 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, Relaxer
     const int v = problem.follow.vertex_of(end);
     if (problem.is_fixed[v] || !(problem.boundary.vertices()[end].is_at_break || round >= size_constants.shortenings))
       continue;
-    problem.is_fixed[v] = is_any = true;
+    problem.fix_vertex(v);
+    is_any = true;
   }
   if (!is_any) shorten(rough, problem, relaxer);
   return is_any;
@@ -283,7 +288,7 @@ bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
 void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& problem, Relaxer& relaxer) {
   const auto passes_joint = [&](const EdgeError& rough) {
     const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
-    const auto slide = [&](int end) { return relaxer.moves[problem.follow.vertex_of(end)].x; };
+    const auto slide = [&](int end) { return problem.follow.slide(end, relaxer.moves); };
     return problem.boundary.passes_free_joint(rough.edge, slide(edge.from), slide(edge.to));
   };
   relaxer.run();
@@ -365,10 +370,9 @@ void report_relaxation(Report& report, const QuadMesh& before, const SizeRelaxed
 SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) {
   SizeRelaxed result{mesh};
   shape_inner_edges(result.mesh, options.inner_edges, options.kept_elems);
-  if (!mesh.is_valid) return result;
-  // Edges get the curves along which they lie.
-  const bool may_pass = mesh.open_curves.empty() && options.slides_off == SlidesOff::joints;
-  if (may_pass && relax_vertices(mesh, options, SlidesOff::joints, result)) return result;
+  if (!result.mesh.is_valid) return result;
+  if (options.slides_off == SlidesOff::joints && relax_vertices(mesh, options, SlidesOff::joints, result))
+    return result;
   relax_vertices(mesh, options, SlidesOff::breaks, result);
   return result;
 }

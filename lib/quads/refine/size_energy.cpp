@@ -12,6 +12,7 @@ namespace quadrille::refine {
 namespace {
 
 constexpr double first_shape_weight = 2;  ///< w
+constexpr double sharp_sine = 0.5;        ///< of the angle of a corner between curves
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct SidePoint {
@@ -81,7 +82,24 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
   }
   position_ = start_;
   tangent_.resize(start_.size());
+  lighten_sharp_corners();
   add_curved_sides(shaped);
+}
+
+/// The shape of an element in a sharp corner between two curves, which no motion of vertices changes, does not outweigh
+/// that of all others: it gets the weight that the corner would have at 30 degrees.
+void SizeEnergy::lighten_sharp_corners() {
+  std::vector<std::array<bool, 4>> is_on_curve(shape_weights.size());
+  for (const SlidingEdge& edge : problem_.boundary.edges()) is_on_curve[edge.elem][edge.side] = true;
+  for (std::size_t elem = 0; elem < is_on_curve.size(); ++elem)
+    for (int c = 0; c < 4; ++c) {
+      const int before = (c + 3) % 4;
+      if (!is_on_curve[elem][c] || !is_on_curve[elem][before]) continue;
+      const auto& v = problem_.follow.elem_vertices()[elem];
+      const Vec2 out = start_[v[(c + 1) % 4]] - start_[v[c]], in = start_[v[before]] - start_[v[c]];
+      const double sine = cross(out, in) / (norm(out) * norm(in));
+      if (sine > 0 && sine < sharp_sine && dot(out, in) > 0) shape_weights[elem] *= std::pow(sine / sharp_sine, 3);
+    }
 }
 
 void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
@@ -144,11 +162,14 @@ void SizeEnergy::place(const VertexMoves& moves) {
 
 void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {
   const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
-  const int from = problem_.follow.vertex_of(edge.from), to = problem_.follow.vertex_of(edge.to);
-  side.tangent[0] = tangent_[from], side.tangent[points - 1] = tangent_[to];
+  const NodeFollow& follow = problem_.follow;
+  const int from = follow.vertex_of(edge.from), to = follow.vertex_of(edge.to);
+  side.tangent[0] = follow.direction(edge.from) * tangent_[from];
+  side.tangent[points - 1] = follow.direction(edge.to) * tangent_[to];
   const SlidingVertex &start = problem_.boundary.vertices()[edge.from], &end = problem_.boundary.vertices()[edge.to];
-  const double low = start.length + moves[from].x, beyond = end.length <= start.length ? loops_.length(end.loop) : 0;
-  const double length = end.length + beyond + moves[to].x - low;
+  const double low = start.length + follow.slide(edge.from, moves);
+  const double beyond = end.length <= start.length ? loops_.length(end.loop) : 0;
+  const double length = end.length + beyond + follow.slide(edge.to, moves) - low;
   for (int p = 1; p < points - 1; ++p) {
     const LoopPoint at = loops_.at(start.loop, low + curved_rule_.at[p] * length);
     side.tangent[p] = at.tangent;
@@ -268,8 +289,8 @@ void SizeEnergy::pull_back_sides(int elem, const Tangents& by) {
       from += (1 - curved_rule_.at[p]) * dot(by_shift[p], side.tangent[p] - side.tangent[0]);
       to += curved_rule_.at[p] * dot(by_shift[p], side.tangent[p] - side.tangent[points - 1]);
     }
-    slide_gradient_[problem_.follow.vertex_of(edge.from)] += from;
-    slide_gradient_[problem_.follow.vertex_of(edge.to)] += to;
+    slide_gradient_[problem_.follow.vertex_of(edge.from)] += problem_.follow.direction(edge.from) * from;
+    slide_gradient_[problem_.follow.vertex_of(edge.to)] += problem_.follow.direction(edge.to) * to;
   }
 }
 

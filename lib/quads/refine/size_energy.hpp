@@ -76,6 +76,7 @@ class SizeEnergy {
     double weight_at(int point) const { return weight[point % count] * weight[point / count]; }
   };
 
+  void lighten_sharp_corners();
   void add_curved_sides(const QuadMesh& shaped);
   void place(const VertexMoves& moves);
   void place_side(CurvedSide& side, const VertexMoves& moves) const;

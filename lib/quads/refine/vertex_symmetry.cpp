@@ -24,15 +24,18 @@ std::vector<int> images(const PointGrid& positions, const curve::Isometry& isome
 }  // namespace
 
 VertexSymmetry::VertexSymmetry(const RelaxProblem& problem, const std::vector<Vec2>& positions,
-                               const VertexMoves& gradient)
+                               const std::vector<Vec2>& tangents, const VertexMoves& gradient)
     : problem_(problem) {
   const CadFace& face = problem.start.face;
   const PointGrid grid(positions);
   for (const curve::Isometry& g : curve::symmetries(face)) {
     if (!g.is_mirrored && g.angle == 0) continue;
     Image image{images(grid, g, tolerance::same_point * face.diameter),
-                {g.centre, g.is_mirrored ? g.angle : -g.angle, g.is_mirrored}};
+                {g.centre, g.is_mirrored ? g.angle : -g.angle, g.is_mirrored},
+                {}};
     if (image.vertex.empty()) continue;
+    for (int v = 0; v < problem.num_vertices(); ++v)
+      image.is_backwards.push_back(dot(image.inverse.turned(tangents[image.vertex[v]]), tangents[v]) < 0);
     double difference = 0, size = 0;
     for (int v = 0; v < problem.num_vertices(); ++v) {
       difference += norm2(back(image, v, gradient) - gradient[v]);
@@ -42,11 +45,11 @@ VertexSymmetry::VertexSymmetry(const RelaxProblem& problem, const std::vector<Ve
   }
 }
 
-/// What the image of a vertex does, mapped back to the vertex. A mirror image of a loop runs backwards.
+/// What the image of a vertex does, mapped back to the vertex.
 Vec2 VertexSymmetry::back(const Image& image, int vertex, const VertexMoves& moves) const {
   const Vec2 move = moves[image.vertex[vertex]];
   if (problem_.follow.on_boundary(vertex) < 0) return image.inverse.turned(move);
-  return image.inverse.is_mirrored ? -move : move;
+  return image.is_backwards[vertex] ? -move : move;
 }
 
 void VertexSymmetry::average(VertexMoves& moves) const {

@@ -13,7 +13,9 @@ class VertexSymmetry {
  public:
   /// The isometries of the face that map these positions of the vertices onto each other (within 1e-6 diameters), and
   /// the gradient of the energy there onto itself (within a hundredth of it). O(n) for n vertices.
-  VertexSymmetry(const RelaxProblem& problem, const std::vector<Vec2>& positions, const VertexMoves& gradient);
+  /// `tangents`: of the curves at vertices that slide.
+  VertexSymmetry(const RelaxProblem& problem, const std::vector<Vec2>& positions, const std::vector<Vec2>& tangents,
+                 const VertexMoves& gradient);
 
   /// Replaces a gradient, or moves, by the mean over all images.
   void average(VertexMoves& moves) const;
@@ -22,6 +24,7 @@ class VertexSymmetry {
   struct Image {
     std::vector<int> vertex;  ///< by vertex: its image
     curve::Isometry inverse;
+    std::vector<bool> is_backwards;  ///< by vertex that slides: its image slides in the opposite direction
   };
   Vec2 back(const Image& image, int vertex, const VertexMoves& moves) const;
 

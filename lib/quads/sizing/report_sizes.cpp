@@ -54,7 +54,8 @@ struct ChordError {
   int num_elems = 0;  ///< all that it passes
 };
 
-constexpr double greatest_resolution = 5;  ///< above which there is a warning
+constexpr double greatest_resolution = 5;    ///< above which there is a warning
+constexpr double greatest_edge_ratio = 100;  ///< above which the warning names the place
 
 /// Each element is counted with its two directions, whose parts of E are the same in squares.
 std::vector<ChordError> chord_errors(const MeasuredLayout& measured, const ArcDivisions& divisions,
@@ -73,15 +74,22 @@ std::vector<ChordError> chord_errors(const MeasuredLayout& measured, const ArcDi
   return errors;
 }
 
+std::string place_of_thin_element(const QuadMesh& mesh) {
+  const mesh::ElementSizes worst = mesh::worst_element_sizes(mesh);
+  if (worst.edge_ratio <= greatest_edge_ratio) return {};
+  return fmt::format(", and edges of one element, near ({:.6g}, {:.6g}), are of lengths 1 : {:.3g}",
+                     worst.edge_ratio_position.x, worst.edge_ratio_position.y, worst.edge_ratio);
+}
+
 /// With the number of elements along the worst chord by which their part would be that of equal squares.
-std::string resolution_warning(double ratio, const std::vector<ChordError>& errors, int num_elems) {
+std::string resolution_warning(double ratio, const std::vector<ChordError>& errors, const QuadMesh& mesh) {
   const ChordError& worst = *std::max_element(errors.begin(), errors.end(),
                                               [](const ChordError& a, const ChordError& b) { return a.part < b.part; });
-  const double of_squares = worst.num_elems / (2.0 * num_elems * ratio);
+  const double of_squares = worst.num_elems / (2.0 * mesh.num_elems() * ratio);
   return fmt::format(
       "elements are of so unequal sizes that the squared error of a smooth solution is about {:.3g} times that of as "
-      "many equal squares, {:.0f} % of it along chord {} of {}: give --count {}={:.0f}",
-      ratio, 100 * worst.part, worst.chord, counted(worst.count, "element"), worst.chord,
+      "many equal squares, {:.0f} % of it along chord {} of {}{}: give --count {}={:.0f}",
+      ratio, 100 * worst.part, worst.chord, counted(worst.count, "element"), place_of_thin_element(mesh), worst.chord,
       std::ceil(worst.count * std::pow(worst.part / of_squares, 1.0 / 8)));
 }
 
@@ -133,7 +141,7 @@ void report_resolution(const MeasuredLayout& measured, const ArcDivisions& divis
   report.set("resolution.ratio", measure.ratio);
   report.set("resolution.chord.part", std::move(parts));
   if (is_relaxed_to_sizes && measure.ratio > greatest_resolution)
-    report.warn(warning::unequal_sizes, resolution_warning(measure.ratio, errors, mesh.num_elems()));
+    report.warn(warning::unequal_sizes, resolution_warning(measure.ratio, errors, mesh));
 }
 
 }  // namespace quadrille::sizing

@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "../support/refined.hpp"
 #include "../support/region_graphs.hpp"
+#include "base/angle.hpp"
 #include "curve/project.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/relax.hpp"
+#include "refine/relax_sizes.hpp"
+#include "refine/validity.hpp"
 #include "sizing/make_size_field.hpp"
 
 namespace quadrille::refine {
@@ -113,6 +117,19 @@ TEST(Regions, TheBoundarySlidesBesideAnInterface) {
       largest_move = std::max(largest_move, distance(mesh.nodes[node], before.nodes[node]));
     }
   EXPECT_GT(largest_move, 1e-3);
+}
+
+TEST(Regions, VerticesOnInterfacesSlideToEqualLengths) {
+  QuadMesh mesh = refined(two_squares(), {.size = 0.25, .order = 2, .relax = Relax::none});
+  for (Vec2& x : mesh.nodes) x.y -= 0.1 * std::sin(pi * x.y);
+  measure_elements(mesh);
+  const sizing::SizeField sizes(0.25);
+  mesh = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3}).mesh;
+  expect_named_from_both_sides(mesh);
+  EXPECT_LT(distance_from_interfaces(mesh), 1e-14);
+  EXPECT_EQ(mesh.interface_edges.size(), 8u);
+  for (const QuadBoundaryEdge& e : mesh.interface_edges)
+    EXPECT_NEAR(std::remainder(mesh.nodes[side_start(mesh, e.elem, e.side)].y, 0.25), 0, 2e-3);
 }
 
 /// Heights of the first elements along an interface, by region.

@@ -131,11 +131,23 @@ TEST(RelaxSizes, MirrorImagesStayMirrorImages) {
   }
 }
 
-TEST(RelaxSizes, AMeshThatIsNotValidIsNotMoved) {
-  QuadMesh mesh = uneven_square(2);
-  mesh.is_valid = false;
-  const sizing::SizeField sizes(0.25);
+TEST(RelaxSizes, AMeshThatFoldsIsNotMoved) {
+  QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.5, 2);
+  mesh.nodes[side_start(mesh, 0, 2)] = {1.2, 1.2};  // the vertex in the middle
+  measure_elements(mesh);
+  const sizing::SizeField sizes(0.5);
   EXPECT_EQ(relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3}).sweeps, 0);
+}
+
+TEST(RelaxSizes, AMeshThatStraightEdgesMakeValidIsMoved) {
+  QuadMesh mesh = uneven_square(3);
+  mesh.nodes[side_node(mesh, 5, 1, 1)].x += 0.6;
+  measure_elements(mesh);
+  EXPECT_FALSE(mesh.is_valid);
+  const sizing::SizeField sizes(0.25);
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+  EXPECT_GT(relaxed.sweeps, 0);
+  EXPECT_TRUE(relaxed.mesh.is_valid);
 }
 
 TEST(ParseRelax, NamesAreGoalsAndANumberIsAnsweredWithItsNewForm) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -37,6 +38,18 @@ TEST(SizeEnergy, OfRectanglesOfThePrescribedLengthsIsTheSame) {
   // Squares in place of rectangles 1 : 2: a^2 = 2, b^2 = 1/2, J = 1, mu = 5/4.
   EXPECT_NEAR(energy.value(VertexMoves(problem.num_vertices())), 16 * ((8 + 1.0 / 8) / 2 + 2 * std::pow(1.25, 3)),
               1e-9);
+}
+
+TEST(SizeEnergy, ElementsInSharpCornersAreLighter) {
+  QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 2);
+  const auto shear = [](Vec2& x) { x.x += 5 * x.y; };  // corners of atan(1 / 5), 11.3 degrees, and as many of 168.7
+  std::ranges::for_each(mesh.nodes, shear);
+  for (Nurbs& curve : mesh.face.curves) std::ranges::for_each(curve.poles, shear);
+  const RelaxProblem problem(mesh, {});
+  const SizeEnergy energy(problem, mesh);
+  EXPECT_EQ(std::ranges::count(energy.shape_weights, 2.0), 14);
+  const double sine = std::sin(std::atan(0.2));
+  EXPECT_NEAR(std::ranges::min(energy.shape_weights), 2 * std::pow(sine / 0.5, 3), 1e-12);
 }
 
 TEST(SizeEnergy, OfAFoldedMeshIsInfinite) {

@@ -46,6 +46,17 @@ TEST(ReportSizes, AWarningNamesTheChordThatNeedsMoreElements) {
       << report.warnings()[0].message;
 }
 
+TEST(ReportSizes, AWarningNamesThePlaceOfElementsWithEdgesOfVeryUnequalLengths) {
+  refine::RefineOptions options;
+  options.relax = refine::Relax::size;
+  options.counts = {{0, 1}, {1, 200}};
+  const Report report = report_of(hand_made::unit_square(), options);
+  ASSERT_EQ(report.warnings().size(), 1U);
+  EXPECT_NE(report.warnings()[0].message.find("of 1 element, and edges of one element, near (0.5, "), std::string::npos)
+      << report.warnings()[0].message;
+  EXPECT_NE(report.warnings()[0].message.find("are of lengths 1 : 200: give --count 0="), std::string::npos);
+}
+
 TEST(ReportSizes, EqualEdgesDeviateByTheirRatio) {
   refine::RefineOptions options;
   options.size = 0.3;  // three edges to a side
