@@ -54,7 +54,7 @@ std::vector<MotorcycleTrail> trails_of(const trace::LineArrangement& arrangement
 [[noreturn]] void fail_stuck(const CadFace& face, const trace::Streamline& line) {
   throw ComputeError(
       fmt::format("{} steps take the separatrix from {} no farther than {:.3g} diameters, to {}: the field turns too "
-                  "fast there",
+                  "fast there, or from element to element: lower padapt --target-error",
                   line.steps.size(), position_text(line.launch.origin + face.origin), line.length() / face.diameter,
                   position_text(line.end_position + face.origin)));
 }

@@ -1,6 +1,7 @@
 #include "ties/choice_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/tolerance.hpp"
@@ -20,93 +21,90 @@ double inverse_slope(const field::FieldEvaluator& evaluator, const zeros::FoundZ
 }  // namespace
 
 zeros::SearchResult ChoiceSearch::zeros_of(const Choice& choice) {
-  if (base_.empty()) set_base(choice);
   renew(choice);
-  const std::vector<double> changes = tilted_.changes(base_, choice);
-  for (std::size_t e = 0; e < changes.size() && !search_->is_budget_exhausted(); ++e) {
-    const int elem = static_cast<int>(e);
-    if (changes[e] <= known_[e].margin)
-      search_->add(known_[e].found);
-    else if (const auto there = changes[e] <= known_[e].reach ? moved(elem) : std::nullopt)
-      search_->add(*there);
-    else
-      search(elem);
-  }
-  zeros::require_decided(*search_, evaluator_->field().mesh.face.origin);
-  return search_->take();
-}
-
-void ChoiceSearch::set_base(const Choice& choice) {
-  renew(choice);
-  if (liftings_)
-    liftings_->renew();
-  else
-    liftings_.emplace(*evaluator_);
-  const Choice before = std::exchange(base_, choice);
-  known_.resize(evaluator_->field().mesh.num_elems());
-  const std::vector<double> changes = tilted_.changes(before.empty() ? choice : before, choice);
-  for (std::size_t e = 0; e < changes.size(); ++e) {
-    const int elem = static_cast<int>(e);
-    Known& known = known_[e];
-    known.margin -= changes[e];
-    known.reach -= changes[e];
-    if (known.margin >= 0) continue;
-    if (auto there = known.reach >= 0 ? moved(elem) : std::nullopt) {
-      known.margin = std::min(known.reach, resting_margin(*there));
-      known.found = std::move(*there);
+  const Vec2 origin = evaluator_->field().mesh.face.origin;
+  std::vector<zeros::SearchResult> found;
+  for (int elem = 0; elem < evaluator_->field().mesh.num_elems(); ++elem) {
+    if (const Known* known = known_now(elem)) {
+      found.push_back(known->there);
       continue;
     }
-    search(elem);
-    zeros::require_decided(*search_, evaluator_->field().mesh.face.origin);
-    known = known_of(elem, search_->take());
+    ++num_searched_;
+    search_->search(elem);
+    zeros::require_decided(*search_, origin);
+    found.push_back(search_->take());
+    known_[elem].push_back(known_of(elem, found.back()));
   }
+  for (const zeros::SearchResult& there : found) search_->add(there);
+  zeros::require_decided(*search_, origin);
+  return search_->take();
 }
 
 void ChoiceSearch::renew(const Choice& choice) {
   evaluator_ = &tilted_.with(choice);
-  if (search_)
-    search_->renew();
-  else
+  if (!search_) {
     search_.emplace(*evaluator_, std::vector<zeros::Disc>(), noise_);
+    liftings_.emplace(*evaluator_);
+    known_.resize(evaluator_->field().mesh.num_elems());
+  } else {
+    search_->renew();
+    liftings_->renew();
+    for (std::size_t u = 0; u < choice.size(); ++u) {
+      if (choice[u] == choice_[u]) continue;
+      for (const auto& [elem, change] : tilted_.changes(u))
+        for (Known& known : known_[elem]) {
+          known.change += choice[u] == known.choice[u] ? -change : change;
+          known.rest -= change;
+        }
+    }
+  }
+  choice_ = choice;
 }
 
-void ChoiceSearch::search(int elem) {
-  ++num_searched_;
-  search_->search(elem);
+/// What was found that still holds, with zeros where they are now; null if nothing is.
+const ChoiceSearch::Known* ChoiceSearch::known_now(int elem) {
+  for (Known& known : known_[elem]) {
+    if (known.change > known.reach) continue;
+    if (known.rest >= 0) return &known;
+    if (auto there = moved(elem, known.found)) {
+      known.rest = resting_margin(*there);
+      known.there = std::move(*there);
+      return &known;
+    }
+  }
+  return nullptr;
 }
 
-/// What is known of the element with its zeros where they are now; nothing if one is not near where it was.
-std::optional<zeros::SearchResult> ChoiceSearch::moved(int elem) const {
-  zeros::SearchResult there = known_[elem].found;
-  for (zeros::FoundZero& zero : there.zeros) {
+/// With the zeros where they are now; nothing if one is not near where it was.
+std::optional<zeros::SearchResult> ChoiceSearch::moved(int elem, zeros::SearchResult found) const {
+  for (zeros::FoundZero& zero : found.zeros) {
     if (!zeros::polish_zero(*evaluator_, elem, zero.xi)) return {};
     const field::FieldSample s = evaluator_->sample(elem, zero.xi);
     const bool is_near = distance(s.x, zero.x) <= greatest_found_move * zero.cell_radius;
     if (!is_near || det(s.dv_dx) * zero.index <= 0) return {};
     zero.x = s.x;
   }
-  return there;
+  return found;
 }
 
 /// The change of the field that moves no zero by more than tolerance::same_point.
 double ChoiceSearch::resting_margin(const zeros::SearchResult& found) const {
-  double margin = 1;
+  double margin = INFINITY;
   for (const zeros::FoundZero& zero : found.zeros)
     margin = std::min(
         margin, tolerance::same_point * evaluator_->field().mesh.face.diameter / inverse_slope(*evaluator_, zero));
   return margin;
 }
 
-ChoiceSearch::Known ChoiceSearch::known_of(int elem, zeros::SearchResult found) {
-  Known known{std::move(found), 0, 0};
-  if (!known.found.open_cells.empty() || evaluator_->field().method != FieldMethod::cg) return known;
+ChoiceSearch::Known ChoiceSearch::known_of(int elem, const zeros::SearchResult& found) {
+  Known known{choice_, found, found};
+  known.rest = resting_margin(found);
+  if (!found.open_cells.empty() || evaluator_->field().method != FieldMethod::cg) return known;
   std::vector<zeros::Disc> discs;
-  for (const zeros::FoundZero& zero : known.found.zeros) discs.push_back({zero.x, zero.cell_radius});
+  for (const zeros::FoundZero& zero : found.zeros) discs.push_back({zero.x, zero.cell_radius});
   known.reach = zeros::least_value(*evaluator_, *liftings_, elem, discs);
-  for (const zeros::FoundZero& zero : known.found.zeros)
+  for (const zeros::FoundZero& zero : found.zeros)
     known.reach = std::min(known.reach, greatest_move * zero.cell_radius / inverse_slope(*evaluator_, zero));
-  known.margin = discs.empty() ? known.reach : resting_margin(known.found);
-  known.reach = std::max(known.reach, known.margin);
   return known;
 }
 

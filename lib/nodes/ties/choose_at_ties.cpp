@@ -52,9 +52,6 @@ class Trials {
   }
   std::size_t count() const { return costs_.size(); }
 
-  /// The choices that follow differ from this one by little.
-  void set_base(const Choice& choice) { search_.set_base(choice); }
-
   /// The nodes of a choice by a search of all elements, which proves that no zero is missing.
   CriticalPoints proved(const Choice& choice, Report& report) {
     const Field field = tilted_.solved(choice);
@@ -141,7 +138,6 @@ class Chooser {
       if ((*then)[i] > (*now)[i]) return false;
     }
     best_ = choice;
-    trials_.set_base(best_);
     return true;
   }
 

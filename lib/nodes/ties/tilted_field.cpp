@@ -66,10 +66,11 @@ std::vector<int> joints_of(const TieOrbits& ties, const std::vector<int>& unit) 
   return joints;
 }
 
-/// Coefficients that parts omit. That of a few units is far below the error of any field; with many, each tie has
-/// others between itself and most of the face, where its part is small.
+/// What parts omit: coefficients, and changes of an element. That of a few units is far below the error of any field;
+/// with many, each tie has others between itself and most of the face, where its part is small.
 struct Negligible {
   double always = 1e-13, of_many = 1e-8;
+  double change = 1e-9;  ///< on an element: far less than what moves a node noticeably
   std::size_t many_units = 16;
 };
 constexpr Negligible negligible;
@@ -122,7 +123,7 @@ TiltedField::TiltedField(const Field& field, const TieOrbits& ties, PartSolver s
     data.push_back(field::tilt_data(field.mesh, joints_of(ties, unit), field::TiltPart::odd));
   const bool are_many = data.size() > negligible.many_units;
   odd_ = solve_(data, are_many ? negligible.of_many : negligible.always);
-  for (const field::HarmonicPart& part : odd_) greatest_.push_back(greatest_values(part));
+  for (const field::HarmonicPart& part : odd_) changes_.push_back(changes_by(part));
 }
 
 Field TiltedField::solved(const Choice& choice) const {
@@ -152,8 +153,9 @@ std::size_t TiltedField::num_numbers() const {
   return sum;
 }
 
-std::vector<double> TiltedField::greatest_values(const field::HarmonicPart& part) {
-  std::vector<double> greatest;
+// Twice the odd part: its sign changes.
+std::vector<TiltedField::Change> TiltedField::changes_by(const field::HarmonicPart& part) {
+  std::vector<Change> changes;
   std::size_t next = 0;
   for (std::size_t k = 0; k < part.elems.size(); ++k) {
     const int e = part.elems[k], order = sum_.elem_order[e], size = part.num_modes[k];
@@ -168,18 +170,10 @@ std::vector<double> TiltedField::greatest_values(const field::HarmonicPart& part
         const Vec2 lifted = field::lifting_angle(lifting, evaluator_.maps()[e].position(samples[i])) * lifting.jump;
         values.row(static_cast<Eigen::Index>(i)) += Eigen::RowVector2d(lifted.x, lifted.y);
       }
-    greatest.push_back(safety * values.rowwise().norm().maxCoeff());
+    const double most = 2 * safety * values.rowwise().norm().maxCoeff();
+    if (most > negligible.change) changes.push_back({e, most});
   }
-  return greatest;
-}
-
-std::vector<double> TiltedField::changes(const Choice& from, const Choice& to) const {
-  std::vector<double> sums(sum_.mesh.num_elems(), 0);
-  for (std::size_t i = 0; i < odd_.size(); ++i) {
-    if (from[i] == to[i]) continue;
-    for (std::size_t k = 0; k < odd_[i].elems.size(); ++k) sums[odd_[i].elems[k]] += 2 * greatest_[i][k];
-  }
-  return sums;
+  return changes;
 }
 
 const field::FieldEvaluator& TiltedField::with(const Choice& choice) {

@@ -61,13 +61,18 @@ class TiltedField {
   /// like the square of the face. Valid until the next choice. Its error estimate is that for the larger valence
   /// everywhere.
   const field::FieldEvaluator& with(const Choice& choice);
-  /// For each element a bound of the difference between the fields of two choices, as far as sampled values tell.
-  std::vector<double> changes(const Choice& from, const Choice& to) const;
+  /// A bound of |v - v'| on an element, as far as sampled values tell, for two choices that differ in one unit.
+  struct Change {
+    int elem;
+    double most;
+  };
+  /// Of the elements on which the unit counts.
+  const std::vector<Change>& changes(std::size_t unit) const { return changes_[unit]; }
   /// Of all parts, the memory that they take.
   std::size_t num_numbers() const;
 
  private:
-  std::vector<double> greatest_values(const field::HarmonicPart& part);
+  std::vector<Change> changes_by(const field::HarmonicPart& part);
 
   const Field* field_;
   const TieOrbits* ties_;
@@ -76,7 +81,7 @@ class TiltedField {
   Field sum_;                                     ///< for choice_
   field::FieldEvaluator evaluator_;               ///< of sum_
   std::vector<field::HarmonicPart> odd_;          ///< of each unit
-  std::vector<std::vector<double>> greatest_;     ///< |odd part| of each unit on its elements, twice the sampled
+  std::vector<std::vector<Change>> changes_;      ///< by each unit
   std::map<int, Eigen::MatrixXd> sampled_basis_;  ///< by order
 };
 

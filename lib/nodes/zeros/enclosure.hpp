@@ -33,6 +33,8 @@ class Enclosure {
   /// J0 a mean of d v / d lambda, |J0^-1 dv/dlambda - I| <= contraction < 1 everywhere.
   bool isolates(Mat2& inverse_jacobian, double& contraction) const;
 
+  /// The field at vertex k of the cell, apart from the rests of the liftings.
+  Vec2 value_at_vertex(int k) const;
   /// An upper bound of |v| over the cell.
   double greatest_value() const;
   /// Bound of the change of a value of the field over the cell by rounding and the margin.
@@ -65,8 +67,8 @@ class Enclosure {
 };
 
 /// A lower bound of |v| over the parts of element `elem` that are in none of these discs: no field that differs by less
-/// has a zero there; infinite if there is no such part. With few cells: 0 does not mean that there is a zero. For
-/// continuous fields.
+/// has a zero there; infinite if there is no such part. Mostly within a factor of 4; with few cells: 0 does not mean
+/// that there is a zero. For continuous fields.
 double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem,
                    const std::vector<Disc>& discs = {});
 

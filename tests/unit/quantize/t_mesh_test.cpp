@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "../hand_made.hpp"
 #include "../support/square_field.hpp"
@@ -146,17 +147,40 @@ TEST(TMesh, ALimitCycleThatMeetsNobodyIsCutAcross) {
   }
 }
 
+/// What the tracer says that cannot follow the lines of this field.
+std::string refusal(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
+                    const trace::TraceOptions& options) {
+  Report report;
+  try {
+    TMeshTracer(evaluator, points, options).trace(report);
+  } catch (const ComputeError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(TMesh, ALineWithoutEndWhoseStepsAreTooShortIsRefused) {
   const Spiral spiral(1);
   trace::TraceOptions options;
   options.step = 1e-6;
-  Report report;
-  try {
-    TMeshTracer(spiral.evaluator, spiral.points, options).trace(report);
-    FAIL() << "it was traced";
-  } catch (const ComputeError& error) {
-    EXPECT_NE(std::string(error.what()).find("steps take the separatrix"), std::string::npos);
+  EXPECT_NE(refusal(spiral.evaluator, spiral.points, options).find("steps take the separatrix"), std::string::npos);
+}
+
+TEST(TMesh, ALineThatGetsNoLongerIsRefused) {
+  // Below y = -1/2 lines rise at 20 degrees, above they fall: none can cross, nor turn back.
+  Field field = interpolated_field(square_mesh({-1, -1}, 2, 4), 1, constant);
+  for (int e = 0; e < field.mesh.num_elems(); ++e) {
+    const Vec2 turned = unit(4 * radians(e < 8 ? 20 : -20));
+    for (int i = field.coef_offsets[e]; i < field.coef_offsets[e + 1]; ++i) {
+      field.v[i] = field.u[i] * turned.y;
+      field.u[i] *= turned.x;
+    }
   }
+  CriticalPoints points;
+  for (int j = 0; j < 4; ++j) points.corners.push_back({j, field.mesh.face.joints[j].position, 90, j == 0 ? 2 : 1, {}});
+  const std::string said = refusal(field::FieldEvaluator(field), points, {});
+  EXPECT_NE(said.find("the separatrix from (-1, -1) no farther than 0.517 diameters, to (0.3737"), std::string::npos)
+      << said;
 }
 
 TEST(TMesh, ASpiralIsNotFollowedRoundItsLimitCycle) {
