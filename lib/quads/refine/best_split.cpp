@@ -147,7 +147,8 @@ bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
                             result.settings.tolerance,
                             request.options.relax_sweeps,
                             elements_that_keep_lengths(request, result),
-                            elements_on_layered_chords(request.equal.blocks(), result)};
+                            elements_on_layered_chords(request.equal.blocks(), result),
+                            sizing::ring_lengths(result.mesh, request.rings)};
   SizeRelaxed relaxed = relax_to_sizes(result.mesh, relaxation);
   if (relaxed.sweeps == 0) return false;
   for (int round = 0; round < max_corrections; ++round) {

@@ -22,6 +22,8 @@ struct SizeRelaxation {
   int sweeps = 200;                     ///< greatest number
   std::vector<bool> frozen_elems = {};  ///< elements that keep all nodes; empty: none
   std::vector<bool> kept_elems = {};    ///< elements whose edges inside keep their curves
+  /// By element: limits of the sizes along s and t (sizing/hole_rings); empty: none.
+  std::vector<Vec2> greatest_lengths = {};
   Progress* progress = nullptr;
 };
 
