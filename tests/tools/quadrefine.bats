@@ -326,6 +326,24 @@ setup() {
   assert_output --partial "--inner-edges"
 }
 
+@test "--rings: rows around small holes in coarse meshes are thinner, and one more; none with other rules" {
+  stage_chain cylinder_channel .
+  blocks=cylinder_channel.blocks.h5
+  for rings in auto none; do quadrefine --size 0.11 --rings $rings "$blocks" -o $rings.quad.h5 --report $rings.json; done
+  quadrefine --size 0.11 "$blocks" -o default.quad.h5
+  cmp default.quad.h5 auto.quad.h5
+  stagecheck auto.quad.h5
+  run jq -n 'input as $auto | input as $none | $auto.rings == {loop: [1], thickness: [$auto.rings.thickness[0]]} and
+    ($auto.rings.thickness[0] - 0.045 | fabs) < 1e-6 and $none.rings == null and $auto.quads != $none.quads' auto.json none.json
+  assert_output true
+  for options in "--size 0.03" "--size 0.11 --relax none" "--size 0.11 --size-rule nearest" "--size 0.11 --blocks 0"; do
+    quadrefine $options "$blocks" -o x.quad.h5 --report x.json
+    jq -e '.rings == null' x.json
+  done
+  run -2 quadrefine --rings some "$blocks" -o x.quad.h5
+  assert_output --partial "--rings"
+}
+
 @test "--blocks refines the chords through chosen blocks only" {
   quadrefine "$blocks" -o a.quad.h5 --report a.json
   quadrefine --blocks 0 "$blocks" -o b.quad.h5 --report b.json

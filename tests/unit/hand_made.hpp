@@ -145,10 +145,11 @@ inline SeparatrixGraph l_shape() {
   return g;
 }
 
-/// Radii 0.5 and 1, cut `num_cuts` times along radii from the angle 0 on.
-inline SeparatrixGraph cut_annulus(int num_cuts) {
+/// The unit disc with a hole, cut `num_cuts` times between equal angles, from 0 on.
+inline SeparatrixGraph cut_annulus(int num_cuts, double hole_radius = 0.5, Vec2 hole_centre = {}) {
   SeparatrixGraph g;
-  g.face = face({{curve::circular_arc({0, 0}, 1, 0, 2 * pi)}, {curve::circular_arc({0, 0}, 0.5, 2 * pi, 0)}}, 2);
+  g.face = face(
+      {{curve::circular_arc({0, 0}, 1, 0, 2 * pi)}, {curve::circular_arc(hole_centre, hole_radius, 2 * pi, 0)}}, 2);
   const Nurbs &out = g.face.curves[0], &in = g.face.curves[1];
   const auto share = [](const Nurbs& c, double f) { return c.begin() * (1 - f) + c.end() * f; };
   std::vector<int> outer, inner;

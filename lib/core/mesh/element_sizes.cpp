@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/message_text.hpp"
@@ -204,13 +205,15 @@ struct GaussTable {
 
 Eigen::ArrayXXd fourth_power(const Eigen::ArrayXXd& square) { return square.square().square(); }
 
-/// Of one element, lengths in units of `length`.
+constexpr Vec2 no_limits{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
+/// Of one element, lengths in units of `length`, or of `greatest` along xi1 and xi2 where these are less.
 struct Sums {
   std::array<double, 2> powers{};  ///< E of each direction
   double area = 0;
 };
 
-Sums sums_of(const QuadMesh& mesh, int elem, double length) {
+Sums sums_of(const QuadMesh& mesh, int elem, double length, Vec2 greatest) {
   const GaussTable& table = spectral::table_per_order<GaussTable>(mesh.order);
   const int width = mesh.order + 1;
   Eigen::MatrixXd x(width, width), y(width, width);  // xi1 x xi2
@@ -225,14 +228,17 @@ Sums sums_of(const QuadMesh& mesh, int elem, double length) {
   const Eigen::ArrayXXd x1 = along(table.slopes, x, table.values), y1 = along(table.slopes, y, table.values),
                         x2 = along(table.values, x, table.slopes), y2 = along(table.values, y, table.slopes);
   const Eigen::ArrayXXd area = (x1 * y2 - y1 * x2).abs() * (table.weights * table.weights.transpose()).array();
-  return {
-      {(fourth_power(x1.square() + y1.square()) * area).sum(), (fourth_power(x2.square() + y2.square()) * area).sum()},
-      area.sum()};
+  const Vec2 unit{std::min(1.0, greatest.x / length), std::min(1.0, greatest.y / length)};
+  const double unit_area = unit.x * unit.y;
+  const auto power = [&](const Eigen::ArrayXXd& square, double own) {
+    return (fourth_power(square / (own * own)) * area).sum() / unit_area;
+  };
+  return {{power(x1.square() + y1.square(), unit.x), power(x2.square() + y2.square(), unit.y)}, area.sum() / unit_area};
 }
 
 }  // namespace
 
-Resolution resolution(const QuadMesh& mesh) {
+Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths) {
   const bool is_prescribed = !mesh.elem_prescribed_length.empty();
   Resolution result{1, std::vector<std::array<double, 2>>(mesh.num_elems())};
   double total = 0, area = 0;
@@ -240,7 +246,7 @@ Resolution resolution(const QuadMesh& mesh) {
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const double length = is_prescribed ? mesh.elem_prescribed_length[elem] : mesh.face.diameter;
     if (!(length > 0)) continue;
-    const Sums sums = sums_of(mesh, elem, length);
+    const Sums sums = sums_of(mesh, elem, length, greatest_lengths.empty() ? no_limits : greatest_lengths[elem]);
     result.parts[elem] = sums.powers;
     total += sums.powers[0] + sums.powers[1];
     area += sums.area;
@@ -257,7 +263,7 @@ std::vector<double> relative_sizes(const QuadMesh& mesh) {
   std::vector<double> sizes;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const double length = mesh.elem_prescribed_length[elem];
-    sizes.push_back(length > 0 ? std::sqrt(sums_of(mesh, elem, length).area) : 1);
+    sizes.push_back(length > 0 ? std::sqrt(sums_of(mesh, elem, length, no_limits).area) : 1);
   }
   return sizes;
 }

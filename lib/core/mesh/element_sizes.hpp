@@ -54,8 +54,9 @@ struct Resolution {
 };
 
 /// Without prescribed lengths (elem_prescribed_length), h is the same for all elements; those with the length 0 do not
-/// count. O(N^3) for each element of order N.
-Resolution resolution(const QuadMesh& mesh);
+/// count. `greatest_lengths`: limits of h along xi1 and xi2 of each element, |x_xi1| and |x_xi2| each in units of their
+/// own and areas in those of their product; empty: none. O(N^3) for each element of order N.
+Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths = {});
 
 /// By element: the square root of its area over the prescribed length; 1 where wall layers prescribe it. Prescribed
 /// lengths must be stored.

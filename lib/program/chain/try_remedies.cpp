@@ -122,6 +122,7 @@ stage::QuadrefineOptions trial_options(const ChainState& chain, sizing::SizeRule
   options.refine.order = 2;
   options.refine.size_rule = rule;
   options.refine.allow_invalid = true;
+  options.refine.rings = refine::Rings::none;  // they lower another error than the one that is compared
   options.relax = "size";
   options.symmetry = chain.values.quadrefine.symmetry;
   return options;

@@ -183,6 +183,12 @@ void declare(Options& o, QuadrefineOptions& options) {
       "size: to the prescribed edge lengths; shape: to the angles of rectangles, with the lengths as they are, and not "
       "on interfaces and periodic sides; none: not. Layers along walls keep their vertices, and all do with --blocks");
   o.integer("--relax-sweeps", options.refine.relax_sweeps, 0, 1000, "greatest number of steps of --relax");
+  o.choice(
+      "--rings", options.refine.rings,
+      "around holes shorter than 12/20 diameters whose radius is below the prescribed edge lengths: auto: edges that "
+      "point away from the hole are shorter, from 0.9 radii on by a factor of 1.5 from row to row, and there is one "
+      "row more; none: not. Not in faces of several regions, with slits, periodic sides or lines of symmetry; only "
+      "with --relax size and --size-rule error, without --wall and --blocks");
   o.integer("--refine", options.refine.levels, 0, 10,
             "nested refinement, for studies of convergence: at the end each element becomes 2^K x 2^K elements of its "
             "own map, so that the geometry and all vertices stay as they are");

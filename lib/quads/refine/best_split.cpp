@@ -148,6 +148,7 @@ bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
                             request.options.relax_sweeps,
                             elements_that_keep_lengths(request, result),
                             elements_on_layered_chords(request.equal.blocks(), result)};
+  relaxation.greatest_lengths = sizing::ring_lengths(result.mesh, request.rings);
   if (!request.options.boundary_counts.empty()) relaxation.slides_off = SlidesOff::breaks;
   SizeRelaxed relaxed = relax_to_sizes(result.mesh, relaxation);
   if (relaxed.sweeps == 0) return false;

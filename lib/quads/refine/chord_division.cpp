@@ -177,10 +177,11 @@ ChordDivision begin_division(const ChordTask& task) {
 
 void settle_counts(const ChordTask& task, ChordDivision& division) {
   const int first = std::max(division.least_count, division.anchored.segments.least_count());
+  const bool may_break_ties = task.plan.is_prescribed && task.plan.is_by_user;
   for (int count = first;;) {
     require_bounded(task, count, "the geometric tolerance", "raise --geometry-tol or --order");
     const int next =
-        try_count(task, division, count, task.plan.is_prescribed || count - first >= division_constants.max_tie_rounds);
+        try_count(task, division, count, may_break_ties || count - first >= division_constants.max_tie_rounds);
     if (next == count) return;
     count = next;
   }

@@ -95,7 +95,8 @@ ChordDivision begin_division(const ChordTask& task);
 
 /// Finds the least count that suits all arcs and fills in counts and arcs. A count suits if equal segments have equal
 /// counts (at least among the first 24 counts) and no interval is longer than planned by more than a quarter; a
-/// prescribed count always suits. Throws ComputeError with a position if it would exceed `max_intervals`.
+/// prescribed count always suits, but for ties if it is not by the user. Throws ComputeError with a position if it
+/// would exceed `max_intervals`.
 void settle_counts(const ChordTask& task, ChordDivision& division);
 
 }  // namespace quadrille::refine

@@ -1,5 +1,6 @@
 #include "refine/lower_error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -41,20 +42,32 @@ void fix_chords(const SplitRequest& request, const SplitMesh& split, sizing::Err
   }
 }
 
+/// By chord: rings with room keep the rows that they begin with. The error is that of a solution that is as smooth
+/// around the hole as elsewhere, which does not need them.
+std::vector<int> least_counts(const SplitRequest& request, const SplitMesh& split) {
+  std::vector<int> counts(split.plans.size(), 1);
+  for (const sizing::HoleRing& ring : request.rings)
+    if (ring.has_room) counts[ring.chord] = split.divisions[request.equal.chords()[ring.chord].arcs[0]].num_intervals();
+  return counts;
+}
+
 /// The counts that chords get where others are asked for, found by dividing their arcs.
 class AchievedCounts {
  public:
-  AchievedCounts(const SplitRequest& request, const SplitMesh& split)
+  AchievedCounts(const SplitRequest& request, const SplitMesh& split, const std::vector<int>& least)
       : measured_(layout_of(request, split.settings)),
         plans_(split.plans),
+        least_(least),
         options_{request.options.order, split.settings.tolerance} {}
 
   int operator()(int chord, int count) {
+    count = std::max(count, least_[chord]);
     const auto [found, is_new] = known_.try_emplace({chord, count}, 0);
     if (is_new) {
       sizing::ChordPlan plan = plans_[chord];
       plan.count = count;
       plan.is_prescribed = true;
+      plan.is_by_user = false;
       found->second = divided_count(measured_, chord, plan, options_);
     }
     return found->second;
@@ -63,6 +76,7 @@ class AchievedCounts {
  private:
   const sizing::MeasuredLayout& measured_;
   const std::vector<sizing::ChordPlan>& plans_;
+  const std::vector<int>& least_;
   DivideOptions options_;
   std::map<std::pair<int, int>, int> known_;
 };
@@ -95,10 +109,14 @@ bool is_better(const SplitMesh& next, const SplitMesh& split, double resolution)
 }  // namespace
 
 void lower_error(const SplitRequest& request, SplitMesh& result) {
+  const std::vector<int> least = least_counts(request, result);
   double num_elems = 0;  // of the first mesh, that sizes and breaks mean
   std::size_t estimate = 0;
   std::set<std::vector<int>> tried;
-  mesh::Resolution resolution = mesh::resolution(result.mesh);
+  const auto resolution_of = [&](const QuadMesh& mesh) {
+    return mesh::resolution(mesh, sizing::ring_lengths(mesh, request.rings));
+  };
+  mesh::Resolution resolution = resolution_of(result.mesh);
   for (int round = 0; round < max_rounds && estimate < estimates.size(); ++round) {
     if (resolution.ratio <= good_resolution) return;
     sizing::ErrorParts of = sizing::error_parts(request.equal, result.divisions, result.mesh, resolution);
@@ -107,12 +125,12 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
     of.exponent = estimates[estimate].exponent;
     of.greatest_factor = estimates[estimate].greatest_factor;
     fix_chords(request, result, of);
-    AchievedCounts achieved(request, result);
+    AchievedCounts achieved(request, result, least);
     const sizing::ErrorCounts counts = sizing::least_error_counts(of, std::ref(achieved));
     std::optional<SplitMesh> next;
     if (counts.ratio < worthwhile && tried.insert(counts.counts).second)
       next = split_again(request, result, of, counts.counts);
-    mesh::Resolution of_next = next ? mesh::resolution(next->mesh) : resolution;
+    mesh::Resolution of_next = next ? resolution_of(next->mesh) : resolution;
     if (next && is_better(*next, result, of_next.ratio / resolution.ratio)) {
       result = std::move(*next);
       resolution = std::move(of_next);

@@ -40,6 +40,15 @@ std::vector<prescribe::LayeredCount> layered_counts(const SplitRequest& request)
                                 sizing::grade_chords(request.equal, request.sizes, options.size_rule, options.counts));
 }
 
+/// Vertices must move to the lengths of rings, and half of a hole has none.
+std::vector<sizing::HoleRing> rings_of(const SplitRequest& request) {
+  const RefineOptions& options = request.options;
+  if (options.rings == Rings::none || options.size_rule != sizing::SizeRule::error || !options.blocks.empty() ||
+      !options.symmetry.empty())
+    return {};
+  return sizing::hole_rings(request.equal, request.sizes);
+}
+
 /// The parts of an element are the same map: the distance from the CAD curves does not change.
 void refine_nested(QuadMesh& mesh, const RefineOptions& options, Report& report) {
   if (options.levels == 0) return;
@@ -55,6 +64,7 @@ void report_split(const SplitRequest& request, const SplitMesh& split) {
   report.set("shortened_chords",
              std::ranges::count_if(split.settings.length_limits, [](const auto& limits) { return !limits.empty(); }));
   report.set("chords", request.equal.chords().size());
+  sizing::report_rings(request.rings, report);
   report_mesh(split.mesh, report);
   mesh::report_distance(split.distance, split.mesh.face, request.limits.distance, report);
   if (split.walls) layers::report_walls(*split.walls, request.options.walls, report);
@@ -89,8 +99,9 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   // The growth from wall to wall determines counts; and vertices that stay have other parts of the error.
   if (options.size_rule == sizing::SizeRule::error && (!options.walls.empty() || options.relax != Relax::size))
     options.size_rule = sizing::SizeRule::nearest;
-  const SplitRequest request{
+  SplitRequest request{
       options, measured, aligned, halved, size_field(options, layout.face), score_limits(options, layout.face), report};
+  request.rings = rings_of(request);
   const std::vector<prescribe::LayeredCount> layered = layered_counts(request);
   options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts,
                                                    layered, options.end_gradings, options.end_growth);

@@ -34,6 +34,13 @@ constexpr auto enum_names(Relax) { return std::to_array({"size", "shape", "none"
 /// Throws UsageError if the text is not the name of a goal.
 Relax parse_relax(const std::string& text);
 
+/// Rows of elements around small holes (sizing/hole_rings).
+enum class Rings {
+  automatic,  ///< with SizeRule::error, without chosen blocks or lines of symmetry
+  none
+};
+constexpr auto enum_names(Rings) { return std::to_array({"auto", "none"}); }
+
 struct RefineOptions {
   double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
   int order = 4;               ///< shape order N, 1..20
@@ -59,6 +66,7 @@ struct RefineOptions {
   int max_elements = 1000000;  ///< more are refused (sizing/element_limit)
   InnerEdges inner_edges = InnerEdges::straight;
   Relax relax = Relax::size;
+  Rings rings = Rings::automatic;
   int relax_sweeps = 200;  ///< greatest number, 0..1000
   std::vector<std::string> symmetry =
       {};                 ///< patterns of the names of curves at lines of symmetry (refine/halved_blocks)

@@ -90,7 +90,10 @@ void Relaxer::set_sizes() {
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
     const double size = options_.sizes.at(middles[elem], region);
-    sizes.push_back({size * shorter_[elem].x, size * shorter_[elem].y});
+    const std::vector<Vec2>& limits = options_.greatest_lengths;
+    const Vec2 own =
+        limits.empty() ? Vec2{size, size} : Vec2{std::min(size, limits[elem].x), std::min(size, limits[elem].y)};
+    sizes.push_back({own.x * shorter_[elem].x, own.y * shorter_[elem].y});
     size_.push_back(size);
   }
   energy.set_sizes(sizes);

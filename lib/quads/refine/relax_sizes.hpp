@@ -25,6 +25,8 @@ struct SizeRelaxation {
   std::vector<bool> frozen_elems = {};       ///< elements that keep all nodes; empty: none
   std::vector<bool> kept_elems = {};         ///< elements whose edges inside keep their curves
   SlidesOff slides_off = SlidesOff::joints;  ///< what vertices on the boundary may
+  /// By element: limits of the sizes along s and t (sizing/hole_rings); empty: none.
+  std::vector<Vec2> greatest_lengths = {};
 };
 
 struct SizeRelaxed {

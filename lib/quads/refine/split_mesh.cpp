@@ -26,6 +26,8 @@ std::vector<sizing::ChordPlan> plan_chords(const SplitRequest& request, const Sp
   const sizing::MeasuredLayout& measured = layout_of(request, settings);
   std::vector<sizing::ChordPlan> plans =
       sizing::grade_chords(measured, request.sizes, options.size_rule, all_counts(request, settings));
+  for (const sizing::ChordCount& c : settings.counts) plans[c.chord].is_by_user = false;
+  sizing::add_ring_rows(request.rings, plans);
   prescribe::apply_end_gradings(measured, options.end_gradings, options.end_growth, plans);
   apply_length_limits(settings.length_limits, plans);
   sizing::require_planned_within(measured, plans, {options.max_elements, options.order}, request.report);

@@ -12,6 +12,7 @@
 #include "refine/halved_blocks.hpp"
 #include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
+#include "sizing/hole_rings.hpp"
 
 namespace quadrille::refine {
 
@@ -24,6 +25,7 @@ struct SplitRequest {
   sizing::SizeField sizes;
   mesh::ScoreLimits limits;  ///< above which remedies apply
   Report& report;
+  std::vector<sizing::HoleRing> rings = {};
 };
 
 /// What remedies change from one attempt to the next.

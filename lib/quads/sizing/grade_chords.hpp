@@ -43,6 +43,7 @@ struct ChordPlan {
   double slope = 0;            ///< |d eta / du| of the grading is at most that (sizing/grading)
   bool is_bound = false;       ///< no edge may be longer (SizeRule::at_most)
   bool is_prescribed = false;  ///< the count is a prescribed one
+  bool is_by_user = true;      ///< if it is; others are raised where no symmetric division has them
 
   bool operator==(const ChordPlan&) const = default;
 };

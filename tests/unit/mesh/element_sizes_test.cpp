@@ -131,6 +131,17 @@ TEST(Resolution, SquaresOfThePrescribedSizesAreIdeal) {
   EXPECT_NEAR(relative_sizes(mesh)[1], 2, 1e-12);
 }
 
+TEST(Resolution, LengthsHaveLimitsOfTheirOwn) {
+  QuadMesh mesh = empty_mesh(2);
+  append_rectangle(mesh, 1, 1);
+  append_rectangle(mesh, 1, 0.25);
+  mesh.elem_prescribed_length = {0.5, 0.5};
+  EXPECT_GT(resolution(mesh).ratio, 1.5);
+  const Resolution of = resolution(mesh, {{1, 7}, {7, 0.125}});
+  EXPECT_NEAR(of.ratio, 1, 1e-12);
+  EXPECT_NEAR(of.parts[1][1], 0.25, 1e-12);
+}
+
 TEST(Resolution, ElementsOfLayersDoNotCount) {
   QuadMesh mesh = empty_mesh(2);
   append_rectangle(mesh, 1, 1);

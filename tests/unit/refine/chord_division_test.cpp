@@ -146,6 +146,9 @@ TEST(SettleCounts, ACountRisesUntilEqualSegmentsGetEqualCounts) {
   sample.plan.is_prescribed = true;
   settle_counts(sample.task, division);
   EXPECT_EQ(division.counts, (std::vector<int>{2, 1})) << "a prescribed count stays";
+  sample.plan.is_by_user = false;
+  settle_counts(sample.task, division);
+  EXPECT_EQ(division.counts, (std::vector<int>{2, 2})) << "one that was found rises";
 }
 
 TEST(SettleCounts, ACountRisesUntilNoIntervalIsLongerThanPlannedByAQuarter) {

@@ -191,6 +191,31 @@ TEST(Refine, FoldedBlockIsRefusedWithItsPlace) {
   }
 }
 
+/// Distances from the origin of the vertices next to those on curve 1.
+std::vector<double> first_row_radii(const QuadMesh& mesh) {
+  std::vector<double> radii;
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges)
+    if (edge.curve == 1) radii.push_back(norm(mesh.nodes[side_start(mesh, edge.elem, (edge.side + 2) % 4)]));
+  return radii;
+}
+
+TEST(Refine, RingsMakeTheFirstRowsAroundSmallHolesThin) {
+  const SeparatrixGraph graph = hand_made::cut_annulus(4, 0.1);
+  RefineOptions options{.size = 0.25, .order = 3, .geometry_tol = 1e-3};
+  const QuadMesh with = refined(graph, options);
+  options.rings = Rings::none;
+  const QuadMesh without = refined(graph, options);
+  EXPECT_EQ(with.num_elems(), without.num_elems() + std::ssize(first_row_radii(with)));
+  for (const double radius : first_row_radii(with)) EXPECT_LT(radius, 0.2);
+  for (const double radius : first_row_radii(without)) EXPECT_GT(radius, 0.25);
+  for (const sizing::SizeRule rule : {sizing::SizeRule::nearest, sizing::SizeRule::at_most}) {
+    RefineOptions other{.size = 0.25, .order = 3, .geometry_tol = 1e-3, .size_rule = rule};
+    const QuadMesh ringed = refined(graph, other);
+    other.rings = Rings::none;
+    EXPECT_EQ(ringed.num_elems(), refined(graph, other).num_elems());
+  }
+}
+
 TEST(Refine, MeshesBeyondMeasureAreRefused) {
   EXPECT_THROW(refined(hand_made::unit_square(), {2e-4, 20, 5e-7}), ComputeError);
 }
