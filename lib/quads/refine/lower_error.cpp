@@ -20,6 +20,7 @@ namespace {
 
 constexpr double good_resolution = 1.5;  ///< a quarter more error than equal squares at most
 constexpr int max_rounds = 6;
+constexpr int max_tried = 8'000;       ///< elements of all meshes that are tried, after which there is no other one
 constexpr double skewness_weight = 2;  ///< over ln R, of ln (0.7 / least scaled Jacobian) of blocks
 constexpr double worthwhile = 0.95;    ///< of the resolution ratio: less is not worth another mesh
 
@@ -113,11 +114,12 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
   double num_elems = 0;  // of the first mesh, that sizes and breaks mean
   std::size_t estimate = 0;
   std::set<std::vector<int>> tried;
+  int num_tried = 0;
   const auto resolution_of = [&](const QuadMesh& mesh) {
     return mesh::resolution(mesh, sizing::ring_lengths(mesh, request.rings));
   };
   mesh::Resolution resolution = resolution_of(result.mesh);
-  for (int round = 0; round < max_rounds && estimate < estimates.size(); ++round) {
+  for (int round = 0; round < max_rounds && num_tried < max_tried && estimate < estimates.size(); ++round) {
     if (resolution.ratio <= good_resolution) return;
     sizing::ErrorParts of = sizing::error_parts(request.equal, result.divisions, result.mesh, resolution);
     if (round == 0) num_elems = of.num_elems;
@@ -130,6 +132,7 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
     std::optional<SplitMesh> next;
     if (counts.ratio < worthwhile && tried.insert(counts.counts).second)
       next = split_again(request, result, of, counts.counts);
+    if (next) num_tried += next->mesh.num_elems();
     mesh::Resolution of_next = next ? resolution_of(next->mesh) : resolution;
     if (next && is_better(*next, result, of_next.ratio / resolution.ratio)) {
       result = std::move(*next);
