@@ -67,33 +67,34 @@ Outcome run_session(const Tool& tool, Session& session, const CommonOptions& com
   return outcome;
 }
 
+/// Answers a question about the tool, or runs it. Throws where the command line has a fault.
+Outcome run_tool(int argc, char** argv, const Tool& tool) {
+  CommonOptions common;
+  CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
+  const Request request = request_of({argv + 1, argv + argc});
+  if (tool.options) tool.options(line);
+  line.add_common(common);
+  answer(
+      request, tool.name, [&] { return help_text(line.page()); }, [&] { return line.option_list(); });
+  if (request != Request::run) return {};
+  line.parse(argc, argv);
+  require_distinct_files(tool, line);
+  if (common.threads == 0) start_threads_after(least_cpu_seconds_for_threads);
+  Session session(tool.name, line.options_json(), common.verbosity, common.threads);
+  if (const auto style = progress_style(tool, common, line.writes_to_stdout()))
+    session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
+  return run_session(tool, session, common);
+}
+
 }  // namespace
 
 int tool_main(int argc, char** argv, const Tool& tool) {
   occupy_standard_streams();
   set_up_heap();
   install_signal_handlers();
-  CommonOptions common;
-  const Outcome outcome = [&]() -> Outcome {
-    CommandLine line(HelpPage{tool.name, tool.summary, tool.description, {}, tool.examples, {}, {}, {}});
-    const Request request = request_of({argv + 1, argv + argc});
-    Outcome parsing = outcome_of([&] {
-      if (tool.options) tool.options(line);
-      line.add_common(common);
-      answer(
-          request, tool.name, [&] { return help_text(line.page()); }, [&] { return line.option_list(); });
-      if (request == Request::run) line.parse(argc, argv);
-    });
-    if (parsing.code != ExitCode::done || request != Request::run) return parsing;
-    Outcome checking = outcome_of([&] { require_distinct_files(tool, line); });
-    if (checking.code != ExitCode::done) return checking;
-    if (common.threads == 0) start_threads_after(least_cpu_seconds_for_threads);
-    Session session(tool.name, line.options_json(), common.verbosity, common.threads);
-    if (const auto style = progress_style(tool, common, line.writes_to_stdout()))
-      session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
-    return run_session(tool, session, common);
-  }();
-  return print_failure(tool.name, outcome);
+  Outcome outcome;
+  const Outcome beginning = outcome_of([&] { outcome = run_tool(argc, argv, tool); });
+  return print_failure(tool.name, beginning.is_success() ? outcome : beginning);
 }
 
 }  // namespace quadrille::cli
