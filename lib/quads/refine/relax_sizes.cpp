@@ -3,203 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "base/tolerance.hpp"
-#include "refine/inverse_hessian.hpp"
-#include "refine/joint_vertices.hpp"
-#include "refine/size_energy.hpp"
+#include "refine/size_relaxer.hpp"
 #include "refine/validity.hpp"
-#include "refine/vertex_symmetry.hpp"
 
 namespace quadrille::refine {
 namespace {
 
 struct SizeConstants {
-  double longest_step = 0.3;  ///< of the prescribed size, by which the ends of an edge move apart at most in one step
-  int sweeps_kept = 10;       ///< after which sizes and diagonal blocks are those of the new positions
-  /// Relaxation ends after this many sweeps in turn that lower the energy by less than this fraction.
-  int slow_sweeps = 2;
-  double least_progress = 1e-5;
-  double least_slope = 1e-9;  ///< least decrease that the linear model promises, of the energy
-  double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
-  int max_halvings = 20;      ///< of a step
-  int shortenings = 12;       ///< of edges that miss the tolerance of the boundary
-  double shorter = 0.95;      ///< than the length at which the distance would be the tolerance
-  double heavier = 3;         ///< the weight of the shape of elements that became too skew, over the one before
-  int rounds = 6;             ///< of heavier weights
-  int joint_steps = 8;        ///< in which vertices slide to joints
-  int move_halvings = 4;      ///< of all moves, if elements are too skew all the same
+  int shortenings = 12;   ///< of edges that miss the tolerance of the boundary
+  double shorter = 0.95;  ///< than the length at which the distance would be the tolerance
+  double heavier = 3;     ///< the weight of the shape of elements that became too skew, over the one before
+  int rounds = 6;         ///< of heavier weights
+  int move_halvings = 4;  ///< of all moves, if elements are too skew all the same
   double good_scaled_jacobian = 0.7, greatest_loss = 0.1;  ///< elements below both are too skew
 };
 constexpr SizeConstants size_constants;
-
-/// Moves vertices to the least energy.
-class Relaxer {
- public:
-  Relaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options);
-  void run();
-  /// Puts vertices at the joints that they may slide off (refine/joint_vertices), and fixes them. Returns whether that
-  /// is possible.
-  bool hold_joints(RelaxProblem& problem);
-  /// With the vertices that are fixed by now where they are held; if that is not possible, with all. Returns whether
-  /// either is possible.
-  bool begin_again();
-  /// Shortens the size of an element along a side.
-  void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
-
-  SizeEnergy energy;
-  VertexMoves moves;
-  double value = 0;
-  int num_sweeps = 0;
-
- private:
-  void set_sizes();
-  EnergyDerivatives begin();
-  double longest_step(const VertexMoves& direction) const;
-  bool step(EnergyDerivatives& at);
-
-  const RelaxProblem& problem_;
-  const SizeRelaxation& options_;
-  VertexMoves held_;           ///< the moves of vertices that are fixed
-  std::vector<double> size_;   ///< by element
-  std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
-  std::optional<VertexSymmetry> symmetry_;
-  InverseHessian inverse_;
-};
-
-Relaxer::Relaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options)
-    : energy(problem, shaped),
-      moves(problem.num_vertices()),
-      problem_(problem),
-      options_(options),
-      held_(moves),
-      shorter_(shaped.num_elems(), {1, 1}),
-      inverse_(problem) {
-  set_sizes();
-  value = energy.value(moves);
-}
-
-void Relaxer::set_sizes() {
-  const QuadMesh& mesh = problem_.start;
-  const std::vector<Vec2> middles = energy.middles(moves);
-  std::vector<Vec2> sizes;
-  size_.clear();
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
-    const double size = options_.sizes.at(middles[elem], region);
-    const std::vector<Vec2>& limits = options_.greatest_lengths;
-    const Vec2 own =
-        limits.empty() ? Vec2{size, size} : Vec2{std::min(size, limits[elem].x), std::min(size, limits[elem].y)};
-    sizes.push_back({own.x * shorter_[elem].x, own.y * shorter_[elem].y});
-    size_.push_back(size);
-  }
-  energy.set_sizes(sizes);
-}
-
-/// Of this direction, at most 1.
-double Relaxer::longest_step(const VertexMoves& direction) const {
-  const auto move = [&](int v) {
-    return problem_.follow.on_boundary(v) < 0 ? direction[v] : direction[v].x * energy.curve_tangents()[v];
-  };
-  double length = 1;
-  for (int elem = 0; elem < problem_.start.num_elems(); ++elem) {
-    const auto& vertices = problem_.follow.elem_vertices()[elem];
-    for (int c = 0; c < 4; ++c)
-      length = std::min(
-          length, size_constants.longest_step * size_[elem] / distance(move(vertices[c]), move(vertices[(c + 1) % 4])));
-  }
-  return length;
-}
-
-/// Returns whether the energy became less.
-bool Relaxer::step(EnergyDerivatives& at) {
-  VertexMoves direction = inverse_.descent(at.gradient);
-  symmetry_->average(direction);
-  const double slope = inner_product(direction, at.gradient);
-  if (!(slope < -size_constants.least_slope * at.value)) return false;
-  double length = longest_step(direction);
-  for (int halving = 0; halving < size_constants.max_halvings; ++halving, length /= 2) {
-    VertexMoves next = moves;
-    add_multiple(length, direction, next);
-    EnergyDerivatives there = energy.with_derivatives(next);
-    if (!(there.value <= at.value + size_constants.descent * length * slope)) continue;
-    problem_.join_twins(there.gradient);
-    symmetry_->average(there.gradient);
-    VertexMoves change = there.gradient, step = direction;
-    add_multiple(-1, at.gradient, change);
-    for (Vec2& x : step) x *= length;
-    inverse_.add_step(std::move(step), std::move(change));
-    moves = std::move(next);
-    at = std::move(there);
-    return true;
-  }
-  return false;
-}
-
-bool Relaxer::hold_joints(RelaxProblem& problem) {
-  const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves, options_.tolerance);
-  if (!at_joints) return false;
-  for (const JointVertex& at : *at_joints) problem.fix_vertex(at.vertex);
-  const VertexMoves before = moves;
-  // As far at once as elements allow, and the others follow.
-  for (double left = 1, step = 0; step < size_constants.joint_steps; ++step) {
-    const VertexMoves from = moves;
-    const auto is_possible = [&](double part) {
-      moves = from;
-      for (const JointVertex& at : *at_joints) held_[at.vertex].x = moves[at.vertex].x += part * at.slide;
-      return std::isfinite(energy.value(moves));
-    };
-    double part = left;
-    for (int halving = 0; !is_possible(part) && halving < size_constants.max_halvings; ++halving) part /= 2;
-    left -= part;
-    if (left == 0) break;
-    run();
-  }
-  for (const JointVertex& at : *at_joints) moves[at.vertex].x = held_[at.vertex].x = before[at.vertex].x + at.slide;
-  return std::isfinite(energy.value(moves));
-}
-
-bool Relaxer::begin_again() {
-  for (std::size_t v = 0; v < moves.size(); ++v)
-    if (problem_.is_fixed[v]) moves[v] = held_[v];
-  if (std::isfinite(energy.value(moves))) return true;
-  moves = held_;
-  return std::isfinite(energy.value(moves));
-}
-
-EnergyDerivatives Relaxer::begin() {
-  EnergyDerivatives at = energy.with_derivatives(moves, true);
-  problem_.join_twins(at.gradient);
-  if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);
-  symmetry_->average(at.gradient);
-  inverse_.set_blocks(at.hessian, energy.curve_tangents());
-  return at;
-}
-
-void Relaxer::run() {
-  inverse_.forget();
-  set_sizes();
-  int slow = 0;
-  EnergyDerivatives at = begin();
-  for (int sweep = 0; sweep < options_.sweeps && slow < size_constants.slow_sweeps; ++sweep) {
-    if (sweep > 0 && sweep % size_constants.sweeps_kept == 0) {
-      if (!options_.sizes.is_uniform()) set_sizes();
-      at = begin();
-    }
-    const double before = at.value;
-    if (!step(at)) {
-      if (inverse_.is_plain()) break;
-      inverse_.forget();
-      continue;
-    }
-    ++num_sweeps;
-    slow = before - at.value < size_constants.least_progress * before ? slow + 1 : 0;
-  }
-  value = at.value;
-}
 
 /// Edges on the boundary and on interfaces are of the curves at their middles, in the order along these.
 void update_curves(const RelaxProblem& problem, const VertexMoves& moves, QuadMesh& mesh) {
@@ -251,7 +73,7 @@ std::vector<EdgeError> rough_edges(const RelaxProblem& problem, const VertexMove
 }
 
 /// Makes the element at an edge that misses the tolerance shorter.
-void shorten(const EdgeError& rough, const RelaxProblem& problem, Relaxer& relaxer) {
+void shorten(const EdgeError& rough, const RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
   relaxer.shorten(edge.elem, edge.side,
                   size_constants.shorter * std::pow(rough.error, -1.0 / (problem.start.order + 1)));
@@ -259,7 +81,7 @@ void shorten(const EdgeError& rough, const RelaxProblem& problem, Relaxer& relax
 
 /// Makes an edge that misses the tolerance shorter, or fixes ends where they began: an end that left a break of its
 /// curve at once, both after a few rounds. Returns whether it fixes any.
-bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, Relaxer& relaxer) {
+bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
   bool is_any = false;
   for (const int end : {edge.from, edge.to}) {
@@ -274,7 +96,7 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, Relaxer
 }
 
 /// Relaxes until all edges meet the tolerance. Returns whether that is possible.
-bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem, Relaxer& relaxer) {
+bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem, SizeRelaxer& relaxer) {
   relaxer.run();
   for (int round = 0;; ++round) {
     const std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
@@ -288,7 +110,7 @@ bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
 
 /// Relaxes as if curves went on smoothly at the joints that vertices may slide off, so that there are about as many
 /// elements between them as there have to be.
-void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& problem, Relaxer& relaxer) {
+void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& problem, SizeRelaxer& relaxer) {
   const auto passes_joint = [&](const EdgeError& rough) {
     const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
     const auto slide = [&](int end) { return problem.follow.slide(end, relaxer.moves); };
@@ -316,8 +138,8 @@ std::vector<bool> skew_elements(const QuadMesh& before, const QuadMesh& after, c
 }
 
 /// Halves all moves until no element is too skew; if none of them may be made, there are none.
-void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, const QuadMesh& shaped, Relaxer& relaxer,
-                 QuadMesh& mesh) {
+void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, const QuadMesh& shaped,
+                 SizeRelaxer& relaxer, QuadMesh& mesh) {
   for (int halving = 0; halving < size_constants.move_halvings; ++halving) {
     for (Vec2& move : relaxer.moves) move *= 0.5;
     mesh = moved_mesh(problem, options, relaxer.moves);
@@ -333,7 +155,7 @@ void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, con
 bool relax_vertices(const QuadMesh& mesh, const SizeRelaxation& options, SlidesOff slides_off, SizeRelaxed& result) {
   const QuadMesh shaped = result.mesh;
   RelaxProblem problem(mesh, options.frozen_elems, slides_off);
-  Relaxer relaxer(problem, shaped, options);
+  SizeRelaxer relaxer(problem, shaped, options);
   if (!std::isfinite(relaxer.value)) return true;
   const double num_free = std::max(1.0, static_cast<double>(mesh.num_elems()));
   SizeRelaxed relaxed{shaped, 0, relaxer.value / num_free};

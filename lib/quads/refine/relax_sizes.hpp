@@ -2,32 +2,16 @@
 // Relaxation to the prescribed sizes: moves all vertices of a mesh but those that are fixed (refine/relax_problem),
 // also those on sides of blocks and irregular ones, to the least size energy (refine/size_energy).
 //
-// The method is a limited-memory quasi-Newton method (Nocedal 1980), whose first matrix has the moves of all levels of
-// the blocks' grids (refine/coarse_moves), so that the number of steps hardly grows with that of elements. Where sizes
+// The first matrix of the method (refine/size_relaxer) has the moves of all levels of the blocks' grids
+// (refine/coarse_moves), so that the number of steps hardly grows with that of elements. Where sizes
 // differ, they are those at the middles of elements, and are taken anew every few sweeps. Vertices on the boundary
 // slide across smooth joints of curves without given names; then the nearest ones are put at these
 // (refine/joint_vertices).
 
-#include <vector>
-
 #include "base/report.hpp"
-#include "refine/inner_edges.hpp"
-#include "refine/relax_problem.hpp"
-#include "sizing/size_field.hpp"
+#include "refine/size_relaxer.hpp"
 
 namespace quadrille::refine {
-
-struct SizeRelaxation {
-  const sizing::SizeField& sizes;
-  InnerEdges inner_edges = InnerEdges::straight;
-  double tolerance = 0;                      ///< greatest distance between mesh boundary and CAD curve, a length, > 0
-  int sweeps = 200;                          ///< greatest number
-  std::vector<bool> frozen_elems = {};       ///< elements that keep all nodes; empty: none
-  std::vector<bool> kept_elems = {};         ///< elements whose edges inside keep their curves
-  SlidesOff slides_off = SlidesOff::joints;  ///< what vertices on the boundary may
-  /// By element: limits of the sizes along s and t (sizing/hole_rings); empty: none.
-  std::vector<Vec2> greatest_lengths = {};
-};
 
 struct SizeRelaxed {
   QuadMesh mesh;   ///< measured (refine/validity), its edges inside shaped (refine/inner_edges)

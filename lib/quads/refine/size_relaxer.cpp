@@ -1,0 +1,157 @@
+#include "refine/size_relaxer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "refine/joint_vertices.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+struct StepConstants {
+  double longest_step = 0.3;  ///< of the prescribed size, by which the ends of an edge move apart at most in one step
+  int sweeps_kept = 10;       ///< after which sizes and diagonal blocks are those of the new positions
+  /// Relaxation ends after this many sweeps in turn that lower the energy by less than this fraction.
+  int slow_sweeps = 2;
+  double least_progress = 1e-5;
+  double least_slope = 1e-9;  ///< least decrease that the linear model promises, of the energy
+  double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
+  int max_halvings = 20;      ///< of a step
+  int joint_steps = 8;        ///< in which vertices slide to joints
+};
+constexpr StepConstants step_constants;
+
+}  // namespace
+
+SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options)
+    : energy(problem, shaped),
+      moves(problem.num_vertices()),
+      problem_(problem),
+      options_(options),
+      held_(moves),
+      shorter_(shaped.num_elems(), {1, 1}),
+      inverse_(problem) {
+  set_sizes();
+  value = energy.value(moves);
+}
+
+void SizeRelaxer::set_sizes() {
+  const QuadMesh& mesh = problem_.start;
+  const std::vector<Vec2> middles = energy.middles(moves);
+  std::vector<Vec2> sizes;
+  size_.clear();
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
+    const double size = options_.sizes.at(middles[elem], region);
+    const std::vector<Vec2>& limits = options_.greatest_lengths;
+    const Vec2 own =
+        limits.empty() ? Vec2{size, size} : Vec2{std::min(size, limits[elem].x), std::min(size, limits[elem].y)};
+    sizes.push_back({own.x * shorter_[elem].x, own.y * shorter_[elem].y});
+    size_.push_back(size);
+  }
+  energy.set_sizes(sizes);
+}
+
+/// Of this direction, at most 1.
+double SizeRelaxer::longest_step(const VertexMoves& direction) const {
+  const auto move = [&](int v) {
+    return problem_.follow.on_boundary(v) < 0 ? direction[v] : direction[v].x * energy.curve_tangents()[v];
+  };
+  double length = 1;
+  for (int elem = 0; elem < problem_.start.num_elems(); ++elem) {
+    const auto& vertices = problem_.follow.elem_vertices()[elem];
+    for (int c = 0; c < 4; ++c)
+      length = std::min(
+          length, step_constants.longest_step * size_[elem] / distance(move(vertices[c]), move(vertices[(c + 1) % 4])));
+  }
+  return length;
+}
+
+/// Returns whether the energy became less.
+bool SizeRelaxer::step(EnergyDerivatives& at) {
+  VertexMoves direction = inverse_.descent(at.gradient);
+  symmetry_->average(direction);
+  const double slope = inner_product(direction, at.gradient);
+  if (!(slope < -step_constants.least_slope * at.value)) return false;
+  double length = longest_step(direction);
+  for (int halving = 0; halving < step_constants.max_halvings; ++halving, length /= 2) {
+    VertexMoves next = moves;
+    add_multiple(length, direction, next);
+    EnergyDerivatives there = energy.with_derivatives(next);
+    if (!(there.value <= at.value + step_constants.descent * length * slope)) continue;
+    problem_.join_twins(there.gradient);
+    symmetry_->average(there.gradient);
+    VertexMoves change = there.gradient, step = direction;
+    add_multiple(-1, at.gradient, change);
+    for (Vec2& x : step) x *= length;
+    inverse_.add_step(std::move(step), std::move(change));
+    moves = std::move(next);
+    at = std::move(there);
+    return true;
+  }
+  return false;
+}
+
+bool SizeRelaxer::hold_joints(RelaxProblem& problem) {
+  const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves, options_.tolerance);
+  if (!at_joints) return false;
+  for (const JointVertex& at : *at_joints) problem.fix_vertex(at.vertex);
+  const VertexMoves before = moves;
+  // As far at once as elements allow, and the others follow.
+  for (double left = 1, step = 0; step < step_constants.joint_steps; ++step) {
+    const VertexMoves from = moves;
+    const auto is_possible = [&](double part) {
+      moves = from;
+      for (const JointVertex& at : *at_joints) held_[at.vertex].x = moves[at.vertex].x += part * at.slide;
+      return std::isfinite(energy.value(moves));
+    };
+    double part = left;
+    for (int halving = 0; !is_possible(part) && halving < step_constants.max_halvings; ++halving) part /= 2;
+    left -= part;
+    if (left == 0) break;
+    run();
+  }
+  for (const JointVertex& at : *at_joints) moves[at.vertex].x = held_[at.vertex].x = before[at.vertex].x + at.slide;
+  return std::isfinite(energy.value(moves));
+}
+
+bool SizeRelaxer::begin_again() {
+  for (std::size_t v = 0; v < moves.size(); ++v)
+    if (problem_.is_fixed[v]) moves[v] = held_[v];
+  if (std::isfinite(energy.value(moves))) return true;
+  moves = held_;
+  return std::isfinite(energy.value(moves));
+}
+
+EnergyDerivatives SizeRelaxer::begin() {
+  EnergyDerivatives at = energy.with_derivatives(moves, true);
+  problem_.join_twins(at.gradient);
+  if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);
+  symmetry_->average(at.gradient);
+  inverse_.set_blocks(at.hessian, energy.curve_tangents());
+  return at;
+}
+
+void SizeRelaxer::run() {
+  inverse_.forget();
+  set_sizes();
+  int slow = 0;
+  EnergyDerivatives at = begin();
+  for (int sweep = 0; sweep < options_.sweeps && slow < step_constants.slow_sweeps; ++sweep) {
+    if (sweep > 0 && sweep % step_constants.sweeps_kept == 0) {
+      if (!options_.sizes.is_uniform()) set_sizes();
+      at = begin();
+    }
+    const double before = at.value;
+    if (!step(at)) {
+      if (inverse_.is_plain()) break;
+      inverse_.forget();
+      continue;
+    }
+    ++num_sweeps;
+    slow = before - at.value < step_constants.least_progress * before ? slow + 1 : 0;
+  }
+  value = at.value;
+}
+
+}  // namespace quadrille::refine

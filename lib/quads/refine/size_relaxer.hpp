@@ -1,0 +1,64 @@
+#pragma once
+// The iteration of relaxation to the prescribed sizes (refine/relax_sizes): a limited-memory quasi-Newton method
+// (Nocedal 1980), whose directions are averaged over the symmetries of the face.
+
+#include <optional>
+#include <vector>
+
+#include "refine/inner_edges.hpp"
+#include "refine/inverse_hessian.hpp"
+#include "refine/size_energy.hpp"
+#include "refine/vertex_symmetry.hpp"
+#include "sizing/size_field.hpp"
+
+namespace quadrille::refine {
+
+struct SizeRelaxation {
+  const sizing::SizeField& sizes;
+  InnerEdges inner_edges = InnerEdges::straight;
+  double tolerance = 0;                      ///< greatest distance between mesh boundary and CAD curve, a length, > 0
+  int sweeps = 200;                          ///< greatest number
+  std::vector<bool> frozen_elems = {};       ///< elements that keep all nodes; empty: none
+  std::vector<bool> kept_elems = {};         ///< elements whose edges inside keep their curves
+  SlidesOff slides_off = SlidesOff::joints;  ///< what vertices on the boundary may
+  /// By element: limits of the sizes along s and t (sizing/hole_rings); empty: none.
+  std::vector<Vec2> greatest_lengths = {};
+};
+
+/// Moves vertices to the least energy.
+class SizeRelaxer {
+ public:
+  /// `problem` and `options` must outlive it; `shaped`: the mesh with its edges inside shaped.
+  SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options);
+  /// Relaxes until the energy hardly falls.
+  void run();
+  /// Puts vertices at the joints that they may slide off (refine/joint_vertices), and fixes them. Returns whether that
+  /// is possible.
+  bool hold_joints(RelaxProblem& problem);
+  /// With the vertices that are fixed by now where they are held; if that is not possible, with all. Returns whether
+  /// either is possible.
+  bool begin_again();
+  /// Shortens the size of an element along a side.
+  void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
+
+  SizeEnergy energy;
+  VertexMoves moves;
+  double value = 0;
+  int num_sweeps = 0;
+
+ private:
+  void set_sizes();
+  EnergyDerivatives begin();
+  double longest_step(const VertexMoves& direction) const;
+  bool step(EnergyDerivatives& at);
+
+  const RelaxProblem& problem_;
+  const SizeRelaxation& options_;
+  VertexMoves held_;           ///< the moves of vertices that are fixed
+  std::vector<double> size_;   ///< by element
+  std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
+  std::optional<VertexSymmetry> symmetry_;
+  InverseHessian inverse_;
+};
+
+}  // namespace quadrille::refine
