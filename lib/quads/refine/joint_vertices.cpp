@@ -40,7 +40,8 @@ class LoopChoice {
  private:
   int num_vertices() const { return static_cast<int>(vertices_.size()); }
   double length(int vertex) const {
-    return vertices_[vertex % num_vertices()].length + vertex / num_vertices() * total_;
+    const int turns = vertex / num_vertices();
+    return vertices_[vertex % num_vertices()].length + turns * total_;
   }
   double cost(int place, int vertex, int first) const;
   std::vector<int> best_from(int first, double& least) const;

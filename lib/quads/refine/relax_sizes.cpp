@@ -83,11 +83,12 @@ void shorten(const EdgeError& rough, const RelaxProblem& problem, SizeRelaxer& r
 /// curve at once, both after a few rounds. Returns whether it fixes any.
 bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
+  const bool may_begin_again = problem.boundary.free_joints().empty();  // else another vertex may be there
   bool is_any = false;
   for (const int end : {edge.from, edge.to}) {
     const int v = problem.follow.vertex_of(end);
-    if (problem.is_fixed[v] || !(problem.boundary.vertices()[end].is_at_break || round >= size_constants.shortenings))
-      continue;
+    const bool is_off_break = may_begin_again && problem.boundary.vertices()[end].is_at_break;
+    if (problem.is_fixed[v] || !(is_off_break || round >= size_constants.shortenings)) continue;
     problem.fix_vertex(v);
     is_any = true;
   }
