@@ -77,7 +77,8 @@ void take_remedy(ChainState& chain, NodeFiles& files, const Remedy& remedy, std:
   print_warnings(chain, first_run);
 }
 
-/// Traces or quantizes a layout for nodes that are made. Returns false if there is none.
+/// Makes the graph of the nodes of `files`. Returns false if no layout is traced or quantized: midpoint blocks do not
+/// count.
 bool make_layout(ChainState& chain, NodeFiles& files) {
   return make_graph(chain, files) && io::value_of(chain.runner.reports().back(), "certificate.method") != "midpoint";
 }
@@ -102,12 +103,13 @@ constexpr TrialLimits trial_limits;
 /// What a mesh exceeds, the worst first.
 std::array<bool, 4> faults_of(const io::LayoutTrial& trial) {
   return {!trial.is_valid, trial.edge_ratio > trial_limits.edge_ratio,
-          trial.scaled_jacobian<trial_limits.scaled_jacobian, trial.resolution> trial_limits.poor_resolution};
+          trial_limits.scaled_jacobian > trial.scaled_jacobian, trial.resolution > trial_limits.poor_resolution};
 }
 
 bool has_faults(const io::LayoutTrial& trial) { return faults_of(trial) != std::array{false, false, false, false}; }
 
-/// In a far field sizes grow with the distance, and lines between them cannot: there the resolution is not judged.
+/// In a far field sizes grow with the distance from the body while the number of elements around it stays: there a
+/// resolution ratio above 2 is no reason for other nodes.
 bool is_good(const io::LayoutTrial& trial, bool is_in_far_field) {
   return !has_faults(trial) && (is_in_far_field || trial.resolution <= trial_limits.resolution);
 }

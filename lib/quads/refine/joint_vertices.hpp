@@ -1,6 +1,6 @@
 #pragma once
-// Vertices for the joints between curves of different names, when all vertices have moved freely: those that have to
-// slide least. So names end at vertices, and no vertex has to stay where the mesh before had it.
+// After vertices have moved freely along the boundary, a vertex is put at each joint between curves of different names:
+// those that have to slide least. So every curve ends at a vertex, and need not keep the vertices that it had there.
 
 #include <optional>
 #include <vector>
@@ -14,9 +14,10 @@ struct JointVertex {
   double slide = 0;  ///< along its loop from where it is to its joint, a length
 };
 
-/// For each joint that vertices may slide off (BoundarySlide::free_joints) the vertex that is put there, but for those
-/// where a fixed one is: of all choices that keep the order around the loop, and between successive ones as many edges
-/// as keep within `tolerance` of the curves, the one with the least sum of squared slides. No value if there is none.
+/// The vertex for each joint that vertices may slide off (BoundarySlide::free_joints) and where none is fixed. The sum
+/// of squared slides is least among all choices that keep the order of vertices around the loop, and that leave between
+/// successive joints the edges that it takes to lie within `tolerance`, a length, of the curves. O(j n) for j joints
+/// and n vertices of a loop. No value if a loop has no such choice.
 std::optional<std::vector<JointVertex>> vertices_at_joints(const RelaxProblem& problem, const VertexMoves& moves,
                                                            double tolerance);
 

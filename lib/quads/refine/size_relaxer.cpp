@@ -97,8 +97,9 @@ bool SizeRelaxer::hold_joints(RelaxProblem& problem) {
   if (!at_joints) return false;
   for (const JointVertex& at : *at_joints) problem.fix_vertex(at.vertex);
   const VertexMoves before = moves;
-  // As far at once as elements allow, and the others follow.
-  for (double left = 1, step = 0; step < step_constants.joint_steps; ++step) {
+  // In each step as far as elements allow; then the other vertices follow.
+  double left = 1;
+  for (int step = 0; step < step_constants.joint_steps && left > 0; ++step) {
     const VertexMoves from = moves;
     const auto is_possible = [&](double part) {
       moves = from;
@@ -108,8 +109,7 @@ bool SizeRelaxer::hold_joints(RelaxProblem& problem) {
     double part = left;
     for (int halving = 0; !is_possible(part) && halving < step_constants.max_halvings; ++halving) part /= 2;
     left -= part;
-    if (left == 0) break;
-    run();
+    if (left > 0) run();
   }
   for (const JointVertex& at : *at_joints) moves[at.vertex].x = held_[at.vertex].x = before[at.vertex].x + at.slide;
   return std::isfinite(energy.value(moves));
