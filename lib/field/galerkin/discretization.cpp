@@ -94,9 +94,9 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
   return dofs;
 }
 
-Eigen::MatrixXd ContinuousSystem::solution(const Eigen::MatrixXd& given) {
+Eigen::MatrixXd ContinuousSystem::solution(const Eigen::MatrixXd& given, double negligible) {
   Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
-  dofs << solver_->solve(right_hand_side(*map_, elements_, given)), given;
+  dofs << solver_->solve(right_hand_side(*map_, elements_, given), negligible), given;
   return dofs;
 }
 

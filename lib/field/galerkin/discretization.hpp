@@ -70,8 +70,8 @@ class ContinuousSystem {
   const std::vector<int>& elem_order() const { return elem_order_; }
   /// All dofs (num_dofs rows) from the values of the given ones, [num_unknowns, num_dofs).
   Eigen::MatrixXd solve(const Eigen::MatrixXd& given, Stopwatch& watch);
-  /// The same without the residual.
-  Eigen::MatrixXd solution(const Eigen::MatrixXd& given);
+  /// The same without the residual, and where it is not `negligible` (SparseSolver::solve).
+  Eigen::MatrixXd solution(const Eigen::MatrixXd& given, double negligible);
   /// Energy products of the solutions for many given values that are sparse, without the solutions.
   Eigen::MatrixXd energy_products(const SparseColumns& given) const;
   /// Residual of the last solve, relative to its right-hand side.

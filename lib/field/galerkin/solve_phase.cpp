@@ -21,28 +21,26 @@ namespace {
 /// Functions that are solved for together: wide matrices are faster, but take memory.
 constexpr std::size_t batch = 8;
 
-/// Adds what a part is on the elements, from two columns of their coefficients. All room is reserved at once: the parts
-/// of hundreds of functions are most of the memory.
-void add_elements(const std::vector<Eigen::MatrixXd>& elem_coefs, Eigen::Index column, double negligible,
-                  field::HarmonicPart& part) {
-  std::size_t size = 0;
-  for (int e = 0; e < std::ssize(elem_coefs); ++e) {
-    const auto coefs = elem_coefs[e].middleCols(column, 2);
-    auto modes = coefs.rows();
-    while (modes > 0 && coefs.row(modes - 1).cwiseAbs().maxCoeff() < negligible) --modes;
-    if (modes == 0) continue;
-    part.elems.push_back(e);
-    part.num_modes.push_back(static_cast<int>(modes));
-    size += modes;
-  }
-  part.u.reserve(size);
-  part.v.reserve(size);
-  for (std::size_t k = 0; k < part.elems.size(); ++k) {
-    const Eigen::MatrixXd& coefs = elem_coefs[part.elems[k]];
-    const auto u = coefs.col(column).head(part.num_modes[k]), v = coefs.col(column + 1).head(part.num_modes[k]);
-    part.u.insert(part.u.end(), u.begin(), u.end());
-    part.v.insert(part.v.end(), v.begin(), v.end());
-  }
+/// Dofs and what the coefficients may be without them: less than any that count.
+constexpr double negligible_dof = 1.0 / 16;
+
+/// Adds what a part is on an element, by the two columns of its coefficients there.
+void add_element(int elem, const Eigen::Ref<const Eigen::MatrixXd>& coefs, double negligible,
+                 field::HarmonicPart& part) {
+  auto modes = coefs.rows();
+  while (modes > 0 && coefs.row(modes - 1).cwiseAbs().maxCoeff() < negligible) --modes;
+  if (modes == 0) return;
+  part.elems.push_back(elem);
+  part.num_modes.push_back(static_cast<int>(modes));
+  const auto u = coefs.col(0).head(modes), v = coefs.col(1).head(modes);
+  part.u.insert(part.u.end(), u.begin(), u.end());
+  part.v.insert(part.v.end(), v.begin(), v.end());
+}
+
+/// The parts of hundreds of functions are most of the memory.
+void shrink(field::HarmonicPart& part) {
+  for (std::vector<double>* values : {&part.u, &part.v}) values->shrink_to_fit();
+  for (std::vector<int>* values : {&part.elems, &part.num_modes}) values->shrink_to_fit();
 }
 
 /// The harmonic measures w_j of the holes: 1 on hole j, 0 on the other loops.
@@ -169,9 +167,14 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
       given.middleCols(2 * (i - first), 2) =
           DirichletData(parts_->points, data[i].values).values(parts_->context.topology, system.map());
     }
-    const std::vector<Eigen::MatrixXd> coefs = system.all_coefs(system.solution(given));
-    for (std::size_t i = first; i < last; ++i)
-      add_elements(coefs, 2 * static_cast<Eigen::Index>(i - first), negligible, parts[i]);
+    const Eigen::MatrixXd dofs = system.solution(given, negligible_dof * negligible);
+    for (int e = 0; e < std::ssize(parts_->elem_order); ++e) {
+      if (element_dofs(system.map(), e, dofs).cwiseAbs().maxCoeff() < negligible_dof * negligible) continue;
+      const Eigen::MatrixXd coefs = system.coefs(e, dofs);
+      for (std::size_t i = first; i < last; ++i)
+        add_element(e, coefs.middleCols(2 * (i - first), 2), negligible, parts[i]);
+    }
+    for (std::size_t i = first; i < last; ++i) shrink(parts[i]);
   }
   return parts;
 }

@@ -23,7 +23,7 @@ class CondensedCholesky : public SparseSolver {
   /// Symbolic factorisation. `map` numbers its dofs in the order of tree.elimination_order; both must outlive this.
   CondensedCholesky(const mesh::EliminationTree& tree, const DofMap& map, int num_threads = 1);
   void factor(const CondensedElements& elements, Progress* progress = nullptr) override;
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) override;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs, double negligible) override;
   /// Each column is carried only through the parts of the mesh between its entries and the whole.
   Eigen::MatrixXd inverse_products(const SparseColumns& b) const override;
 
@@ -34,7 +34,7 @@ class CondensedCholesky : public SparseSolver {
     int num_eliminated = 0;
     std::vector<int> positions_in_parent;  ///< of the shared dofs in the parent's dofs
     Front front;                           ///< the panel is kept, the rest is added to the parent
-    Eigen::MatrixXd values;                ///< over dofs: right-hand side, then solution
+    Eigen::MatrixXd values;  ///< over dofs: right-hand side, then solution; empty if there is no right-hand side
     int num_shared() const { return static_cast<int>(dofs.size()) - num_eliminated; }
     /// Proportional to the operations of its elimination.
     long long work() const { return static_cast<long long>(num_eliminated) * dofs.size() * dofs.size(); }
@@ -46,7 +46,7 @@ class CondensedCholesky : public SparseSolver {
   void add_half(Part& half, Part& part);
   void factor_part(const CondensedElements& elements, int node, int num_threads);
   void substitute_forward(const Eigen::MatrixXd& rhs, int node);
-  void substitute_back(Eigen::MatrixXd& solution, int node);
+  void substitute_back(Eigen::MatrixXd& solution, double negligible, int node);
   /// Columns that have values in a part of the mesh, ascending, and their values over the part's dofs.
   struct Carried {
     std::vector<int> columns;
@@ -226,10 +226,14 @@ void CondensedCholesky::substitute_forward(const Eigen::MatrixXd& rhs, int n) {
   const mesh::EliminationTree::Node& node = tree_->nodes[n];
   Part& part = parts_[n];
   const int k = part.num_eliminated, shared = part.num_shared();
+  const auto is_given = [&](int half) { return half >= 0 && parts_[half].values.size() > 0; };
+  const auto is_zero = [&](int dof) { return rhs.row(dof).isZero(0); };
+  if (!is_given(node.first) && !is_given(node.second) && std::all_of(part.dofs.begin(), part.dofs.begin() + k, is_zero))
+    return;
   part.values.setZero(static_cast<int>(part.dofs.size()), rhs.cols());
   for (int i = 0; i < k; ++i) part.values.row(i) = rhs.row(part.dofs[i]);
   for (const int half : {node.first, node.second}) {
-    if (half < 0) continue;
+    if (!is_given(half)) continue;
     const Part& from = parts_[half];
     for (int i = 0; i < from.num_shared(); ++i)
       part.values.row(from.positions_in_parent[i]) += from.values.row(from.num_eliminated + i);
@@ -239,14 +243,19 @@ void CondensedCholesky::substitute_forward(const Eigen::MatrixXd& rhs, int n) {
   part.values.bottomRows(shared).noalias() -= part.front.panel.bottomRows(shared) * part.values.topRows(k);
 }
 
-void CondensedCholesky::substitute_back(Eigen::MatrixXd& solution, int node) {
+void CondensedCholesky::substitute_back(Eigen::MatrixXd& solution, double negligible, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated, shared = part.num_shared();
-  if (k == 0) return;
+  if (part.values.size() == 0) {
+    const auto is_negligible = [&](int dof) { return solution.row(dof).cwiseAbs().maxCoeff() <= negligible; };
+    if (std::all_of(part.dofs.begin() + k, part.dofs.end(), is_negligible)) return;
+    part.values.setZero(std::ssize(part.dofs), solution.cols());
+  }
   for (int i = 0; i < shared; ++i) part.values.row(k + i) = solution.row(part.dofs[k + i]);
   part.values.topRows(k).noalias() -= part.front.panel.bottomRows(shared).transpose() * part.values.bottomRows(shared);
   part.front.panel.topRows(k).triangularView<Eigen::Lower>().transpose().solveInPlace(part.values.topRows(k));
   for (int i = 0; i < k; ++i) solution.row(part.dofs[i]) = part.values.row(i);
+  part.values.resize(0, 0);
 }
 
 void CondensedCholesky::factor(const CondensedElements& elements, Progress* progress) {
@@ -259,10 +268,10 @@ void CondensedCholesky::factor(const CondensedElements& elements, Progress* prog
   });
 }
 
-Eigen::MatrixXd CondensedCholesky::solve(const Eigen::MatrixXd& rhs) {
+Eigen::MatrixXd CondensedCholesky::solve(const Eigen::MatrixXd& rhs, double negligible) {
   Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(map_->num_unknowns, rhs.cols());
   upwards([&](int node, int) { substitute_forward(rhs, node); });
-  downwards([&](int node) { substitute_back(solution, node); });
+  downwards([&](int node) { substitute_back(solution, negligible, node); });
   return solution;
 }
 

@@ -17,8 +17,9 @@ class SparseSolver {
   virtual ~SparseSolver() = default;
   /// Throws ComputeError if the sum is not positive definite.
   virtual void factor(const CondensedElements& elements, Progress* progress = nullptr) = 0;
-  /// The solution for each column of `rhs`. Requires factor(); may be called any number of times.
-  virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) = 0;
+  /// The solution for each column of `rhs`. Requires factor(); may be called any number of times. Parts of the mesh
+  /// without a right-hand side are left out, with zeros, where no column exceeds `negligible` on their boundary.
+  virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs, double negligible = 0) = 0;
   /// b^T A^-1 b for the factored A and many sparse columns b. Requires factor().
   virtual Eigen::MatrixXd inverse_products(const SparseColumns& b) const = 0;
 };
