@@ -69,7 +69,7 @@ std::vector<int> joints_of(const TieOrbits& ties, const std::vector<int>& unit) 
 /// What parts omit: coefficients, and changes of an element. That of a few units is far below the error of any field;
 /// with many, each tie has others between itself and most of the face, where its part is small.
 struct Negligible {
-  double always = 1e-13, of_many = 1e-8;
+  double always = 1e-13, of_many = 1e-6;
   double change = 1e-9;  ///< on an element: far less than what moves a node noticeably
   std::size_t many_units = 16;
 };

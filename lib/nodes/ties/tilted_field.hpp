@@ -57,7 +57,7 @@ class TiltedField {
   /// The field for a choice, solved for as a whole.
   Field solved(const Choice& choice) const;
 
-  /// The field for a choice, by parts: of more than 16 units without what is below 1e-8, so that memory does not grow
+  /// The field for a choice, by parts: of more than 16 units without what is below 1e-6, so that memory does not grow
   /// like the square of the face. Valid until the next choice. Its error estimate is that for the larger valence
   /// everywhere.
   const field::FieldEvaluator& with(const Choice& choice);
