@@ -11,6 +11,12 @@
 namespace quadrille::ties {
 namespace {
 
+/// Of an element: beyond that the one that held longest ago is forgotten.
+constexpr std::size_t most_known = 16;
+
+/// What differs by less is one field.
+constexpr double same_field = 1e-12;
+
 /// A zero may move as far inside the cell that isolated it, in radii of the cell: to first order, and as found.
 constexpr double greatest_move = 0.1, greatest_found_move = 0.25;
 
@@ -33,7 +39,9 @@ zeros::SearchResult ChoiceSearch::zeros_of(const Choice& choice) {
     search_->search(elem);
     zeros::require_decided(*search_, origin);
     found.push_back(search_->take());
-    known_[elem].push_back(known_of(elem, found.back()));
+    std::vector<Known>& known = known_[elem];
+    known.insert(known.begin(), known_of(found.back()));
+    if (known.size() > most_known) known.pop_back();
   }
   for (const zeros::SearchResult& there : found) search_->add(there);
   zeros::require_decided(*search_, origin);
@@ -44,11 +52,9 @@ void ChoiceSearch::renew(const Choice& choice) {
   evaluator_ = &tilted_.with(choice);
   if (!search_) {
     search_.emplace(*evaluator_, std::vector<zeros::Disc>(), noise_);
-    liftings_.emplace(*evaluator_);
     known_.resize(evaluator_->field().mesh.num_elems());
   } else {
     search_->renew();
-    liftings_->renew();
     for (std::size_t u = 0; u < choice.size(); ++u) {
       if (choice[u] == choice_[u]) continue;
       for (const auto& [elem, change] : tilted_.changes(u))
@@ -63,14 +69,16 @@ void ChoiceSearch::renew(const Choice& choice) {
 
 /// What was found that still holds, with zeros where they are now; null if nothing is.
 const ChoiceSearch::Known* ChoiceSearch::known_now(int elem) {
-  for (Known& known : known_[elem]) {
-    if (known.change > known.reach) continue;
-    if (known.rest >= 0) return &known;
-    if (auto there = moved(elem, known.found)) {
-      known.rest = resting_margin(*there);
-      known.there = std::move(*there);
-      return &known;
+  for (auto known = known_[elem].begin(); known != known_[elem].end(); ++known) {
+    if (known->change > known->reach) continue;
+    if (known->rest < 0) {
+      auto there = moved(elem, known->found);
+      if (!there) continue;
+      known->rest = resting_margin(*there);
+      known->there = std::move(*there);
     }
+    std::rotate(known_[elem].begin(), known, known + 1);
+    return &known_[elem].front();
   }
   return nullptr;
 }
@@ -96,16 +104,37 @@ double ChoiceSearch::resting_margin(const zeros::SearchResult& found) const {
   return margin;
 }
 
-ChoiceSearch::Known ChoiceSearch::known_of(int elem, const zeros::SearchResult& found) {
+/// Most choices are no better than the best so far, and are not met again: their reach is what costs nothing.
+ChoiceSearch::Known ChoiceSearch::known_of(const zeros::SearchResult& found) const {
   Known known{choice_, found, found};
   known.rest = resting_margin(found);
-  if (!found.open_cells.empty() || evaluator_->field().method != FieldMethod::cg) return known;
-  std::vector<zeros::Disc> discs;
-  for (const zeros::FoundZero& zero : found.zeros) discs.push_back({zero.x, zero.cell_radius});
-  known.reach = zeros::least_value(*evaluator_, *liftings_, elem, discs);
-  for (const zeros::FoundZero& zero : found.zeros)
-    known.reach = std::min(known.reach, greatest_move * zero.cell_radius / inverse_slope(*evaluator_, zero));
+  if (!found.open_cells.empty() || evaluator_->field().method != FieldMethod::cg) {
+    known.is_kept = true;
+  } else if (found.counts.isolated == 0) {
+    known.reach = found.least_excluded;
+  } else {
+    known.reach = same_field;
+  }
   return known;
+}
+
+double ChoiceSearch::greatest_reach(int elem, const zeros::SearchResult& found) {
+  std::vector<zeros::Disc> discs;
+  double reach = INFINITY;
+  for (const zeros::FoundZero& zero : found.zeros) {
+    discs.push_back({zero.x, zero.cell_radius});
+    reach = std::min(reach, greatest_move * zero.cell_radius / inverse_slope(*evaluator_, zero));
+  }
+  return std::min(reach, zeros::least_value(*evaluator_, search_->liftings(), elem, discs, reach));
+}
+
+void ChoiceSearch::keep_last() {
+  for (std::size_t elem = 0; elem < known_.size(); ++elem)
+    for (Known& known : known_[elem]) {
+      if (known.is_kept || known.change > same_field) continue;
+      known.is_kept = true;
+      known.reach = std::max(known.reach, greatest_reach(static_cast<int>(elem), known.there));
+    }
 }
 
 }  // namespace quadrille::ties

@@ -23,6 +23,9 @@ class ChoiceSearch {
   /// All zeros for a choice. Throws ComputeError if the search cannot decide.
   zeros::SearchResult zeros_of(const Choice& choice);
 
+  /// Spends more on what was found for the last choice, so that it holds for more of those that follow.
+  void keep_last();
+
   /// How often an element was searched.
   long long num_searched() const { return num_searched_; }
 
@@ -32,6 +35,7 @@ class ChoiceSearch {
     Choice choice;
     zeros::SearchResult found, there;  ///< for that choice, and with the zeros where they were seen last
     double reach = 0;                  ///< how much the field may differ from that of the choice
+    bool is_kept = false;              ///< whether the reach is as great as can be had
     double change = 0;                 ///< by how much it does now
     double rest = 0;                   ///< how much more it may change before zeros move
   };
@@ -39,15 +43,15 @@ class ChoiceSearch {
   const Known* known_now(int elem);
   std::optional<zeros::SearchResult> moved(int elem, zeros::SearchResult found) const;
   double resting_margin(const zeros::SearchResult& found) const;
-  Known known_of(int elem, const zeros::SearchResult& found);
+  Known known_of(const zeros::SearchResult& found) const;
+  double greatest_reach(int elem, const zeros::SearchResult& found);
 
   TiltedField& tilted_;
   double noise_;
   const field::FieldEvaluator* evaluator_ = nullptr;  ///< of tilted_
   std::optional<zeros::ZeroSearch> search_;
-  std::optional<zeros::FarLiftings> liftings_;
   Choice choice_;                          ///< the last; empty before the first
-  std::vector<std::vector<Known>> known_;  ///< by element
+  std::vector<std::vector<Known>> known_;  ///< by element, the one that held last first
   long long num_searched_ = 0;
 };
 

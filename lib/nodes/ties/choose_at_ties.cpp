@@ -50,10 +50,13 @@ class Trials {
     const auto found = costs_.find(choice);
     return found != costs_.end() && found->second ? &*found->second : nullptr;
   }
+  /// The last choice is the best so far.
+  void keep_last() { search_.keep_last(); }
   std::size_t count() const { return costs_.size(); }
 
-  /// The nodes of a choice by a search of all elements, which proves that no zero is missing.
+  /// The nodes of a choice by a search of all elements, which proves that no zero is missing. No trial may follow.
   CriticalPoints proved(const Choice& choice, Report& report) {
+    tilted_.forget_parts();
     const Field field = tilted_.solved(choice);
     CriticalPoints points =
         guide::find_critical_points(field::FieldEvaluator(field), options_.search, valences(choice), report);
@@ -104,6 +107,7 @@ class Chooser {
   Choice run() {
     const std::vector<std::vector<int>> sets = compared_sets();
     trials_.of(best_);
+    trials_.keep_last();
     for (int sweep = 0; sweep < 3 && improve(sets); ++sweep) continue;
     halve();
     return best_;
@@ -138,6 +142,7 @@ class Chooser {
       if ((*then)[i] > (*now)[i]) return false;
     }
     best_ = choice;
+    trials_.keep_last();
     return true;
   }
 

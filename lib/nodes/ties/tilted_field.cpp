@@ -135,14 +135,16 @@ Field TiltedField::solved(const Choice& choice) const {
   for (std::size_t u = 0; u < choice.size(); ++u)
     for (const int joint : joints_of(*ties_, ties_->units[u])) (choice[u] ? smaller : larger).push_back(joint);
   const TriMesh& mesh = field_->mesh;
-  const std::vector<field::HarmonicPart> parts =
-      solve_({field::tilt_data(mesh, all, field::TiltPart::even), field::tilt_data(mesh, smaller, field::TiltPart::odd),
-              field::tilt_data(mesh, larger, field::TiltPart::odd)},
-             negligible.always);
+  const field::LiftedData even = field::tilt_data(mesh, all, field::TiltPart::even),
+                          odd = field::tilt_data(mesh, smaller, field::TiltPart::odd),
+                          opposite = field::tilt_data(mesh, larger, field::TiltPart::odd);
+  field::LiftedData data{
+      [&](int curve, double t) { return even.values(curve, t) + odd.values(curve, t) - opposite.values(curve, t); },
+      even.liftings};
+  data.liftings.insert(data.liftings.end(), odd.liftings.begin(), odd.liftings.end());
+  for (const Lifting& lifting : opposite.liftings) data.liftings.emplace_back(lifting).jump *= -1;
   Field sum = *field_;
-  field::add(parts[0], 1, sum);
-  field::add(parts[1], 1, sum);
-  field::add(parts[2], -1, sum);
+  field::add(solve_({data}, negligible.always).front(), 1, sum);
   sum.elem_error = field::error_estimate(sum);
   return sum;
 }
@@ -174,6 +176,11 @@ std::vector<TiltedField::Change> TiltedField::changes_by(const field::HarmonicPa
     if (most > negligible.change) changes.push_back({e, most});
   }
   return changes;
+}
+
+void TiltedField::forget_parts() {
+  odd_.clear();
+  odd_.shrink_to_fit();
 }
 
 const field::FieldEvaluator& TiltedField::with(const Choice& choice) {

@@ -68,6 +68,8 @@ class TiltedField {
   };
   /// Of the elements on which the unit counts.
   const std::vector<Change>& changes(std::size_t unit) const { return changes_[unit]; }
+  /// Frees their memory; with() must not follow.
+  void forget_parts();
   /// Of all parts, the memory that they take.
   std::size_t num_numbers() const;
 

@@ -13,13 +13,17 @@ std::vector<double> of_degree(int degree, int order, const double* orthogonal_co
   return b;
 }
 
-/// A linear function in the Bernstein form of degree `degree`, with these values at the vertices.
-std::vector<double> linear(int degree, double at0, double at1, double at2) {
-  std::vector<double> b;
-  b.reserve(spectral::num_bernstein(degree));
-  for (int k = 0; k <= degree; ++k)
-    for (int j = 0; j + k <= degree; ++j) b.push_back(at0 + (j * (at1 - at0) + k * (at2 - at0)) / degree);
-  return b;
+/// The positions of a straight cell with these vertices.
+void set_positions(const std::array<Vec2, 3>& p, Cell& cell) {
+  auto& [x, y, u, v] = cell.components;
+  x.resize(spectral::num_bernstein(cell.degree));
+  y.resize(x.size());
+  for (int k = 0, i = 0; k <= cell.degree; ++k)
+    for (int j = 0; j + k <= cell.degree; ++j, ++i) {
+      const Vec2 at = p[0] + (j * (p[1] - p[0]) + k * (p[2] - p[0])) / cell.degree;
+      x[i] = at.x;
+      y[i] = at.y;
+    }
 }
 
 int longest_side(const Cell& cell) {
@@ -65,10 +69,9 @@ Cell element_cell(const field::FieldEvaluator& evaluator, int elem) {
   cell.elem = elem;
   cell.degree = std::max(order, map.order());
   cell.xi = {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}};
-  if (map.order() == 1) {
-    const std::array<Vec2, 3> p{map.position(cell.xi[0]), map.position(cell.xi[1]), map.position(cell.xi[2])};
-    cell.components[0] = linear(cell.degree, p[0].x, p[1].x, p[2].x);
-    cell.components[1] = linear(cell.degree, p[0].y, p[1].y, p[2].y);
+  cell.is_straight = map.order() == 1;
+  if (cell.is_straight) {
+    set_positions({map.position(cell.xi[0]), map.position(cell.xi[1]), map.position(cell.xi[2])}, cell);
   } else {
     cell.components[0] = of_degree(cell.degree, map.order(), map.coefs_x().data());
     cell.components[1] = of_degree(cell.degree, map.order(), map.coefs_y().data());
@@ -92,9 +95,16 @@ void bisect(const Cell& cell, Cell& first, Cell& second) {
   first.elem = second.elem = cell.elem;
   first.degree = second.degree = cell.degree;
   first.scale = second.scale = cell.scale;
+  first.is_straight = second.is_straight = cell.is_straight;
   first.xi = second.xi = cell.xi;
   first.xi[to] = second.xi[from] = 0.5 * (cell.xi[from] + cell.xi[to]);
-  for (int c = 0; c < 4; ++c) {
+  if (cell.is_straight) {
+    std::array<Vec2, 3> p{cell.vertex(0), cell.vertex(1), cell.vertex(2)}, q = p;
+    p[to] = q[from] = 0.5 * (cell.vertex(from) + cell.vertex(to));
+    set_positions(p, first);
+    set_positions(q, second);
+  }
+  for (int c = cell.is_straight ? 2 : 0; c < 4; ++c) {
     first.components[c].resize(cell.num_coefs());
     second.components[c].resize(cell.num_coefs());
     spectral::bernstein_bisect(cell.degree, cell.components[c].data(), edge, first.components[c].data(),

@@ -15,8 +15,9 @@ namespace quadrille::zeros {
 struct Cell {
   int elem = 0;
   int degree = 1;
-  double scale = 0;        ///< greatest coefficient of the element's field, the scale of rounding errors
-  std::array<Vec2, 3> xi;  ///< vertices in the element's reference coordinates
+  bool is_straight = false;  ///< the element is affine, so that the cell is the triangle of its vertices
+  double scale = 0;          ///< greatest coefficient of the element's field, the scale of rounding errors
+  std::array<Vec2, 3> xi;    ///< vertices in the element's reference coordinates
   std::array<std::vector<double>, 4> components;  ///< x, y, u, v without liftings
 
   int num_coefs() const { return static_cast<int>(components[0].size()); }

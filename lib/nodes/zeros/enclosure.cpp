@@ -14,12 +14,13 @@ struct Angles {
 };
 
 /// The angles at which `eye` sees the cell, counted from the direction to `centre`: the angles of the Bernstein points,
-/// whose hull contains the cell. The whole circle if the points are not on one side of `eye`.
+/// whose hull contains the cell, or of the vertices of a straight one. The whole circle if the points are not on one
+/// side of `eye`.
 Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
   const Vec2 ahead = centre - eye;
   Angles angles;
-  for (int i = 0; i < cell.num_coefs(); ++i) {
-    const Vec2 d = cell.point(i) - eye;
+  for (int i = 0; i < (cell.is_straight ? 3 : cell.num_coefs()); ++i) {
+    const Vec2 d = (cell.is_straight ? cell.vertex(i) : cell.point(i)) - eye;
     if (norm2(d) <= 1e-24 * norm2(ahead)) continue;  // the eye itself is a vertex
     if (dot(ahead, d) <= 0) return {-pi, pi};
     const double angle = std::atan2(cross(ahead, d), dot(ahead, d));
@@ -33,8 +34,8 @@ constexpr int most_bisections = 20;
 /// The least |v| over an element, by bisection of cells in which it may be much less than where it was seen.
 class LeastValue {
  public:
-  LeastValue(const Field& field, const LiftingGroup& group, const std::vector<Disc>& discs)
-      : field_(field), group_(group), discs_(discs) {}
+  LeastValue(const Field& field, const LiftingGroup& group, const std::vector<Disc>& discs, double enough)
+      : field_(field), group_(group), discs_(discs), enough_(enough) {}
 
   /// A lower bound; infinite if the discs cover the cell.
   double in(const Cell& cell, int bisections = most_bisections) {
@@ -44,7 +45,7 @@ class LeastValue {
     for (int k = 0; k < 3; ++k)
       if (!is_covered(cell.vertex(k), 0)) seen_ = std::min(seen_, norm(enclosure.value_at_vertex(k)));
     const double least = enclosure.least_value();
-    if (least >= near * seen_ || bisections == 0) return least;
+    if (least >= std::min(near * seen_, enough_) || bisections == 0) return least;
     Cell first, second;
     bisect(cell, first, second);
     const double in_first = in(first, bisections - 1);
@@ -61,6 +62,7 @@ class LeastValue {
   const Field& field_;
   const LiftingGroup& group_;
   const std::vector<Disc>& discs_;
+  double enough_;
   double seen_ = INFINITY;
 };
 
@@ -156,9 +158,23 @@ double Enclosure::support(Vec2 direction) const {
   return -sum;
 }
 
-/// The greatest distance found, up to `enough`, of a half plane that contains all values from 0, less slack and margin.
-/// Not positive: none was found that does not contain 0.
-double Enclosure::separation(double enough) const {
+/// Whether 0 lies in the hull of the values, even without the ranges. False in doubt.
+bool Enclosure::surrounds_zero() const {
+  Vec2 right = values_.front(), left = right;  // the directions seen are between these
+  for (const Vec2 value : values_) {
+    const bool is_right = cross(right, value) < 0;
+    const bool is_left = cross(left, value) > 0;
+    if (is_right && is_left) return true;
+    if (is_right) right = value;
+    if (is_left) left = value;
+  }
+  return false;
+}
+
+/// The greatest distance found of a half plane that contains all values from 0, less slack and margin; looks until it
+/// is this part of the greatest possible. Not positive: none was found that does not contain 0.
+double Enclosure::separation(double part_of_greatest) const {
+  if (surrounds_zero()) return 0;
   // y runs towards the point of the hull nearest to 0; the half planes are normal to y.
   double greatest = 0;
   Vec2 y;
@@ -175,7 +191,7 @@ double Enclosure::separation(double enough) const {
       if (d < least) least = d, nearest = value;
     }
     greatest = std::max(greatest, least + support(direction) - (slack_ + margin_));
-    if (greatest > enough) break;
+    if (greatest > part_of_greatest * length) break;
     // The extreme point of the hull widened by the ranges.
     for (const Range& range : ranges_) {
       const double side = dot(direction, range.jump) > 0 ? -1 : 1;
@@ -237,8 +253,8 @@ double Enclosure::greatest_value() const {
 }
 
 double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem,
-                   const std::vector<Disc>& discs) {
-  return LeastValue(evaluator.field(), liftings.of(elem), discs).in(element_cell(evaluator, elem));
+                   const std::vector<Disc>& discs, double enough) {
+  return LeastValue(evaluator.field(), liftings.of(elem), discs, enough).in(element_cell(evaluator, elem));
 }
 
 }  // namespace quadrille::zeros

@@ -27,8 +27,9 @@ class Enclosure {
 
   /// True if the field has no zero in the cell: a direction separates its values from 0 (Gilbert 1966).
   bool excludes_zero() const { return separation(0) > 0; }
-  /// A lower bound of |v| over the cell, less its uncertainty; 0 if it may have a zero.
-  double least_value() const { return std::max(separation(INFINITY), 0.0); }
+  /// A lower bound of |v| over the cell, less its uncertainty; 0 if it may have a zero. At least half of the best that
+  /// the polygon gives, mostly.
+  double least_value() const { return std::max(separation(0.5), 0.0); }
   /// True if the field is injective on the cell, so that it has at most one zero there: with inverse_jacobian = J0^-1,
   /// J0 a mean of d v / d lambda, |J0^-1 dv/dlambda - I| <= contraction < 1 everywhere.
   bool isolates(Mat2& inverse_jacobian, double& contraction) const;
@@ -53,7 +54,8 @@ class Enclosure {
   void add_linearised(const Lifting& lifting, Vec2& shift, Mat2& slope);  ///< linear parts go into shift and slope
   void add_by_angles(const Lifting& lifting);
   double support(Vec2 direction) const;
-  double separation(double enough) const;
+  bool surrounds_zero() const;
+  double separation(double part) const;
 
   const Cell* cell_ = nullptr;
   Vec2 centre_;
@@ -67,9 +69,9 @@ class Enclosure {
 };
 
 /// A lower bound of |v| over the parts of element `elem` that are in none of these discs: no field that differs by less
-/// has a zero there; infinite if there is no such part. Mostly within a factor of 4; with few cells: 0 does not mean
-/// that there is a zero. For continuous fields.
+/// has a zero there; infinite if there is no such part. Mostly within a factor of 4, or above `enough`; with few cells:
+/// 0 does not mean that there is a zero. For continuous fields.
 double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem,
-                   const std::vector<Disc>& discs = {});
+                   const std::vector<Disc>& discs = {}, double enough = INFINITY);
 
 }  // namespace quadrille::zeros

@@ -11,7 +11,7 @@ namespace quadrille::zeros {
 namespace {
 
 constexpr std::size_t least_liftings = 64;  // with fewer, series save nothing
-constexpr int elements_per_group = 64;
+constexpr int elements_per_group = 16;
 constexpr double least_distance = 3;  // of far liftings, in radii
 constexpr double remainder = 1e-17;   // of a series
 constexpr double margin = 1.1;        // for the bulge of curved edges
@@ -31,13 +31,13 @@ bool is_far(const Lifting& lifting, Vec2 centre, double radius) {
   return distance(lifting.apex + f * along, centre) >= least_distance * radius;
 }
 
-void add_series(Vec2 d, double radius, double weight, std::vector<Vec2>& series) {
-  if (weight == 0) return;
-  const Vec2 q = (radius / norm2(d)) * Vec2{d.x, -d.y};
+void add_series(Vec2 d, Vec2 jump, LiftingGroup& group) {
+  const Vec2 q = (group.radius / norm2(d)) * Vec2{d.x, -d.y};
   Vec2 power = q;
   for (std::size_t k = 1; norm2(power) > remainder * remainder; ++k, power = field::product(power, q)) {
-    if (series.size() < k) series.emplace_back();
-    series[k - 1] += (-weight / static_cast<double>(k)) * power;
+    if (group.u.size() < k) group.u.emplace_back(), group.v.emplace_back();
+    group.u[k - 1] += (-jump.x / static_cast<double>(k)) * power;
+    group.v[k - 1] += (-jump.y / static_cast<double>(k)) * power;
   }
 }
 
@@ -103,8 +103,7 @@ void FarLiftings::fill(LiftingGroup& group) const {
     }
     const Vec2 to_apex = lifting.apex - group.centre, to_pole = lifting.pole - group.centre;
     for (const auto& [d, sign] : {std::pair(to_apex, 1.0), std::pair(to_pole, -1.0)}) {
-      add_series(d, group.radius, sign * lifting.jump.x, group.u);
-      add_series(d, group.radius, sign * lifting.jump.y, group.v);
+      add_series(d, sign * lifting.jump, group);
       const double nearest = norm(d) - group.radius, size = norm(lifting.jump);
       group.bend += size / (nearest * nearest);
       group.rounding += size / nearest;

@@ -93,6 +93,7 @@ void ZeroSearch::search(int elem) {
 void ZeroSearch::add(const SearchResult& found) {
   found_.zeros.insert(found_.zeros.end(), found.zeros.begin(), found.zeros.end());
   found_.open_cells.insert(found_.open_cells.end(), found.open_cells.begin(), found.open_cells.end());
+  found_.least_excluded = std::min(found_.least_excluded, found.least_excluded);
   found_.counts.examined += found.counts.examined;
   found_.counts.excluded += found.counts.excluded;
   found_.counts.isolated += found.counts.isolated;
@@ -139,7 +140,8 @@ void ZeroSearch::visit(const Cell& cell, int depth) {
   found_.counts.greatest_depth = std::max(found_.counts.greatest_depth, depth);
   const double jump = margin(cell);
   enclosure_.set(cell, evaluator_->field(), liftings_.of(cell.elem), jump);
-  if (enclosure_.excludes_zero()) {
+  if (const double least = enclosure_.least_value(); least > 0) {
+    found_.least_excluded = std::min(found_.least_excluded, least);
     ++found_.counts.excluded;
     return;
   }

@@ -8,6 +8,7 @@
 // elements that are nearer than their shifts are one.
 
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -59,6 +60,7 @@ struct SearchResult {
   std::vector<FoundZero> zeros;
   std::vector<OpenCell> open_cells;
   SearchCounts counts;
+  double least_excluded = INFINITY;  ///< a lower bound of |v| in the cells without a zero
 };
 
 class ZeroSearch {
@@ -80,6 +82,8 @@ class ZeroSearch {
   /// Whether the search cannot be completed: an element needed too many cells, or very many cells are open.
   bool is_budget_exhausted() const { return budget_ == 0 || found_.open_cells.size() > 4000; }
   const SearchCounts& counts() const { return found_.counts; }
+  /// The liftings of the field as the elements see them.
+  FarLiftings& liftings() { return liftings_; }
   /// What was found so far; the search begins anew.
   SearchResult take() { return std::exchange(found_, {}); }
 
