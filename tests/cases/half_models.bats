@@ -92,10 +92,22 @@ as_good() { jq -e -s '.[0].least_scaled_jacobian > .[1].least_scaled_jacobian - 
 
 @test "blocks of wall layers are those of the whole, around a sharp tail, and with another name of the line" {
   local layers='body:first=1e-3,growth=1.2,layers=12,blocks=own'
+  "$halves" blunt_c
+  mesh half '.valid and .blocks == 8 and .least_scaled_jacobian > 0.64 and .warnings == []' --wall $layers
   "$halves" aerofoil_c
-  mesh half '.valid and .blocks == 6 and .irregular_nodes == 0 and .least_scaled_jacobian > 0.4' --wall $layers
+  mesh whole .valid --wall $layers
+  mesh half '.valid and .blocks == 6 and .irregular_nodes == 0' --wall $layers
+  as_good
   sed "s/'symmetry'/'axis'/" half.step >other.step
   mesh other '.irregular_nodes == 0' --wall $layers --symmetry axis
+}
+
+@test "wall layers in the blocks of a half, without a limit on their growth, are those of the whole" {
+  local layers='body:first=1e-3,growth=1.2,layers=12'
+  "$halves" aerofoil_c
+  mesh whole .valid --wall $layers --target-growth 0
+  mesh half '.valid and .blocks == 2' --wall $layers --target-growth 0
+  as_good
 }
 
 @test "--symmetry names the curves, by name, pattern or number; none turns it off" {

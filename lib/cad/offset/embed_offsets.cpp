@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
@@ -62,14 +63,18 @@ void refuse(const CadFace& face, const std::vector<OffsetRequest>& requests) {
                                    offset_constants.least_distance, face.diameter));
 }
 
+/// None if the face is no part of a whole.
+std::vector<curve::SymmetryLine> lines_of_symmetry(const CadFace& face, const std::vector<std::string>& symmetry) {
+  std::vector<curve::SymmetryLine> lines = curve::symmetry_lines(face, curve::curves_that_fit(face, symmetry)).lines;
+  if (!curve::is_part_of_whole(lines)) lines.clear();
+  return lines;
+}
+
 /// By curve.
 std::vector<bool> curves_on_lines(const CadFace& face, const std::vector<std::string>& symmetry) {
   std::vector<bool> is_on_line(face.curves.size(), false);
-  const std::vector<curve::SymmetryLine> lines =
-      curve::symmetry_lines(face, curve::curves_that_fit(face, symmetry)).lines;
-  if (curve::is_part_of_whole(lines))
-    for (const curve::SymmetryLine& line : lines)
-      for (const int c : line.curves) is_on_line[c] = true;
+  for (const curve::SymmetryLine& line : lines_of_symmetry(face, symmetry))
+    for (const int c : line.curves) is_on_line[c] = true;
   return is_on_line;
 }
 
@@ -78,6 +83,25 @@ std::vector<double> wall_distances(const CadFace& face, const std::vector<WallCh
   for (const WallChain& chain : chains)
     for (std::size_t i = 0; i < chain.curves.size(); ++i) distances[chain.curves[i]] = chain.distances[i];
   return distances;
+}
+
+/// Those of the whole, if the face is a part of one: mirror images limit the distance, and no line of symmetry does.
+std::vector<ChainProfile> chain_profiles(CadFace face, std::vector<WallChain> chains,
+                                         const std::vector<std::string>& symmetry) {
+  std::vector<double> distances = wall_distances(face, chains);
+  for (auto lines = lines_of_symmetry(face, symmetry); !lines.empty(); lines = lines_of_symmetry(face, symmetry)) {
+    curve::MirroredFace mirrored = curve::mirrored_face(face, lines.front());
+    std::vector<double> of_whole(mirrored.whole.num_curves(), 0);
+    for (int c = 0; c < face.num_curves(); ++c)
+      if (mirrored.copy[c] >= 0) of_whole[mirrored.copy[c]] = of_whole[mirrored.image[c]] = distances[c];
+    for (WallChain& chain : chains)
+      for (int& c : chain.curves) c = mirrored.copy[c];
+    face = std::move(mirrored.whole);
+    distances = std::move(of_whole);
+  }
+  std::vector<ChainProfile> profiles;
+  for (const WallChain& chain : chains) profiles.push_back(chain_profile(face, chain, distances));
+  return profiles;
 }
 
 void report_chains(const CadFace& face, const std::vector<OffsetRequest>& requests,
@@ -177,9 +201,7 @@ CadFace embed_offsets(const CadFace& face, const std::vector<OffsetRequest>& req
   if (requests.empty()) return face;
   refuse(face, requests);
   const std::vector<WallChain> chains = wall_chains(face, requests, curves_on_lines(face, symmetry));
-  const std::vector<double> distances = wall_distances(face, chains);
-  std::vector<ChainProfile> profiles;
-  for (const WallChain& chain : chains) profiles.push_back(chain_profile(face, chain, distances));
+  const std::vector<ChainProfile> profiles = chain_profiles(face, chains, symmetry);
   const std::vector<RegionOffsets> offsets = offsets_by_region(face, requests, chains, profiles);
   const double tolerance = offset_constants.tolerance * face.diameter;
   std::vector<sew::Region> regions;

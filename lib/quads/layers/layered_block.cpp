@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/bracketed_root.hpp"
 #include "base/tolerance.hpp"
-#include "layers/layer_rules.hpp"
-#include "layers/smooth_across.hpp"
+#include "layers/tied_lines.hpp"
 #include "mesh/piecewise_polynomial.hpp"
 #include "mesh/transfinite.hpp"
+#include "sizing/halved_blocks.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -16,6 +17,8 @@ namespace {
 struct BlockNodes {
   const LayeredBlock& block;
   std::array<Vec2, 4> corners;
+  /// Of the nodes on each side: s (sides 0, 2) or t (1, 3) of the block's map.
+  std::array<std::vector<double>, 4> parameters;
   int order;
   Vec2 origin;
 
@@ -25,10 +28,12 @@ struct BlockNodes {
   int height() const { return static_cast<int>(block.fractions[1].size()); }
   int number(int i, int j) const { return j * width() + i; }
 
-  /// The block's exact map (mesh/transfinite).
+  /// The block's exact map (mesh/transfinite, sizing/halved_blocks).
   Vec2 position(double s, double t) const {
     const std::array<SideTable, 4>& sides = block.tables;
-    return mesh::blend_sides({sides[0].at(s), sides[1].at(t), sides[2].at(s), sides[3].at(t)}, corners, s, t);
+    const std::array<Vec2, 4> on_sides{sides[0].at(s), sides[1].at(t), sides[2].at(s), sides[3].at(t)};
+    return block.halved ? sizing::blend_of_whole(on_sides, corners, {s, t}, *block.halved)
+                        : mesh::blend_sides(on_sides, corners, s, t);
   }
 
   /// Lengths of the elements on a side.
@@ -42,13 +47,13 @@ struct BlockNodes {
 
   /// t on row j, a straight line in (s, t).
   double row_t(int j, double s) const {
-    const std::vector<double>&f3 = block.fractions[3], &f1 = block.fractions[1];
+    const std::vector<double>&f3 = parameters[3], &f1 = parameters[1];
     return f3[j] + s * (f1[j] - f3[j]);
   }
 };
 
 void place_crossings(const BlockNodes& nodes, std::vector<Vec2>& positions) {
-  const std::array<std::vector<double>, 4>& f = nodes.block.fractions;
+  const std::array<std::vector<double>, 4>& f = nodes.parameters;
   for (int j = 1; j + 1 < nodes.height(); ++j)
     for (int i = 1; i + 1 < nodes.width(); ++i) {
       const Vec2 st = mesh::crossing_parameters(f[0][i], f[1][j], f[2][i], f[3][j]);
@@ -66,99 +71,58 @@ LineFamily row_family(const BlockNodes& nodes) {
   return {block.sides[3], block.sides[1], nodes.lengths(0), nodes.lengths(2), nodes.order};
 }
 
-/// The given lengths of the free intervals of a line; nullptr: none are given.
-const std::vector<double>* given_lengths(const BlockNodes& nodes, int direction, int line) {
+/// Parameters of the nodes of a line (divide_normal_line). The map of a whole block does not measure length on the side
+/// that divides it: there the intervals of lines are lengths, if they are not given.
+std::vector<double> divided_line(const BlockNodes& nodes, int direction, const LineFamily& family,
+                                 const NormalLine& line, int number) {
+  const std::array<double, 2> blend{nodes.parameters[direction == 0 ? 0 : 3][number],
+                                    nodes.parameters[direction == 0 ? 2 : 1][number]};
   const auto& lines = nodes.block.lines[direction];
-  return lines.empty() ? nullptr : &lines[line];
+  std::vector<double> lengths;
+  if (!lines.empty())
+    lengths = lines[number];
+  else if (nodes.block.halved)
+    lengths = measured_line(family, line, number, blend, nodes.origin).sizes;
+  return divide_normal_line(family, line, number, (blend[0] + blend[1]) / 2, nodes.origin,
+                            lengths.empty() ? nullptr : &lengths);
+}
+
+/// Of the nodes on the side that divides the whole block: where its map meets them.
+std::vector<double> parameters_in_whole(const BlockNodes& nodes) {
+  const int side = nodes.block.halved->side;
+  const Vec2 direction = nodes.block.halved->line.direction;
+  const auto along = [&](double u) {
+    return dot(direction, side % 2 == 0 ? nodes.position(u, side / 2) : nodes.position(side == 1 ? 1 : 0, u));
+  };
+  std::vector<double> parameters = nodes.parameters[side];
+  for (std::size_t k = 1; k + 1 < parameters.size(); ++k) {
+    const double at = dot(direction, nodes.block.tables[side].at(parameters[k]));
+    parameters[k] = bisect([&](double u) { return along(u) - at; }, 0, 1);
+  }
+  return parameters;
 }
 
 BlockNodes block_nodes(const LayeredBlock& block, int order, Vec2 origin) {
   const std::array<SideTable, 4>& sides = block.tables;
-  return {block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, order, origin};
+  BlockNodes nodes{
+      block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, block.fractions, order, origin};
+  if (block.halved) nodes.parameters[block.halved->side] = parameters_in_whole(nodes);
+  return nodes;
 }
-
-/// The lines of a family, to be tied to each other. `first`, `last`: fractions of the nodes on the sides that are the
-/// first and the last line. Lines become alike in their parts above the layers, relative to these: layers keep their
-/// heights, which are at different parameters on lines of different lengths.
-class TiedLines {
- public:
-  TiedLines(const LineFamily& family, const std::vector<NormalLine>& lines, const std::vector<double>& first,
-            const std::vector<double>& last, std::vector<std::vector<double>>& parameters)
-      : family_(family), lines_(lines), parameters_(parameters), num_nodes_(static_cast<int>(first.size())) {
-    parameters.front() = first, parameters.back() = last;
-    low_ = family.low_node(), high_ = family.high_node(num_nodes_);
-  }
-
-  /// Ties the lines themselves.
-  void tie() {
-    LineNodes all = nodes();
-    smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across);
-    set(all.parameters);
-  }
-
-  /// Multiplies the intervals of each line between its layers by its factors, up to a common factor; the changes are
-  /// tied to each other. Nodes keep their relative positions in their intervals.
-  void scale(const std::vector<std::vector<double>>& factors) {
-    const LineNodes all = nodes();
-    std::vector<double> scaled = all.parameters;
-    for (std::size_t line = 0; line < factors.size(); ++line)
-      if (!factors[line].empty()) scale_line(factors[line], &scaled[line * num_nodes_ + low_]);
-    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] -= all.parameters[i];
-    smooth_across(all, low_ + 1, high_, family_.order, layer_constants.reach_across, scaled);
-    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] += all.parameters[i];
-    set(scaled);
-  }
-
- private:
-  LineNodes nodes() const {
-    LineNodes all{static_cast<int>(lines_.size()), num_nodes_, {}, {}};
-    for (std::size_t line = 0; line < lines_.size(); ++line)
-      for (const double u : parameters_[line]) {
-        const double bottom = parameters_[line][low_], top = parameters_[line][high_];
-        all.parameters.push_back((u - bottom) / (top - bottom));
-        all.positions.push_back(lines_[line](u));
-      }
-    return all;
-  }
-
-  void set(const std::vector<double>& relative) {
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-      const double bottom = parameters_[line][low_], top = parameters_[line][high_];
-      for (int k = low_ + 1; k < high_; ++k)
-        parameters_[line][k] = bottom + relative[line * num_nodes_ + k] * (top - bottom);
-    }
-  }
-
-  /// `nodes`: from the end of the layers, relative.
-  void scale_line(const std::vector<double>& factors, double* nodes) const {
-    const int order = family_.order, count = static_cast<int>(factors.size());
-    const std::vector<double> given(nodes, nodes + count * order + 1);
-    double total = 0;
-    for (int k = 0; k < count; ++k) total += factors[k] * (given[(k + 1) * order] - given[k * order]);
-    for (int k = 0; k < count; ++k)
-      for (int i = 1; i <= order; ++i)
-        nodes[k * order + i] = nodes[k * order] + factors[k] / total * (given[k * order + i] - given[k * order]);
-  }
-
-  const LineFamily& family_;
-  const std::vector<NormalLine>& lines_;
-  std::vector<std::vector<double>>& parameters_;
-  int num_nodes_, low_ = 0, high_ = 0;
-};
 
 /// Ties the lines of a family to each other, and applies the factors that are given.
 void tie_lines(const BlockNodes& nodes, int direction, const LineFamily& family, const std::vector<NormalLine>& lines,
                std::vector<std::vector<double>>& parameters) {
   if (!nodes.has_lines(direction)) return;
-  const std::array<std::vector<double>, 4>& fractions = nodes.block.fractions;
-  TiedLines tied(family, lines, fractions[direction == 0 ? 3 : 0], fractions[direction == 0 ? 1 : 2], parameters);
+  const std::array<std::vector<double>, 4>& sides = nodes.parameters;
+  TiedLines tied(family, lines, sides[direction == 0 ? 3 : 0], sides[direction == 0 ? 1 : 2], parameters);
   tied.tie();
   if (!nodes.block.factors[direction].empty()) tied.scale(nodes.block.factors[direction]);
 }
 
 /// (s, t) of all nodes of a block, along side 0 fastest; those inside are not filled in.
 std::vector<Vec2> side_parameters(const BlockNodes& nodes) {
-  const std::array<std::vector<double>, 4>& f = nodes.block.fractions;
+  const std::array<std::vector<double>, 4>& f = nodes.parameters;
   std::vector<Vec2> st(f[0].size() * f[1].size());
   for (int i = 0; i < nodes.width(); ++i)
     st[nodes.number(i, 0)] = {f[0][i], 0}, st[nodes.number(i, nodes.height() - 1)] = {f[2][i], 1};
@@ -169,15 +133,13 @@ std::vector<Vec2> side_parameters(const BlockNodes& nodes) {
 
 /// Divides the rows between sides 3 and 1; returns (s, t) of every node.
 std::vector<Vec2> place_rows(const BlockNodes& nodes, std::vector<Vec2>& positions) {
-  const LayeredBlock& block = nodes.block;
   const LineFamily family = row_family(nodes);
   std::vector<NormalLine> rows;
   std::vector<std::vector<double>> row_s(nodes.height());
   for (int j = 0; j < nodes.height(); ++j) {
     rows.emplace_back([&nodes, j](double s) { return nodes.position(s, nodes.row_t(j, s)); });
     if (j == 0 || j + 1 == nodes.height()) continue;
-    const double blend = (block.fractions[3][j] + block.fractions[1][j]) / 2;
-    row_s[j] = divide_normal_line(family, rows[j], j, blend, nodes.origin, given_lengths(nodes, 1, j));
+    row_s[j] = divided_line(nodes, 1, family, rows[j], j);
   }
   tie_lines(nodes, 1, family, rows, row_s);
   std::vector<Vec2> st = side_parameters(nodes);
@@ -203,7 +165,6 @@ mesh::PiecewisePolynomial column_through(const BlockNodes& nodes, const std::vec
 /// they run; empty: they are straight in (s, t).
 std::vector<Vec2> place_columns(const BlockNodes& nodes, const std::vector<Vec2>& through,
                                 std::vector<Vec2>& positions) {
-  const LayeredBlock& block = nodes.block;
   const LineFamily family = column_family(nodes);
   std::vector<std::function<double(double)>> column_s;
   column_s.reserve(nodes.width());
@@ -211,12 +172,12 @@ std::vector<Vec2> place_columns(const BlockNodes& nodes, const std::vector<Vec2>
   std::vector<std::vector<double>> column_t(nodes.width());
   for (int i = 0; i < nodes.width(); ++i) {
     const bool is_side = i == 0 || i + 1 == nodes.width();
-    const double s0 = block.fractions[0][i], s2 = block.fractions[2][i];
+    const double s0 = nodes.parameters[0][i], s2 = nodes.parameters[2][i];
     column_s.emplace_back([s0, s2](double t) { return s0 + t * (s2 - s0); });
     if (!is_side && !through.empty()) column_s.back() = column_through(nodes, through, i);
     columns.emplace_back([&nodes, &s = column_s.back()](double t) { return nodes.position(s(t), t); });
     if (is_side) continue;
-    column_t[i] = divide_normal_line(family, columns[i], i, (s0 + s2) / 2, nodes.origin, given_lengths(nodes, 0, i));
+    column_t[i] = divided_line(nodes, 0, family, columns[i], i);
   }
   tie_lines(nodes, 0, family, columns, column_t);
   std::vector<Vec2> st = side_parameters(nodes);
@@ -231,15 +192,13 @@ std::vector<Vec2> place_columns(const BlockNodes& nodes, const std::vector<Vec2>
 /// Moves the nodes inside along the rows by the block's shifts. `st`: as from place_columns. In layers nodes keep their
 /// heights, above them their t, but for what the end of the layers changes.
 void shift_columns(const BlockNodes& nodes, const std::vector<Vec2>& st, std::vector<Vec2>& positions) {
-  const std::array<std::vector<double>, 4>& fractions = nodes.block.fractions;
   const std::vector<Vec2> shifted = shifted_along_rows(st, nodes.width(), nodes.order, nodes.block.shifts);
   const LineFamily family = column_family(nodes);
   const int low = family.low_node(), high = family.high_node(nodes.height());
   for (int i = 1; i + 1 < nodes.width(); ++i) {
     const mesh::PiecewisePolynomial s = column_through(nodes, shifted, i);
     const NormalLine column = [&](double t) { return nodes.position(s(t), t); };
-    const double blend = (fractions[0][i] + fractions[2][i]) / 2;
-    std::vector<double> t = divide_normal_line(family, column, i, blend, nodes.origin, given_lengths(nodes, 0, i));
+    std::vector<double> t = divided_line(nodes, 0, family, column, i);
     const double first = shifted[nodes.number(i, low)].y, last = shifted[nodes.number(i, high)].y;
     for (int j = low + 1; j < high; ++j)
       t[j] = t[low] + (shifted[nodes.number(i, j)].y - first) / (last - first) * (t[high] - t[low]);
@@ -254,6 +213,7 @@ LayeredBlock transposed(const LayeredBlock& block) {
   std::reverse(result.sides.begin(), result.sides.end());
   std::reverse(result.fractions.begin(), result.fractions.end());
   std::reverse(result.lengths.begin(), result.lengths.end());
+  if (result.halved) result.halved->side = 3 - result.halved->side;
   std::swap(result.lines[0], result.lines[1]);
   std::swap(result.factors[0], result.factors[1]);
   return result;
@@ -308,7 +268,7 @@ std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int
   const int count = direction == 0 ? nodes.width() : nodes.height();
   std::vector<BlockLine> lines(count);
   for (int i = 1; i + 1 < count; ++i) {
-    const double low = block.fractions[direction == 0 ? 0 : 3][i], high = block.fractions[direction == 0 ? 2 : 1][i];
+    const double low = nodes.parameters[direction == 0 ? 0 : 3][i], high = nodes.parameters[direction == 0 ? 2 : 1][i];
     const NormalLine line = [&](double u) {
       const double across = low + u * (high - low);
       return direction == 0 ? nodes.position(across, u) : nodes.position(u, across);

@@ -9,6 +9,7 @@
 // the layers are given, these lines run through the shifted places of their nodes, and are divided once more.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "layers/normal_line.hpp"
@@ -33,6 +34,8 @@ struct LayeredBlock {
   /// If given, how far the vertices of lines along a wall's normals move along the layers: rows are those of the
   /// block with these lines as columns.
   RowShifts shifts = {};
+  /// If given, the block has the map of the whole block that it is one half of.
+  std::optional<sizing::HalvedSide> halved = {};
 };
 
 /// The inner columns (0) or rows (1), by their number along the side; the first and the last one are empty.

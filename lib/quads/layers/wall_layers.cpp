@@ -242,6 +242,7 @@ LayeredBlock layered_block(const WallPlan& plan, const sizing::MeasuredLayout& m
       result.sides[side].feet.push_back(wall_point(wall, chain.at(against_arc ? 1 - f : f), backwards));
   }
   result.fractions = std::move(fractions);
+  if (const sizing::HalvedSide* halved = measured.halved_side(block)) result.halved = *halved;
   return result;
 }
 

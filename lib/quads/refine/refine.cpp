@@ -9,10 +9,10 @@
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
-#include "refine/halved_blocks.hpp"
 #include "refine/lower_error.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
+#include "sizing/halved_blocks.hpp"
 #include "sizing/report_sizes.hpp"
 
 namespace quadrille::refine {
@@ -93,14 +93,13 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   require_periodic_arcs(layout, "make the blocks again (separatrix, blocksplit)");
   const sizing::MeasuredLayout measured(layout);
   const sizing::MeasuredLayout upright = measured.with_parameters(align_chords(measured));
-  const HalvedSides halved = halved_sides(upright, prescribed.symmetry);
-  const sizing::MeasuredLayout aligned = with_lines_of_whole(upright, halved);
+  const sizing::MeasuredLayout aligned = sizing::with_lines_of_whole(upright, prescribed.symmetry);
   RefineOptions options = prescribed;
   // The growth from wall to wall determines counts; and vertices that stay have other parts of the error.
   if (options.size_rule == sizing::SizeRule::error && (!options.walls.empty() || options.relax != Relax::size))
     options.size_rule = sizing::SizeRule::nearest;
-  SplitRequest request{
-      options, measured, aligned, halved, size_field(options, layout.face), score_limits(options, layout.face), report};
+  SplitRequest request{options, measured, aligned, size_field(options, layout.face), score_limits(options, layout.face),
+                       report};
   request.rings = rings_of(request);
   const std::vector<prescribe::LayeredCount> layered = layered_counts(request);
   options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts,

@@ -2,7 +2,7 @@
 // Makes the final mesh from the blocks of a layout.
 //
 //   1. Measure the arcs of the layout (sizing/measured_layout) and align lines across chords (refine/align_chords), in
-//      one half of a symmetric whole with those of the whole (refine/halved_blocks).
+//      one half of a symmetric whole with those of the whole (sizing/halved_blocks).
 //   2. Share out prescribed numbers of elements along boundaries among the chords (prescribe/boundary_counts).
 //   3. Attempt a mesh (refine/split_mesh):
 //        a. plan one count and one grading for each chord from the size field (sizing/grade_chords), the prescribed

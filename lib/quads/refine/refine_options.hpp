@@ -69,7 +69,7 @@ struct RefineOptions {
   Rings rings = Rings::automatic;
   int relax_sweeps = 200;  ///< greatest number, 0..1000
   std::vector<std::string> symmetry =
-      {};                 ///< patterns of the names of curves at lines of symmetry (refine/halved_blocks)
+      {};                 ///< patterns of the names of curves at lines of symmetry (sizing/halved_blocks)
   int levels = 0;         ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
   void validate() const;  ///< throws UsageError
 };

@@ -1,11 +1,11 @@
 #include "refine/split_isoparametric.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
 #include "mesh/transfinite.hpp"
 #include "model/interfaces.hpp"
+#include "sizing/halved_blocks.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -16,7 +16,6 @@ struct SplitInput {
   const sizing::ArcDivisions& divisions;
   const layers::WallPlan* walls;
   const growth::LinePlan& lines;
-  const HalvedSides& halved;
 
   const BlockLayout& layout() const { return measured.blocks(); }
 };
@@ -67,14 +66,14 @@ std::vector<Vec2> layered_nodes(const SplitInput& in, int block, const std::arra
 /// The node (i, j) inside a block: the blend of its sides, or of those of the block of the whole, where the straight
 /// lines between opposite nodes cross.
 Vec2 inner_node(const QuadMesh& mesh, const std::array<Vec2, 4>& corners, const std::array<ArcNodes, 4>& sides, int i,
-                int j, const std::optional<HalvedSide>& halved) {
-  SidePoints points{{}, corners, {}};
+                int j, const sizing::HalvedSide* halved) {
+  sizing::SidePoints points{{}, corners, {}};
   for (int side = 0; side < 4; ++side) {
     const int k = side % 2 == 0 ? i : j;
     points.positions[side] = mesh.nodes[sides[side].ids[k]];
     points.fractions[side] = sides[side].fractions[k];
   }
-  if (halved) return position_in_whole(points, *halved);
+  if (halved) return sizing::position_in_whole(points, *halved);
   const auto& [a, b, c, d] = points.fractions;
   const Vec2 st = mesh::crossing_parameters(a, b, c, d);
   return mesh::blend_sides(points.positions, corners, st.x, st.y);
@@ -86,7 +85,7 @@ std::vector<int> place_in_block(const SplitInput& in, int block, const std::arra
   for (int k = 0; k < 4; ++k) corners[k] = in.layout().nodes[in.layout().block2nodes[block][k]].position;
   const int width = static_cast<int>(sides[0].ids.size()), height = static_cast<int>(sides[1].ids.size());
   const std::vector<Vec2> layered = layered_nodes(in, block, sides, mesh.order);
-  const std::optional<HalvedSide> halved = in.halved.empty() ? std::nullopt : in.halved[block];
+  const sizing::HalvedSide* halved = in.measured.halved_side(block);
   std::vector<int> grid;
   grid.reserve(width * height);
   for (int j = 0; j < height; ++j)
@@ -179,8 +178,8 @@ std::array<ArcNodes, 4> side_nodes(const BlockLayout& layout, int block, const s
 }
 
 QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, int order,
-                             const layers::WallPlan* walls, const growth::LinePlan& lines, const HalvedSides& halved) {
-  const SplitInput in{measured, divisions, walls, lines, halved};
+                             const layers::WallPlan* walls, const growth::LinePlan& lines) {
+  const SplitInput in{measured, divisions, walls, lines};
   QuadMesh mesh = mesh_without_elements(in.layout(), order);
   std::vector<ArcNodes> arc_nodes;
   for (int arc = 0; arc < measured.num_arcs(); ++arc)

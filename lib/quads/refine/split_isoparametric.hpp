@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "growth/line_intervals.hpp"
-#include "refine/halved_blocks.hpp"
 
 namespace quadrille::refine {
 
@@ -27,10 +26,9 @@ std::array<ArcNodes, 4> side_nodes(const BlockLayout& layout, int block, const s
 /// (one per arc). Nodes on arcs are made once and shared by the blocks on both sides; nodes at the layout's nodes are
 /// numbered first. Element (i, j) of a block lies i along side 0, j along side 1, i fastest. Jacobian bounds and
 /// qualities are not filled in. With `walls`, nodes of the blocks along them lie in layers (layers/layered_block); with
-/// `lines`, which need `walls`, lines inside all blocks are divided accordingly. Nodes inside blocks with `halved`
-/// sides, but for those with layers, are those of the whole.
+/// `lines`, which need `walls`, lines inside all blocks are divided accordingly. Nodes inside halved blocks are
+/// those of the whole.
 QuadMesh split_isoparametric(const sizing::MeasuredLayout& measured, const sizing::ArcDivisions& divisions, int order,
-                             const layers::WallPlan* walls = nullptr, const growth::LinePlan& lines = {},
-                             const HalvedSides& halved = {});
+                             const layers::WallPlan* walls = nullptr, const growth::LinePlan& lines = {});
 
 }  // namespace quadrille::refine

@@ -106,8 +106,7 @@ SplitMesh split(const SplitRequest& request, const SplitSettings& settings, cons
 
 void sample_mesh(const SplitRequest& request, const QuadMesh* known, SplitMesh& result) {
   result.mesh = split_isoparametric(layout_of(request, result.settings), result.divisions, request.options.order,
-                                    result.walls ? &*result.walls : nullptr, result.lines,
-                                    result.settings.is_aligned ? request.halved : HalvedSides());
+                                    result.walls ? &*result.walls : nullptr, result.lines);
   measure_elements(result.mesh, request.report.progress(), known);
 }
 

@@ -9,7 +9,6 @@
 #include "mesh/boundary_distance.hpp"
 #include "mesh/mesh_score.hpp"
 #include "model/quad_mesh.hpp"
-#include "refine/halved_blocks.hpp"
 #include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/hole_rings.hpp"
@@ -21,7 +20,6 @@ struct SplitRequest {
   const RefineOptions& options;
   const sizing::MeasuredLayout& equal;    ///< lines connect equal fractions of the arcs
   const sizing::MeasuredLayout& aligned;  ///< lines are nearly normal to the arcs (refine/align_chords)
-  const HalvedSides& halved;              ///< of blocks of the aligned layout
   sizing::SizeField sizes;
   mesh::ScoreLimits limits;  ///< above which remedies apply
   Report& report;

@@ -84,9 +84,10 @@ MeasuredLayout::Geometry::Geometry(const BlockLayout& layout)
 MeasuredLayout::MeasuredLayout(const BlockLayout& layout)
     : geometry_(std::make_shared<Geometry>(layout)), parameters_(layout.arcs.size()) {}
 
-MeasuredLayout MeasuredLayout::with_parameters(std::vector<ArcParameter> parameters) const {
+MeasuredLayout MeasuredLayout::with_parameters(std::vector<ArcParameter> parameters, HalvedSides halved) const {
   MeasuredLayout other = *this;
   other.parameters_ = std::move(parameters);
+  other.halved_ = std::move(halved);
   return other;
 }
 

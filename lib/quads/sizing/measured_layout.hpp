@@ -7,9 +7,11 @@
 // backwards. The ends of elements on an arc are fractions of its length, too.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "curve/chain.hpp"
+#include "curve/symmetry_lines.hpp"
 #include "mesh/chords.hpp"
 #include "model/block_layout.hpp"
 #include "model/interfaces.hpp"
@@ -59,14 +61,23 @@ class ArcParameter {
   std::vector<double> fractions_, slopes_;  ///< slope by the sample number
 };
 
+/// The side of a block on a line of symmetry that divides a block of the whole (sizing/halved_blocks).
+struct HalvedSide {
+  int side = 0;
+  curve::SymmetryLine line;
+};
+
+/// By block; empty if there are none.
+using HalvedSides = std::vector<std::optional<HalvedSide>>;
+
 class MeasuredLayout {
  public:
   /// Equal parameters at equal fractions of the length. `layout` must outlive the value and all copies, and must not
   /// change meanwhile; copies refer to the same lengths and chords.
   explicit MeasuredLayout(const BlockLayout& layout);
   explicit MeasuredLayout(BlockLayout&& layout) = delete;
-  /// The same layout with other parameters, one per arc.
-  MeasuredLayout with_parameters(std::vector<ArcParameter> parameters) const;
+  /// The same layout with other parameters, one per arc, and these halved sides.
+  MeasuredLayout with_parameters(std::vector<ArcParameter> parameters, HalvedSides halved = {}) const;
   MeasuredLayout with_equal_parameters() const { return with_parameters(std::vector<ArcParameter>(num_arcs())); }
 
   const BlockLayout& blocks() const { return *geometry_->blocks; }
@@ -90,6 +101,10 @@ class MeasuredLayout {
   bool is_parallel(int arc) const { return geometry_->is_parallel[arc]; }
 
   const ArcParameter& parameter(int arc) const { return parameters_[arc]; }
+  /// nullptr: the block is not one half of a block of the whole.
+  const HalvedSide* halved_side(int block) const {
+    return halved_.empty() || !halved_[block] ? nullptr : &*halved_[block];
+  }
   /// Whether all parameters are the identity.
   bool has_equal_parameters() const;
   /// Between the parameter u of a chord and the fraction of the length of its arc number i, in the arc's own direction.
@@ -112,6 +127,7 @@ class MeasuredLayout {
   };
   std::shared_ptr<const Geometry> geometry_;
   std::vector<ArcParameter> parameters_;
+  HalvedSides halved_;
 };
 
 }  // namespace quadrille::sizing

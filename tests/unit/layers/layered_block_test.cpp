@@ -137,6 +137,31 @@ TEST(LayeredBlock, LinesMayBeGivenInOneDirectionAlone) {
   EXPECT_NEAR(node.y, 0.5, 1e-12);
 }
 
+// A square with two bulging sides, and its upper half: nodes on the line of symmetry are those of the whole there.
+TEST(LayeredBlock, NodesOfAHalfAreThoseOfTheWhole) {
+  const Nurbs top = curve::circular_arc({1, 0}, std::sqrt(2), pi / 4, 3 * pi / 4);
+  const CadFace face = hand_made::face(
+      {{curve::segment({0, 0}, {2, 0}), curve::segment({2, 0}, {2, 1}), top, curve::segment({0, 1}, {0, 0})}}, 3);
+  const std::vector<Nurbs> none;
+  const curve::CurveTable table(face, none);
+  const double u = 0.3, x = 1 - std::sqrt(2) * std::cos(pi / 4 + u * half_pi);
+  for (const bool is_transposed : {false, true}) {
+    LayeredBlock block;
+    const int line = is_transposed ? 3 : 0;
+    for (int k = 0; k < 4; ++k) {
+      const int curve = is_transposed ? 3 - k : k;
+      const curve::Chain chain(table, {{curve, face.curves[curve].begin(), face.curves[curve].end()}});
+      block.tables[k] = SideTable(chain, curve >= 2);
+      block.lengths[k] = chain.length();
+      block.fractions[k] = {0, k == line ? x / 2 : (k + 2) % 4 == line ? u : 0.5, 1};
+    }
+    block.halved = sizing::HalvedSide{line, {{0, 0}, {1, 0}, {0}}};
+    const Vec2 node = layered_positions(block, 1, {})[4];
+    EXPECT_NEAR(node.x, x, 1e-10);
+    EXPECT_NEAR(node.y, 0.5 * (std::sqrt(2) * std::sin(pi / 4 + u * half_pi)), 1e-10);
+  }
+}
+
 // The shifts are given for the block with the lines along the wall's normals as columns.
 TEST(LayeredBlock, ShiftedLinesKeepTheHeightsOfLayers) {
   const std::vector<double> divided{0, 0.1, 0.25, 0.5, 0.75, 0.9, 1}, heights{0.1, 0.25};

@@ -93,6 +93,24 @@ TEST(EmbedOffsets, AHalfHasHalfOfTheCurveOfTheWhole) {
   EXPECT_EQ(count({-0.1, 0}), 2);
 }
 
+// A body with a blunt end, 0.1 high in the half: the distance is not limited by the line of symmetry beside it.
+TEST(EmbedOffsets, NoLineOfSymmetryLimitsTheDistance) {
+  CadFace half = hand_made::face({polygon({{2, 0}, {4, 0}, {4, 2}, {-2, 2}, {-2, 0}, {0, 0}, {0, 0.25}, {2, 0.1}})},
+                                 std::sqrt(40));
+  for (const int curve : {0, 4}) hand_made::give_name(half, curve, "symmetry");
+  Report report;
+  with_offsets(half, {"side_5,side_6,side_7=0.2"}, report);
+  EXPECT_TRUE(report.warnings().empty());
+  // Two bodies of the whole, 0.3 apart from each other: 0.35 of that over sqrt(2), in front of corners.
+  CadFace upper =
+      hand_made::face({rectangle({-2, 0}, {4, 2}), polygon({{0, 0.15}, {0, 1}, {2, 1}, {2, 0.15}})}, std::sqrt(40));
+  hand_made::give_name(upper, 0, "symmetry");
+  with_offsets(upper, {"side_4,side_5,side_6,side_7=0.2"}, report);
+  ASSERT_EQ(report.warnings().size(), 1U);
+  EXPECT_NE(report.warnings().front().message.find("is reduced to 0.07425"), std::string::npos)
+      << report.warnings().front().message;
+}
+
 TEST(EmbedOffsets, FacingWallsShareTheirGap) {
   const CadFace face = hand_made::face({rectangle({0, 0}, {10, 1})}, std::sqrt(101));
   Report report;

@@ -15,11 +15,9 @@ struct SplitSample {
   Report report = {};
   sizing::MeasuredLayout equal = sizing::MeasuredLayout(layout);
   sizing::MeasuredLayout aligned = equal.with_parameters(align_chords(equal));
-  HalvedSides halved = {};
   SplitRequest request = {options,
                           equal,
                           aligned,
-                          halved,
                           sizing::SizeField(options.size),
                           {options.geometry_tol > 0 ? options.geometry_tol : 0.01, options.target_edge_ratio,
                            options.walls.empty() ? 0 : options.target_growth},

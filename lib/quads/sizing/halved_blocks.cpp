@@ -1,4 +1,4 @@
-#include "refine/halved_blocks.hpp"
+#include "sizing/halved_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include "curve/symmetry_lines.hpp"
 #include "mesh/transfinite.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 namespace {
 
-constexpr int samples = 32;
+constexpr int samples_on_line = 32;
 constexpr double least_slope = 0.02;  ///< of the parameter
 
 /// The arcs on one line of symmetry.
@@ -63,16 +63,16 @@ class ArcsOnLine {
 
 /// The fractions of an arc on the line, in the direction of its chord, at which the lines of the whole meet it.
 /// `other`: the opposite arc of its block; both are given by their positions in the chord.
-std::vector<double> fractions_of_whole(const sizing::MeasuredLayout& layout, const mesh::Chord& chord, int on_line,
-                                       int other, Vec2 direction) {
+std::vector<double> fractions_of_whole(const MeasuredLayout& layout, const mesh::Chord& chord, int on_line, int other,
+                                       Vec2 direction) {
   const auto along = [&](int i, double fraction) {
     return dot(direction, layout.chain(chord.arcs[i]).position(fraction));
   };
   const auto end_of = [&](int i, bool is_last) { return along(i, is_last != chord.backwards[i] ? 1.0 : 0.0); };
   const double length = end_of(on_line, true) - end_of(on_line, false);
   std::vector<double> fractions{0.0};
-  for (int k = 1; k < samples; ++k) {
-    const double own = layout.arc_fraction(chord, other, static_cast<double>(k) / samples);
+  for (int k = 1; k < samples_on_line; ++k) {
+    const double own = layout.arc_fraction(chord, other, static_cast<double>(k) / samples_on_line);
     const double f = chord.backwards[other] ? 1 - own : own;
     const double on_chord = (1 - f) * end_of(other, false) + f * end_of(other, true);
     fractions.push_back(f + (along(other, own) - on_chord) / length);
@@ -83,27 +83,26 @@ std::vector<double> fractions_of_whole(const sizing::MeasuredLayout& layout, con
 
 bool are_in_order(const std::vector<double>& fractions) {
   for (std::size_t k = 1; k < fractions.size(); ++k)
-    if (!(fractions[k] - fractions[k - 1] >= least_slope / samples)) return false;
+    if (!(fractions[k] - fractions[k - 1] >= least_slope / samples_on_line)) return false;
   return true;
 }
 
 bool are_equal(const std::vector<double>& fractions) {
   for (std::size_t k = 0; k < fractions.size(); ++k)
-    if (std::abs(fractions[k] - static_cast<double>(k) / samples) > tolerance::tied) return false;
+    if (std::abs(fractions[k] - static_cast<double>(k) / samples_on_line) > tolerance::tied) return false;
   return true;
 }
 
 /// Of the arc at a side of a block, in the direction of its chord.
-std::vector<double> fractions_of_whole(const sizing::MeasuredLayout& layout, int block, const HalvedSide& halved) {
+std::vector<double> fractions_of_whole(const MeasuredLayout& layout, int block, const HalvedSide& halved) {
   const auto& sides = layout.blocks().block2arcs[block];
   const int arc = sides[halved.side].arc, other = sides[(halved.side + 2) % 4].arc;
   return fractions_of_whole(layout, layout.chords()[layout.chord_of(arc)], layout.position_in_chord(arc),
                             layout.position_in_chord(other), halved.line.direction);
 }
 
-}  // namespace
-
-HalvedSides halved_sides(const sizing::MeasuredLayout& layout, const std::vector<std::string>& symmetry) {
+/// By block: the sides on which the lines of the whole are in order and not at equal fractions.
+HalvedSides halved_sides(const MeasuredLayout& layout, const std::vector<std::string>& symmetry) {
   const BlockLayout& blocks = layout.blocks();
   const std::vector<curve::SymmetryLine> lines =
       curve::symmetry_lines(blocks.face, curve::curves_that_fit(blocks.face, symmetry)).lines;
@@ -123,37 +122,49 @@ HalvedSides halved_sides(const sizing::MeasuredLayout& layout, const std::vector
   return result;
 }
 
-sizing::MeasuredLayout with_lines_of_whole(const sizing::MeasuredLayout& layout, const HalvedSides& sides) {
-  std::vector<sizing::ArcParameter> parameters;
+/// The coordinate of (s, t) that leads away from the side, or up to it.
+double& across(Vec2& st, int side) { return side % 2 == 0 ? st.y : st.x; }
+
+bool is_first(int side) { return side == 0 || side == 3; }
+
+}  // namespace
+
+MeasuredLayout with_lines_of_whole(const MeasuredLayout& layout, const std::vector<std::string>& symmetry) {
+  HalvedSides sides = halved_sides(layout, symmetry);
+  std::vector<ArcParameter> parameters;
   for (int arc = 0; arc < layout.num_arcs(); ++arc) parameters.push_back(layout.parameter(arc));
   for (int b = 0; b < static_cast<int>(sides.size()); ++b) {
     if (!sides[b]) continue;
     const int arc = layout.blocks().block2arcs[b][sides[b]->side].arc;
     std::vector<double> fractions = fractions_of_whole(layout, b, *sides[b]);
-    if (layout.chords()[layout.chord_of(arc)].backwards[layout.position_in_chord(arc)])
-      sizing::reverse_fractions(fractions);
-    parameters[arc] = sizing::ArcParameter(std::move(fractions));
+    if (layout.chords()[layout.chord_of(arc)].backwards[layout.position_in_chord(arc)]) reverse_fractions(fractions);
+    parameters[arc] = ArcParameter(std::move(fractions));
   }
-  return layout.with_parameters(std::move(parameters));
+  return layout.with_parameters(std::move(parameters), std::move(sides));
+}
+
+Vec2 blend_of_whole(std::array<Vec2, 4> on_sides, std::array<Vec2, 4> corners, Vec2 st, const HalvedSide& halved) {
+  const int side = halved.side, after = (side + 1) % 4, opposite = (side + 2) % 4, before = (side + 3) % 4;
+  on_sides[side] = halved.line(on_sides[opposite]);
+  corners[side] = halved.line(corners[before]);
+  corners[after] = halved.line(corners[opposite]);
+  double& part = across(st, side);
+  part = is_first(side) ? (1 + part) / 2 : part / 2;
+  return mesh::blend_sides(on_sides, corners, st.x, st.y);
 }
 
 Vec2 position_in_whole(SidePoints points, const HalvedSide& halved) {
   const int side = halved.side, after = (side + 1) % 4, opposite = (side + 2) % 4, before = (side + 3) % 4;
   auto& [positions, corners, fractions] = points;
-  const Vec2 on_line = positions[side], first = corners[side], last = corners[after];
-  positions[side] = halved.line(positions[opposite]);
-  corners[side] = halved.line(corners[before]);
-  corners[after] = halved.line(corners[opposite]);
   fractions[side] = fractions[opposite];
   Vec2 st = mesh::crossing_parameters(fractions[0], fractions[1], fractions[2], fractions[3]);
-  double& across = side % 2 == 0 ? st.y : st.x;  // from the line on, or up to it
-  const double from_line = side == 0 || side == 3 ? across : 1 - across;
-  across = side == 0 || side == 3 ? (1 + across) / 2 : across / 2;
-  const Vec2 position = mesh::blend_sides(positions, corners, st.x, st.y);
-  across = 0.5;
-  positions[before] = first, positions[after] = last;
+  const Vec2 position = blend_of_whole(positions, corners, st, halved);
+  double& part = across(st, side);
+  const double from_line = is_first(side) ? part : 1 - part;
+  part = is_first(side) ? 0 : 1;
+  positions[before] = corners[side], positions[after] = corners[after];
   // Divisions of the side may be others: they are met there, and matter the less the farther away the point is.
-  return position + (1 - from_line) * (on_line - mesh::blend_sides(positions, corners, st.x, st.y));
+  return position + (1 - from_line) * (positions[side] - blend_of_whole(positions, corners, st, halved));
 }
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing

@@ -8,30 +8,20 @@
 // block would have skew elements at a nose.
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "curve/symmetry_lines.hpp"
 #include "sizing/measured_layout.hpp"
 
-namespace quadrille::refine {
+namespace quadrille::sizing {
 
-/// The side of a block on the line that divides the block of the whole.
-struct HalvedSide {
-  int side = 0;
-  curve::SymmetryLine line;
-};
+/// The layout with its halved sides: those on which the lines of the whole are in order and not at equal fractions. Its
+/// lines meet them where those of the whole do. `symmetry`: patterns of the names of curves (curve/symmetry_lines.hpp).
+MeasuredLayout with_lines_of_whole(const MeasuredLayout& layout, const std::vector<std::string>& symmetry);
 
-/// By block; empty if there are none.
-using HalvedSides = std::vector<std::optional<HalvedSide>>;
-
-/// Those on which the lines of the whole are in order and not at equal fractions. `symmetry`: patterns of the names of
-/// curves (curve/symmetry_lines.hpp).
-HalvedSides halved_sides(const sizing::MeasuredLayout& layout, const std::vector<std::string>& symmetry);
-
-/// The layout with other parameters of the arcs at these sides: its lines meet them where those of the whole do.
-sizing::MeasuredLayout with_lines_of_whole(const sizing::MeasuredLayout& layout, const HalvedSides& sides);
+/// The point of the whole block's map at (s, t) of the half. `on_sides`, `corners`: as for mesh::blend_sides of the
+/// half; the point on its halved side does not count.
+Vec2 blend_of_whole(std::array<Vec2, 4> on_sides, std::array<Vec2, 4> corners, Vec2 st, const HalvedSide& halved);
 
 /// A point of a block: of each side the point at the same place along the block, and the fraction of the length there,
 /// in the direction of rising s (sides 0, 2) or t (sides 1, 3).
@@ -43,4 +33,4 @@ struct SidePoints {
 /// Where the map of the whole block has this point.
 Vec2 position_in_whole(SidePoints points, const HalvedSide& halved);
 
-}  // namespace quadrille::refine
+}  // namespace quadrille::sizing
