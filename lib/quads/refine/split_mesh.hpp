@@ -13,6 +13,7 @@
 #include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/hole_rings.hpp"
+#include "sizing/make_size_field.hpp"
 
 namespace quadrille::refine {
 
@@ -26,6 +27,7 @@ struct SplitRequest {
   mesh::ScoreLimits limits;  ///< above which remedies apply
   Report& report;
   std::vector<sizing::HoleRing> rings = {};
+  sizing::SizeField sizes_at_bends = sizing::sizes_at_bends(equal.blocks().face, sizes);  ///< of vertices that move
 };
 
 /// What remedies change from one attempt to the next.

@@ -46,6 +46,10 @@ std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& si
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope);
 
+/// `sizes`, and less at bends of the boundary, where a mapped element holds fewer polynomials: so that edges turn by 15
+/// degrees, but not below three quarters (lib/method.md, section 10).
+SizeField sizes_at_bends(const CadFace& face, const SizeField& sizes);
+
 /// The least size along a curve, in diameters.
 inline constexpr double least_curve_size = 1e-3;
 
