@@ -66,6 +66,26 @@ TEST(BoundarySizes, CurvatureOfAParabolaIsFollowed) {
   }
 }
 
+TEST(SizesAtBends, EdgesTurnBy15DegreesButAreNotShorterThanThreeQuarters) {
+  const double length = 2 * pi / 24;  // of a 24th of the unit circle
+  const CadFace disc = hand_made::face({{curve::circular_arc({0, 0}, 1, 0, 2 * pi)}}, 2);
+  const auto on_circle = [&](double size) { return sizes_at_bends(disc, SizeField(size)).at(unit(0.3)); };
+  EXPECT_NEAR(on_circle(length * 1.1), length, 1e-6);
+  EXPECT_NEAR(on_circle(length * 2), 0.75 * length * 2, 1e-6);
+  EXPECT_EQ(on_circle(length * 0.9), length * 0.9);
+  EXPECT_TRUE(sizes_at_bends(hand_made::unit_square().face, SizeField(0.1)).is_uniform()) << "nothing is bent";
+}
+
+TEST(SizesAtBends, PrescribedSizesStayAndGrowAsBefore) {
+  const CadFace disc = hand_made::face({{curve::circular_arc({0, 0}, 1, 0, 2 * pi)}}, 2);
+  const SizeField prescribed(1, {{{{1, 0}, 0.4, 0}}, {}, 0}, {}, 1.1);
+  const SizeField sizes = sizes_at_bends(disc, prescribed);
+  EXPECT_NEAR(sizes.at({1, 0}), 0.3, 1e-3);
+  const double opposite = 0.75 * prescribed.at({-1, 0});
+  EXPECT_NEAR(sizes.at({-1, 0}), opposite, 1e-3);
+  EXPECT_NEAR(sizes.at({-1.5, 0}), opposite + std::log(1.1) * 0.5, 1e-3);
+}
+
 TEST(MakeSizeField, TakesAllSourcesTogether) {
   const CadFace face = hand_made::unit_square().face;
   SizeOptions options;
