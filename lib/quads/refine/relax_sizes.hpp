@@ -1,5 +1,5 @@
 #pragma once
-// Relaxation to the prescribed sizes, and shorter ones at bends of the boundary (sizing/make_size_field): moves all
+// Relaxation to the prescribed sizes, and shorter ones at bends of the boundary (sizing/curve_sizes): moves all
 // vertices of a mesh but those that are fixed (refine/relax_problem), also those on sides of blocks and irregular ones,
 // to the least size energy (refine/size_energy).
 //

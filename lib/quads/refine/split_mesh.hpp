@@ -12,8 +12,8 @@
 #include "refine/halved_blocks.hpp"
 #include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
+#include "sizing/curve_sizes.hpp"
 #include "sizing/hole_rings.hpp"
-#include "sizing/make_size_field.hpp"
 
 namespace quadrille::refine {
 
