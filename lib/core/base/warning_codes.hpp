@@ -47,6 +47,7 @@ inline constexpr const char* chord_count_missed = "W-QUA-002";
 inline constexpr const char* geometry_tol_missed = "W-QUA-003";
 inline constexpr const char* target_growth_missed = "W-QUA-004";
 inline constexpr const char* unequal_sizes = "W-QUA-005";
+inline constexpr const char* joint_inside_edge = "W-QUA-006";  ///< of curves without given names
 inline constexpr const char* walls_share_a_chord = "W-WAL-001";  ///< each prescribes heights of its own
 inline constexpr const char* walls_disagree = "W-WAL-002";       ///< wall layers that continue each other
 inline constexpr const char* reynolds_number_outside = "W-SIZ-001";

@@ -142,7 +142,7 @@ std::vector<bool> elements_that_keep_lengths(const SplitRequest& request, const 
 /// Returns whether vertices were moved; not if the mesh would exceed what is allowed by more. Edges are relaxed again
 /// with a stricter tolerance if they miss it between the samples of that time.
 bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
-  SizeRelaxation relaxation{request.sizes,
+  SizeRelaxation relaxation{request.sizes_at_bends,
                             request.options.inner_edges,
                             result.settings.tolerance,
                             request.options.relax_sweeps,

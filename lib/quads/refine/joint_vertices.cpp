@@ -1,11 +1,15 @@
 #include "refine/joint_vertices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "base/message_text.hpp"
 #include "base/tolerance.hpp"
+#include "base/warning_codes.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -193,6 +197,34 @@ std::optional<std::vector<JointVertex>> vertices_at_joints(const RelaxProblem& p
   for (const LoopJoint& joint : problem.boundary.free_joints())
     if (joint.loop != std::exchange(last, joint.loop) && !choice.add(joint.loop, found)) return std::nullopt;
   return found;
+}
+
+std::vector<int> joints_inside_edges(const QuadMesh& mesh) {
+  const CadFace& face = mesh.face;
+  std::vector<bool> has_vertex(face.curves.size(), false);
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges)
+    if (distance(mesh.nodes[side_start(mesh, edge.elem, edge.side)], face.joints[edge.curve].position) <
+        tolerance::round_off * face.diameter)
+      has_vertex[edge.curve] = true;
+  std::vector<int> joints;
+  for (int c = 0; c < face.num_curves(); ++c)
+    if (!has_vertex[c] && !face.is_interface(c) && face.curve_names[face.previous_in_loop(c)] != face.curve_names[c])
+      joints.push_back(c);
+  return joints;
+}
+
+void warn_of_joints(const QuadMesh& mesh, Report& report) {
+  const std::vector<int> joints = joints_inside_edges(mesh);
+  if (joints.empty()) return;
+  const CadFace& face = mesh.face;
+  const int curve = joints[0];
+  report.warn(
+      warning::joint_inside_edge,
+      fmt::format("{} of the joints of smooth curves without given names lie inside an edge, which has the name "
+                  "of one curve, the first between {} and {} at {}: give these curves names (cad2tri --name) "
+                  "where different boundary conditions meet there, or lower --size",
+                  joints.size(), face.curve_names[face.previous_in_loop(curve)], face.curve_names[curve],
+                  position_text(face.joints[curve].position + face.origin)));
 }
 
 }  // namespace quadrille::refine

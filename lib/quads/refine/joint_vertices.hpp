@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/report.hpp"
 #include "refine/relax_problem.hpp"
 
 namespace quadrille::refine {
@@ -20,5 +21,12 @@ struct JointVertex {
 /// and n vertices of a loop. No value if a loop has no such choice.
 std::optional<std::vector<JointVertex>> vertices_at_joints(const RelaxProblem& problem, const VertexMoves& moves,
                                                            double tolerance);
+
+/// The joints between curves of different names, interfaces apart, where no element ends: each is inside an edge, which
+/// has the name of one of them. Numbers of the curves that begin there, ascending.
+std::vector<int> joints_inside_edges(const QuadMesh& mesh);
+
+/// Warns of these joints, with the place of the first.
+void warn_of_joints(const QuadMesh& mesh, Report& report);
 
 }  // namespace quadrille::refine

@@ -9,10 +9,10 @@
 #include <set>
 #include <utility>
 
-#include "base/tolerance.hpp"
 #include "mesh/element_sizes.hpp"
 #include "refine/best_split.hpp"
 #include "refine/divide_arcs.hpp"
+#include "refine/joint_vertices.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/error_counts.hpp"
 
@@ -100,27 +100,12 @@ std::optional<SplitMesh> split_again(const SplitRequest& request, const SplitMes
   }
 }
 
-/// The number of joints between curves of different names where no element ends.
-int num_lost_joints(const QuadMesh& mesh) {
-  const CadFace& face = mesh.face;
-  std::vector<bool> has_vertex(face.curves.size(), false);
-  for (const QuadBoundaryEdge& edge : mesh.boundary_edges)
-    if (distance(mesh.nodes[side_start(mesh, edge.elem, edge.side)], face.joints[edge.curve].position) <
-        tolerance::round_off * face.diameter)
-      has_vertex[edge.curve] = true;
-  int count = 0;
-  for (int c = 0; c < face.num_curves(); ++c)
-    count +=
-        !has_vertex[c] && !face.is_interface(c) && face.curve_names[face.previous_in_loop(c)] != face.curve_names[c];
-  return count;
-}
-
 /// `resolution`: the ratio of `next` over that of `split`.
 bool is_better(const SplitMesh& next, const SplitMesh& split, double resolution) {
   const mesh::MeshScore &before = split.score, &after = next.score;
-  return num_lost_joints(next.mesh) <= num_lost_joints(split.mesh) && after.unproved <= before.unproved &&
-         !mesh::exceeds(after.distance, before.distance) && !mesh::exceeds(after.elongation, before.elongation) &&
-         after.growth <= before.growth &&
+  return joints_inside_edges(next.mesh).size() <= joints_inside_edges(split.mesh).size() &&
+         after.unproved <= before.unproved && !mesh::exceeds(after.distance, before.distance) &&
+         !mesh::exceeds(after.elongation, before.elongation) && after.growth <= before.growth &&
          std::log(resolution) + skewness_weight * (after.skewness - before.skewness) < std::log(worthwhile);
 }
 

@@ -9,6 +9,7 @@
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
+#include "refine/joint_vertices.hpp"
 #include "refine/lower_error.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
@@ -108,6 +109,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   place_vertices(request, split);
   set_prescribed_lengths(request, split);
   if (options.size_rule == sizing::SizeRule::error && options.blocks.empty()) lower_error(request, split);
+  warn_of_joints(split.mesh, report);
   refine_nested(split.mesh, options, report);
   report_split(request, split);
   report_prescribed(request, split, prescribed.counts, layered);

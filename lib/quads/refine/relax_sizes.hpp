@@ -1,6 +1,7 @@
 #pragma once
-// Relaxation to the prescribed sizes: moves all vertices of a mesh but those that are fixed (refine/relax_problem),
-// also those on sides of blocks and irregular ones, to the least size energy (refine/size_energy).
+// Relaxation to the prescribed sizes, and shorter ones at bends of the boundary (sizing/curve_sizes): moves all
+// vertices of a mesh but those that are fixed (refine/relax_problem), also those on sides of blocks and irregular ones,
+// to the least size energy (refine/size_energy).
 //
 // The first matrix of the method (refine/size_relaxer) has the moves of all levels of the blocks' grids
 // (refine/coarse_moves), so that the number of steps hardly grows with that of elements. Where sizes

@@ -11,6 +11,7 @@
 #include "model/quad_mesh.hpp"
 #include "refine/length_limits.hpp"
 #include "refine/refine_options.hpp"
+#include "sizing/curve_sizes.hpp"
 #include "sizing/hole_rings.hpp"
 
 namespace quadrille::refine {
@@ -24,6 +25,7 @@ struct SplitRequest {
   mesh::ScoreLimits limits;  ///< above which remedies apply
   Report& report;
   std::vector<sizing::HoleRing> rings = {};
+  sizing::SizeField sizes_at_bends = sizing::sizes_at_bends(equal.blocks().face, sizes);  ///< of vertices that move
 };
 
 /// What remedies change from one attempt to the next.

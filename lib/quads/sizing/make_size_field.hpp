@@ -8,10 +8,6 @@
 // away from the curves is that of the far field, and no measure of the body. Along a wake there, elements grow by 5 %
 // from one to the next, from the size at its beginning, where it has the smaller one.
 //
-// A constant size along a boundary acts from the exact circular arc. Other curves are cut into segments so short that
-// neither their distance from the curve nor linear interpolation between their ends changes the size by a relative
-// amount above 1e-5: sizes of mirror images agree although the starts of their curves differ.
-//
 // A run is a part of the boundary between two consecutive corners or ends of given names. Along a run of length L the
 // size is L / n; along a smooth closed loop, a hole, it is L / (3 n), because it has no ends at which elements begin.
 // In one half of a symmetric whole the diameter and the runs are those of the whole.
@@ -27,24 +23,6 @@
 #include "sizing/size_field.hpp"
 
 namespace quadrille::sizing {
-
-/// `size` along one curve. `slope` > 0: growth of sizes per distance from it.
-std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope);
-
-/// A size in proportion to the distance from one end of a chain of curves: `size` there, `other_size` at the other end.
-struct GrowingSize {
-  Vec2 end, other_end;
-  double size = 0, other_size = 0;
-};
-/// The ends of the curves: their joint of least x (then y), and the one of greatest x (then y); equal within 1e-6
-/// diameters.
-GrowingSize growing_size(const CadFace& face, const std::vector<int>& curves, double size, double other_size);
-std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& size, double slope);
-
-/// 2 pi / (elements_per_turn |curvature|) along one curve, between `least` and `greatest`; segments all at `greatest`
-/// are omitted. Corners prescribe no size.
-std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
-                                               double greatest, double slope);
 
 /// The least size along a curve, in diameters.
 inline constexpr double least_curve_size = 1e-3;

@@ -131,9 +131,21 @@ struct SizeField::Sources {
     int first = 0, count = 0;
   };
   std::vector<Source> items;
-  std::vector<Node> nodes{Node{}};
+  std::vector<Node> nodes;
 
-  void build() { divide(0, 0, static_cast<int>(items.size())); }
+  void add(const auto& source, const char* what, double greatest, int region = -1) {
+    const Bounds bounds = bounds_of(source);
+    require_size(bounds.least, what);
+    if (bounds.least < greatest) items.push_back({source, bounds, region});
+  }
+  void add(const std::vector<SizeSegment>& segments, double greatest) {
+    for (const SizeSegment& segment : segments) add(segment, "a piece of the boundary", greatest, segment.region);
+  }
+
+  void build() {
+    nodes.assign(1, {});
+    divide(0, 0, static_cast<int>(items.size()));
+  }
 
   double at(Vec2 x, int region, double greatest, double slope) const {
     double best = greatest;
@@ -187,20 +199,27 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
                      double growth)
     : SizeField(greatest) {
   if (!(growth > 1)) throw UsageError("the growth of sizes must be greater than 1");
-  auto tree = std::make_shared<Sources>();
-  const auto add = [&](const auto& source, const char* what, int region = -1) {
-    const Bounds bounds = bounds_of(source);
-    require_size(bounds.least, what);
-    if (bounds.least < greatest) tree->items.push_back({source, bounds, region});
-  };
-  for (const SizePoint& point : sources.points) add(point, "a point");
-  for (const SizeBox& box : sources.boxes) add(box, "a box");
-  for (const SizeTriangle& triangle : sources.triangles) add(triangle, "a triangle");
-  for (const SizeSegment& segment : segments) add(segment, "a piece of the boundary", segment.region);
-  if (tree->items.empty()) return;
-  tree->build();
-  slope_ = std::log(growth);
-  sources_ = std::move(tree);
+  Sources tree;
+  for (const SizePoint& point : sources.points) tree.add(point, "a point", greatest);
+  for (const SizeBox& box : sources.boxes) tree.add(box, "a box", greatest);
+  for (const SizeTriangle& triangle : sources.triangles) tree.add(triangle, "a triangle", greatest);
+  tree.add(segments, greatest);
+  set_sources(std::move(tree), std::log(growth));
+}
+
+void SizeField::set_sources(Sources sources, double slope) {
+  if (sources.items.empty()) return;
+  sources.build();
+  slope_ = slope;
+  sources_ = std::make_shared<const Sources>(std::move(sources));
+}
+
+SizeField SizeField::with(const std::vector<SizeSegment>& segments) const {
+  SizeField result = *this;
+  Sources sources = sources_ ? *sources_ : Sources{};
+  sources.add(segments, greatest_);
+  result.set_sources(std::move(sources), sources_ ? slope_ : std::log(default_growth));
+  return result;
 }
 
 double SizeField::at(Vec2 x, int region) const {

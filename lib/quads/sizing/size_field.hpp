@@ -35,6 +35,9 @@ class SizeField {
   /// Sources of `greatest` or more have no effect. `growth` > 1. Throws UsageError for sizes that are not positive.
   SizeField(double greatest, const SizeSources& sources, const std::vector<SizeSegment>& segments, double growth);
 
+  /// These sources and more, with the same growth; that of a constant size is the default.
+  SizeField with(const std::vector<SizeSegment>& segments) const;
+
   /// Prescribed edge length at x, relative to face.origin, in a region; -1: on an interface, where the sources of both
   /// sides act, or in a face of one region. Cost: logarithmic in the number of sources.
   double at(Vec2 x, int region = -1) const;
@@ -45,6 +48,8 @@ class SizeField {
 
  private:
   struct Sources;
+  void set_sources(Sources sources, double slope);
+
   double greatest_ = 0, slope_ = 0;
   std::shared_ptr<const Sources> sources_;
 };

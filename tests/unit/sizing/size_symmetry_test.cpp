@@ -10,7 +10,7 @@
 #include "../hand_made.hpp"
 #include "block/extract_blocks.hpp"
 #include "refine/refine.hpp"
-#include "sizing/make_size_field.hpp"
+#include "sizing/curve_sizes.hpp"
 
 namespace quadrille::sizing {
 namespace {
