@@ -45,6 +45,11 @@ std::optional<Criterion> difference(const Cost& a, const Cost& b) {
   return {};
 }
 
+bool is_better(const Cost& a, const Cost& b) {
+  const auto criterion = difference(a, b);
+  return criterion && a[static_cast<std::size_t>(*criterion)] < b[static_cast<std::size_t>(*criterion)];
+}
+
 std::string text_of(Criterion criterion) {
   switch (criterion) {
     case Criterion::crowded:
@@ -65,9 +70,20 @@ std::string text_of(Criterion criterion) {
 }
 
 CostMeasure::CostMeasure(const field::FieldEvaluator& field, const TieOrbits& ties)
-    : face_(&field.field().mesh.face), boundary_(*face_), ties_(&ties) {
+    : face_(&field.field().mesh.face), boundary_(*face_), ties_(&ties), is_narrow_(is_narrow_everywhere(field)) {
   for (const Joint& joint : face_->joints) middle_ += joint.position / static_cast<double>(face_->joints.size());
   for (const Tie& tie : ties.ties) far_signs_.push_back(far_sign(field, tie));
+}
+
+bool CostMeasure::is_narrow_everywhere(const field::FieldEvaluator& field) const {
+  constexpr double bulge = 1.1;  // of curved edges
+  return std::all_of(field.maps().begin(), field.maps().end(), [&](const spectral::TriMap& map) {
+    const Vec2 centre = map.position(field::centroid);
+    double radius = 0;
+    for (const Vec2 vertex : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}})
+      radius = std::max(radius, distance(centre, map.position(vertex)));
+    return boundary_.signed_distance(centre) + bulge * radius < rules.narrow * face_->diameter;
+  });
 }
 
 int CostMeasure::far_sign(const field::FieldEvaluator& field, const Tie& tie) const {
@@ -101,6 +117,15 @@ Cost CostMeasure::operator()(const Choice& choice, const CriticalPoints& points)
       at(Criterion::sides) -= sides / face_->diameter;
       at(Criterion::middle) -= distance(face_->joints[tie.joint].position, middle_) / face_->diameter;
     }
+  return cost;
+}
+
+// Nodes have valences of 3 at least.
+Cost CostMeasure::least(const Choice& choice, int index, int max_valence) const {
+  Cost cost = (*this)(choice, {});
+  const int fewest = index > 0 ? index : (max_valence - 5 - index) / (max_valence - 4);
+  if (is_narrow_) cost[static_cast<std::size_t>(Criterion::narrow)] = fewest;
+  cost[static_cast<std::size_t>(Criterion::defect)] += rules.node * std::abs(index);
   return cost;
 }
 

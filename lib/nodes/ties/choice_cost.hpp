@@ -26,6 +26,7 @@ using Cost = std::array<double, 7>;
 
 /// The first criterion by which both differ; std::nullopt if they are equal.
 std::optional<Criterion> difference(const Cost& a, const Cost& b);
+bool is_better(const Cost& a, const Cost& b);
 /// A clause for people: "there are fewer nodes ...".
 std::string text_of(Criterion criterion);
 
@@ -36,14 +37,18 @@ class CostMeasure {
   CostMeasure(const field::FieldEvaluator& field, const TieOrbits& ties);
   /// `points`: what the choice leads to.
   Cost operator()(const Choice& choice, const CriticalPoints& points) const;
+  /// At least what the choice costs, whatever nodes of this total index, of up to `max_valence`, it leads to.
+  Cost least(const Choice& choice, int index, int max_valence) const;
 
  private:
+  bool is_narrow_everywhere(const field::FieldEvaluator& field) const;
   int far_sign(const field::FieldEvaluator& field, const Tie& tie) const;
 
   const CadFace* face_;
   curve::FaceBoundary boundary_;
   const TieOrbits* ties_;
   Vec2 middle_;
+  bool is_narrow_;              ///< wherever a node lies, it is close to the boundary
   std::vector<int> far_signs_;  ///< of each tie; 1: the smaller valence, -1: the larger, 0: undecided
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -33,17 +34,31 @@ class Trials {
         measure_(field, ties),
         part_(progress, "choices") {}
 
-  /// Null if the choice leads to no admissible set of nodes.
-  const Cost* of(const Choice& choice) {
+  /// Null if the choice leads to no admissible set of nodes. With many orbits, if the least that it can cost is no
+  /// better than `best`, that is the result: the choice is not followed.
+  const Cost* of(const Choice& choice, const Cost* best = nullptr) {
     const auto known = costs_.find(choice);
     if (known != costs_.end()) return known->second ? &*known->second : nullptr;
     std::optional<Cost>& cost = costs_[choice];
+    if (best && are_many()) {
+      cost = least(choice);
+      if (!is_better(*cost, *best)) return &*cost;
+      cost.reset();
+    }
+    ++num_searches_;
     try {
       cost = attempt(choice);
     } catch (const ComputeError&) {
     }
     part_.advance();
     return cost ? &*cost : nullptr;
+  }
+  /// The position of the choice that can cost least; the first, unless there are many orbits.
+  std::ptrdiff_t most_promising(const std::vector<Choice>& choices) const {
+    if (!are_many()) return 0;
+    std::vector<Cost> costs;
+    for (const Choice& choice : choices) costs.push_back(least(choice));
+    return std::min_element(costs.begin(), costs.end(), is_better) - costs.begin();
   }
   /// Null if the choice was not tried, or leads to no admissible set of nodes.
   const Cost* known(const Choice& choice) const {
@@ -52,7 +67,7 @@ class Trials {
   }
   /// The last choice is the best so far.
   void keep_last() { search_.keep_last(); }
-  std::size_t count() const { return costs_.size(); }
+  std::size_t count() const { return num_searches_; }
 
   /// The nodes of a choice by a search of all elements, which proves that no zero is missing. No trial may follow.
   CriticalPoints proved(const Choice& choice, Report& report) {
@@ -78,6 +93,15 @@ class Trials {
     return result;
   }
 
+  bool are_many() const { return ties_.orbits.size() > max_compared_orbits; }
+
+  /// At least what the choice costs, if no other corner absorbs a node.
+  Cost least(const Choice& choice) const {
+    CriticalPoints points;
+    points.corners = valences(choice).corners;
+    return measure_.least(choice, 4 * face_.euler_characteristic() - index_sum_of(points), options_.max_valence);
+  }
+
   std::optional<Cost> attempt(const Choice& choice) {
     Report of_this_choice;
     const zeros::SearchResult found = search_.zeros_of(choice);
@@ -95,6 +119,7 @@ class Trials {
   ChoiceSearch search_;
   CostMeasure measure_;
   std::map<Choice, std::optional<Cost>> costs_;
+  std::size_t num_searches_ = 0;
   Progress::Part part_;
 };
 
@@ -133,14 +158,8 @@ class Chooser {
 
   /// Whether `choice` is better than the best so far; it then becomes the best.
   bool replace_if_better(const Choice& choice) {
-    const Cost *now = trials_.of(best_), *then = trials_.of(choice);
-    if (!then) return false;
-    if (now) {
-      const auto criterion = difference(*then, *now);
-      if (!criterion) return false;
-      const auto i = static_cast<std::size_t>(*criterion);
-      if ((*then)[i] > (*now)[i]) return false;
-    }
+    const Cost *now = trials_.of(best_), *then = trials_.of(choice, now);
+    if (!then || (now && !is_better(*then, *now))) return false;
     best_ = choice;
     trials_.keep_last();
     return true;
@@ -154,11 +173,13 @@ class Chooser {
   bool improve(const std::vector<std::vector<int>>& sets) {
     const Choice before = best_;
     for (const std::vector<int>& set : sets) {
-      const Choice start = best_;
-      for (unsigned bits = 0; bits < (1U << set.size()); ++bits) {
-        Choice choice = start;
-        for (std::size_t i = 0; i < set.size(); ++i) choice = with_orbit(choice, set[i], bits >> i & 1U);
-        replace_if_better(choice);
+      std::vector<Choice> choices(std::size_t{1} << set.size(), best_);
+      for (std::size_t bits = 0; bits < choices.size(); ++bits)
+        for (std::size_t i = 0; i < set.size(); ++i) choices[bits] = with_orbit(choices[bits], set[i], bits >> i & 1U);
+      while (!choices.empty()) {
+        const auto next = choices.begin() + trials_.most_promising(choices);
+        replace_if_better(*next);
+        choices.erase(next);
       }
     }
     return best_ != before && sets.size() > 1;

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../support/polygon_field.hpp"
+#include "base/angle.hpp"
 #include "field/boundary_values.hpp"
 #include "field/evaluate.hpp"
 #include "field/explicit_value.hpp"
@@ -68,6 +71,26 @@ TEST(HarmonicParts, elements_where_a_function_vanishes_are_left_out) {
   const Field field = solved_field(plate());
   const auto parts = parts_of(field, {{[](int, double) { return Vec2{}; }, {}}});
   EXPECT_TRUE(parts[0].elems.empty());
+}
+
+TEST(HarmonicParts, elements_where_a_function_is_negligible_are_left_out) {
+  const Field field = solved_field(polygon_face({{0, 0}, {20, 0}, {20, 1}, {0, 1}}));
+  const CadFace& face = field.mesh.face;
+  const auto at_one_end = [&](int curve, double t) {
+    const Vec2 x = curve::point(face.curves[curve], t);
+    return x.x < 1e-9 ? Vec2{std::sin(pi * x.y), 0} : Vec2{};
+  };
+  PhaseSolver solver(field.mesh, field.elem_order);
+  const auto part = solver.harmonic_parts({{at_one_end, {}}}, 1e-6)[0];
+  const field::FieldEvaluator evaluator(field);
+  for (const int elem : part.elems) EXPECT_LT(evaluator.maps()[elem].position(field::centroid).x, 10);
+  Field sum = field, whole = field;
+  field::add(part, 1, sum);
+  field::add(solver.harmonic_parts({{at_one_end, {}}})[0], 1, whole);
+  for (const Vec2 x : {Vec2{0.5, 0.4}, Vec2{2, 0.3}, Vec2{4, 0.5}, Vec2{12, 0.5}}) {
+    EXPECT_NEAR(value_at(sum, x).x - value_at(field, x).x, std::sin(pi * x.y) * std::exp(-pi * x.x), 1e-3);
+    EXPECT_LT(distance(value_at(sum, x), value_at(whole, x)), 1e-5);
+  }
 }
 
 }  // namespace

@@ -60,6 +60,23 @@ TEST_F(OnePlate, nodes_with_little_room_are_counted) {
   EXPECT_EQ(figure(c, Criterion::narrow), 2);
 }
 
+TEST_F(OnePlate, the_least_cost_is_that_of_the_fewest_nodes) {
+  CriticalPoints with_node;
+  with_node.critical_points = {node({5, 3}, 1)};
+  EXPECT_EQ(difference(measure.least({false, false}, 1, 6), measure({false, false}, with_node)), std::nullopt);
+  EXPECT_EQ(difference(measure.least({true, false}, 0, 6), measure({true, false}, {})), std::nullopt);
+}
+
+TEST(ChoiceCost, nodes_of_a_narrow_face_have_little_room_wherever_they_are) {
+  const Field field = adapted_field(plate(10, 0.4, {0, 0, 0.15, 0}));
+  const field::FieldEvaluator evaluator(field);
+  const TieOrbits ties = tie_orbits(field.mesh.face);
+  const CostMeasure measure(evaluator, ties);
+  EXPECT_EQ(figure(measure.least({false, false}, 1, 6), Criterion::narrow), 1);
+  EXPECT_EQ(figure(measure.least({false, false}, -3, 6), Criterion::narrow), 2);
+  EXPECT_EQ(figure(measure.least({true, false}, 0, 6), Criterion::narrow), 0);
+}
+
 TEST_F(OnePlate, the_smaller_valence_belongs_to_the_longer_sides) {
   // Joint 2 has sides of 5 and 1.4, joint 3 of 1.4 and 9.
   EXPECT_EQ(difference(measure({true, false}, {}), measure({false, true}, {})), Criterion::sides);
