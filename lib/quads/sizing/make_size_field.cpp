@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -18,8 +17,6 @@
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "curve/symmetry_lines.hpp"
-#include "model/name_rules.hpp"
-#include "sizing/element_limit.hpp"
 
 namespace quadrille::sizing {
 namespace {
@@ -127,6 +124,20 @@ std::vector<Run> runs_of_loop(const CadFace& face, int loop) {
   return runs;
 }
 
+/// The size by the curvature, |1 / radius|, between `least` and `greatest`; segments all at `greatest` are omitted.
+template <class Size>
+std::vector<SizeSegment> segments_by_bend(const Nurbs& curve, const Size& size_at, double least, double greatest,
+                                          double slope) {
+  if (is_straight(curve)) return {};
+  const auto size = [&](double t, bool from_left) {
+    const double bend = std::abs(curve::curvature(curve, t, from_left));
+    return bend > 0 ? std::clamp(size_at(bend), least, greatest) : greatest;
+  };
+  std::vector<SizeSegment> segments = segments_of(curve, size, slope);
+  std::erase_if(segments, [&](const SizeSegment& s) { return std::min(s.size_a, s.size_b) >= greatest; });
+  return segments;
+}
+
 constexpr double least_curvature_size = 1e-4;  // diameters
 
 /// A finite number above 0.
@@ -147,34 +158,6 @@ double greatest_size(const CadFace& face, const SizeSources& sources) {
   if (sources.is_table)
     for (const SizePoint& point : sources.points) greatest = std::max(greatest, point.size);
   return greatest;
-}
-
-/// Times as many elements as without sizes along curves.
-constexpr double most_refined = 2;
-/// From one trial of s to the next finer one, and the halvings of that factor's logarithm.
-constexpr double coarsening = 4;
-constexpr int num_bisections = 3;
-constexpr double wake_growth = 1.05;
-
-/// Whether a boundary with sizes of its own is the wake, in any region.
-bool is_wake(const NearSize& near) { return near.boundary.substr(0, near.boundary.find('@')) == wake_name; }
-
-SizeOptions with_wake(const CadFace& face, SizeOptions options) {
-  const std::vector<int> curves = wake_curves(face);
-  if (curves.empty() || std::ranges::any_of(options.near, is_wake)) return options;
-  const SizeField sizes = make_size_field(face, options);
-  const GrowingSize ends = growing_size(face, curves, 0, 0);
-  const double left = sizes.at(ends.end), right = sizes.at(ends.other_end), least = std::min(left, right);
-  const double most = least + std::log(wake_growth) * distance(ends.end, ends.other_end);
-  options.near.push_back(left <= right ? NearSize{wake_name, least, most} : NearSize{wake_name, most, least});
-  return options;
-}
-
-/// Infinite if there are none.
-double least_size(const std::vector<SizeSegment>& segments) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const SizeSegment& segment : segments) least = std::min({least, segment.size_a, segment.size_b});
-  return least;
 }
 
 }  // namespace
@@ -217,15 +200,13 @@ std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& si
 
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope) {
-  if (is_straight(curve)) return {};
-  const auto size = [&](double t, bool from_left) {
-    const double bend = std::abs(curve::curvature(curve, t, from_left));
-    return bend * greatest * elements_per_turn > 2 * pi ? std::max(least, 2 * pi / (elements_per_turn * bend))
-                                                        : greatest;
-  };
-  std::vector<SizeSegment> segments = segments_of(curve, size, slope);
-  std::erase_if(segments, [&](const SizeSegment& s) { return std::min(s.size_a, s.size_b) >= greatest; });
-  return segments;
+  return segments_by_bend(
+      curve, [&](double bend) { return 2 * pi / (elements_per_turn * bend); }, least, greatest, slope);
+}
+
+std::vector<SizeSegment> segments_by_sag(const Nurbs& curve, double sag, double greatest, double slope) {
+  return segments_by_bend(
+      curve, [&](double bend) { return std::sqrt(8 * sag / bend); }, sag, greatest, slope);
 }
 
 std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, double least, double greatest,
@@ -276,6 +257,7 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
       add(own);
     }
   }
+  for (const SagLimit& limit : options.sags) add(segments_by_sag(limit.curve, limit.sag, greatest, slope));
   if (options.per_curve > 0)
     add(segments_by_curves(whole, options.per_curve, options.least_along_curves, greatest, slope));
   if (options.curvature > 0)
@@ -301,48 +283,6 @@ NearSize parse_near_size(const std::string& text) {
   if (name.empty() || !size || !other)
     throw UsageError(fmt::format("--size-near: '{}' is not NAME=H or NAME=H:H2 with lengths above 0", text));
   return {name, *size, is_one ? 0 : *other};
-}
-
-SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& options, SizeRule rule) {
-  if (options.per_curve != SizeOptions::automatic) return options;
-  SizeOptions none = options;
-  none.per_curve = 0;
-  if (options.size > 0 || options.sources.is_table) return none;
-  const CadFace& face = measured.blocks().face;
-  const auto with_least = [&](double least) {
-    SizeOptions finer = options;
-    finer.per_curve = SizeField::default_per_curve;
-    finer.least_along_curves = least;
-    return finer;
-  };
-  if (has_far_field(face)) return with_wake(face, with_least(0));
-
-  const auto num_elements = [&](const SizeOptions& sizes) {
-    return num_planned(measured, grade_chords(measured, make_size_field(face, sizes), rule, {}));
-  };
-  const double greatest = make_size_field(face, none).greatest();
-  const CadFace whole = curve::whole_of(face, options.symmetry);
-  const double shortest = least_size(segments_by_curves(whole, SizeField::default_per_curve, 0, greatest, 1));
-  if (shortest >= greatest) return none;
-  const double most = most_refined * num_elements(none);
-  const auto are_few = [&](const SizeOptions& sizes) { return num_elements(sizes) <= most; };
-  // Coarse sizes, whose chords need few samples, come first.
-  const double least = std::max(shortest, least_curve_size * face.diameter);
-  SizeOptions best = none;
-  double fine = greatest, coarse = greatest;
-  while (fine > least) {
-    fine = std::max(least, fine / coarsening);
-    if (!are_few(with_least(fine))) break;
-    best = with_least(fine), coarse = fine;
-  }
-  for (int k = 0; k < num_bisections && fine < coarse; ++k) {
-    const double middle = std::sqrt(fine * coarse);
-    if (are_few(with_least(middle)))
-      best = with_least(middle), coarse = middle;
-    else
-      fine = middle;
-  }
-  return best;
 }
 
 }  // namespace quadrille::sizing

@@ -1,13 +1,6 @@
 #pragma once
 // Makes the size field from options: one size for all elements, sizes near boundaries, by their curvature, from a file.
 //
-// Where no sizes are prescribed, elements follow the features of a face: those along a run of the boundary of length L
-// are max(L / n, s) long, n = SizeField::default_per_curve. A chord has one count in all of its blocks, so that one
-// short curve can make the mesh of the whole face many times as large. s is therefore the least for which the counts of
-// chords make at most twice as many elements as without this rule. In a far field (model/name_rules) s = 0: the size
-// away from the curves is that of the far field, and no measure of the body. Along a wake there, elements grow by 5 %
-// from one to the next, from the size at its beginning, where it has the smaller one.
-//
 // A constant size along a boundary acts from the exact circular arc. Other curves are cut into segments so short that
 // neither their distance from the curve nor linear interpolation between their ends changes the size by a relative
 // amount above 1e-5: sizes of mirror images agree although the starts of their curves differ.
@@ -23,7 +16,6 @@
 
 #include "model/cad_face.hpp"
 #include "model/size_sources.hpp"
-#include "sizing/grade_chords.hpp"
 #include "sizing/size_field.hpp"
 
 namespace quadrille::sizing {
@@ -46,6 +38,10 @@ std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& si
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope);
 
+/// sqrt(8 sag / |curvature|) along one curve, between `sag` and `greatest`, in the same way: the size of which the
+/// straight edge is this distance away from the curve.
+std::vector<SizeSegment> segments_by_sag(const Nurbs& curve, double sag, double greatest, double slope);
+
 /// The least size along a curve, in diameters.
 inline constexpr double least_curve_size = 1e-3;
 
@@ -62,14 +58,21 @@ struct NearSize {
   double other_size = 0;
 };
 
+/// Straight edges along a curve are at most this distance away from it.
+struct SagLimit {
+  Nurbs curve;
+  double sag = 0;
+};
+
 struct SizeOptions {
   double size = 0;  ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
   /// The least number of elements along each boundary curve (sizing/make_size_field); 0: none; automatic: 0, unless
-  /// with_curve_sizes has determined it.
+  /// with_curve_sizes (sizing/curve_sizes) has determined it.
   int per_curve = automatic;
   static constexpr int automatic = -1;
   double least_along_curves = 0;  ///< no element along a curve must be shorter for `per_curve`
   std::vector<NearSize> near;
+  std::vector<SagLimit> sags;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
   SizeSources sources;
@@ -88,10 +91,5 @@ int parse_per_curve(const std::string& text);
 
 /// "NAME=H" or "NAME=H:H2" (the last = counts); throws UsageError.
 NearSize parse_near_size(const std::string& text);
-
-/// The options with numbers in place of an automatic `per_curve`: n and s by this rule, s to 19 %, or 0 if none is
-/// small enough, if a size or a table is prescribed, or if no curve is short; with a wake among the curves with sizes
-/// of their own (`near`), unless it is there. Throws UsageError.
-SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& options, SizeRule rule);
 
 }  // namespace quadrille::sizing
