@@ -86,6 +86,22 @@ own() {
   refute_output --partial clearance
 }
 
+@test "along walls, elements are so short that straight sides for OpenFOAM do not cross the layers" {
+  local wall=curve_4:first=1e-3,layers=3
+  run -0 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --wall $wall --dry-run -o blockMeshDict
+  assert_output --regexp 'quadrefine .* --straight-sides'
+  run -0 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --wall $wall --dry-run -o x.msh
+  refute_output --partial straight-sides
+  run -0 "$ROOT/pipelines/quadmesh" "$DATA/plate_hole.step" --dry-run -o blockMeshDict
+  refute_output --partial straight-sides
+  # Elements of order 1 have straight sides: a third of the first height, and more where lengths are uneven.
+  "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --wall $wall --workdir work -o blockMeshDict --order 1 \
+    --report straight.json
+  quadrefine -q work/plate_hole.blocks.h5 --wall $wall -o x.quad.h5 --order 1 --report x.json
+  run jq -n '[inputs.boundary.mesh_to_cad] | .[0] < 6e-4 and .[1] > 2 * .[0]' straight.json x.json
+  assert_output true
+}
+
 @test "layers in blocks of their own have the height that y+ requires" {
   local flow=(--velocity 30 --viscosity 1e-5 --length 1)
   "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --wall curve_4:yplus=200,layers=8,blocks=own "${flow[@]}" \

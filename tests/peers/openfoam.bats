@@ -53,6 +53,14 @@ builds() {
   done < <(shapes)
 }
 
+@test "thin layers along a curved wall have straight sides that do not cross them" {
+  quadmesh -q "$DATA/naca0012.step" --wall curve_4:first=7e-5,growth=1.3,layers=15 --order 2 --workdir . \
+    -o blockMeshDict
+  builds naca0012.quad.h5
+  run checkMesh -case case
+  refute_output --partial 'severely non-orthogonal'
+}
+
 @test "patches have their faces, zones their cells" {
   quadrefine -q "$(blocks_of "$DATA/plate_hole.step")" -o a.quad.h5 --report a.json
   builds a.quad.h5

@@ -40,7 +40,8 @@ const std::vector<ExportFormat>& export_formats() {
        [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); },
        block_mesh_dict,
        false,
-       {names_table_name}},
+       {names_table_name},
+       true},
   };
   return formats;
 }

@@ -30,6 +30,7 @@ struct ExportFormat {
   Exported (*write_with_types)(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) = nullptr;
   bool loses_periodic_sides = false;      ///< which export_mesh reports; the other writers report those that they lose
   std::vector<SideName> side_names = {};  ///< of files that may be written beside the main one
+  bool has_straight_sides = false;        ///< whatever the order of the mesh
 };
 
 /// All formats of a quad mesh, in the order of the help.

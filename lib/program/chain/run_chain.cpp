@@ -132,8 +132,16 @@ void export_mesh(ChainState& chain) {
   run_stage(chain, task);
 }
 
-/// Layers with blocks of their own need curves that cad2tri makes, others room below the irregular nodes.
+/// Layers with blocks of their own need curves that cad2tri makes, others room below the irregular nodes; for formats
+/// with straight sides, elements along them are short.
 void add_options_of_walls(ChainState& chain) {
+  const std::string output = chain.options.output.empty() ? "-" : chain.options.output;
+  if (bool& is_straight = chain.values.quadrefine.has_straight_sides;
+      !is_straight && !chain.values.quadrefine.walls.empty() &&
+      stage::has_straight_sides(stage::format_of(output, chain.values.quadexport))) {
+    chain.added["quadrefine"].emplace_back("--straight-sides");
+    is_straight = true;
+  }
   for (const std::string& offset : stage::offsets_of(chain.values.quadrefine)) {
     chain.added["cad2tri"].insert(chain.added["cad2tri"].end(), {"--offset", offset});
     chain.values.cad2tri.offsets.push_back(offset);

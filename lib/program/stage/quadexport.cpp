@@ -156,6 +156,11 @@ std::vector<std::string> side_paths(const std::string& output, const QuadexportO
   return paths;
 }
 
+bool has_straight_sides(const std::string& format) {
+  const exports::ExportFormat* row = exports::find_export_format(format);
+  return row != nullptr && row->has_straight_sides;
+}
+
 void require_order(const std::string& format, int order) {
   const exports::ExportFormat* row = exports::find_export_format(format);
   if (row != nullptr && order > row->max_order)

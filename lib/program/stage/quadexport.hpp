@@ -30,6 +30,9 @@ std::string format_of(const std::string& output, const QuadexportOptions& option
 /// Paths of the files that may be written beside `output`. Throws UsageError as format_of.
 std::vector<std::string> side_paths(const std::string& output, const QuadexportOptions& options);
 
+/// Whether the format `name` has elements with straight sides alone.
+bool has_straight_sides(const std::string& format);
+
 /// Throws UsageError if the format `name` does not support quads of this order, before there is a mesh.
 void require_order(const std::string& format, int order);
 

@@ -10,6 +10,7 @@
 #include "check/check.hpp"
 #include "curve/named_places.hpp"
 #include "layers/wall_layers.hpp"
+#include "layers/wall_sags.hpp"
 #include "layers/wall_spec.hpp"
 #include "mesh/element_sizes.hpp"
 #include "model/length_scale.hpp"
@@ -59,6 +60,9 @@ void set_first_heights(const QuadrefineOptions& options, const CadFace& face, re
   if (options.flow.velocity > 0)
     layers::set_first_heights(refine.walls, options.flow, 1 / length_scale(face, {options.flow_unit, 1, false}).factor);
 }
+
+/// Of the first layer's height, straight sides of elements may be away from their wall.
+constexpr double greatest_sag = 1.0 / 3;
 
 void set_sizes(const sizing::SizeOptions& sizes, const CadFace& face, refine::RefineOptions& refine) {
   refine.size_field = sizing::make_size_field(face, sizes);
@@ -170,6 +174,10 @@ void declare(Options& o, QuadrefineOptions& options) {
       "greatest distance between the boundary of the mesh and the CAD curves; 0: 5e-3, 5e-4, 2e-5 at orders 1, 2, 3, "
       "else 5e-7");
   declare_walls(o, options);
+  o.flag("--straight-sides", options.has_straight_sides,
+         "for programs whose elements have straight sides, such as OpenFOAM: along walls with layers, and along lines "
+         "on which these go on, sizes are those at which straight sides are a third of the first layer's height away "
+         "from the curve; quadmesh sets it for their formats");
   o.text("--blocks", options.blocks, "ID,...",
          "numbers or names of blocks: only the chords through them are refined, all others get as few elements as "
          "possible");
@@ -209,11 +217,13 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
     inputs.push_back(sources->file.digest("size-field"));
   }
   sizes.symmetry = refine.symmetry = symmetry_names(layout.face, options.symmetry);
-  sizes = sizing::with_curve_sizes(sizing::MeasuredLayout(layout), sizes, refine.size_rule);
+  set_first_heights(options, layout.face, refine);
+  const sizing::MeasuredLayout measured(layout);
+  if (options.has_straight_sides) sizes.sags = layers::wall_sags(measured, refine.walls, greatest_sag);
+  sizes = sizing::with_curve_sizes(measured, sizes, refine.size_rule);
   set_sizes(sizes, layout.face, refine);
   run.report().set("sizes.per_curve", sizes.per_curve);
   run.report().set("sizes.least_along_curves", sizes.least_along_curves);
-  set_first_heights(options, layout.face, refine);
   if (options.flow.velocity > 0) layers::report_flow(options.flow, run.report());
   if (!options.blocks.empty()) refine.blocks = refine::parse_blocks(options.blocks, layout.block_names);
   layers::require_offsets(refine.walls, layout.face);

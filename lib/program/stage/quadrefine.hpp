@@ -30,8 +30,9 @@ struct QuadrefineOptions {
   std::vector<std::string> walls;     ///< NAME:first=H,growth=R,layers=N
   double yplus = 0;                   ///< of walls without first and yplus; 0: none
   layers::PlateFlow flow;
-  std::string flow_unit = "file";  ///< length unit of `flow`
-  std::string blocks;              ///< numbers or names; empty: all
+  std::string flow_unit = "file";   ///< length unit of `flow`
+  std::string blocks;               ///< numbers or names; empty: all
+  bool has_straight_sides = false;  ///< sides of elements will be straight: along walls they are short
 
   /// What can be refused without a face. Throws UsageError.
   void validate() const;

@@ -94,6 +94,20 @@ std::vector<SizeSegment> arcs_of(const Nurbs& curve, const curve::Carrier& circl
   return arcs;
 }
 
+/// The size by the curvature, |1 / radius|, between `least` and `greatest`; segments all at `greatest` are omitted.
+template <class Size>
+std::vector<SizeSegment> segments_by_bend(const Nurbs& curve, const Size& size_at, double least, double greatest,
+                                          double slope) {
+  if (is_straight(curve)) return {};
+  const auto size = [&](double t, bool from_left) {
+    const double bend = std::abs(curve::curvature(curve, t, from_left));
+    return bend > 0 ? std::clamp(size_at(bend), least, greatest) : greatest;
+  };
+  std::vector<SizeSegment> segments = segments_of(curve, size, slope);
+  std::erase_if(segments, [&](const SizeSegment& s) { return std::min(s.size_a, s.size_b) >= greatest; });
+  return segments;
+}
+
 }  // namespace
 
 std::vector<SizeSegment> segments_near(const Nurbs& curve, double size, double slope) {
@@ -134,15 +148,13 @@ std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& si
 
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope) {
-  if (is_straight(curve)) return {};
-  const auto size = [&](double t, bool from_left) {
-    const double bend = std::abs(curve::curvature(curve, t, from_left));
-    return bend * greatest * elements_per_turn > 2 * pi ? std::max(least, 2 * pi / (elements_per_turn * bend))
-                                                        : greatest;
-  };
-  std::vector<SizeSegment> segments = segments_of(curve, size, slope);
-  std::erase_if(segments, [&](const SizeSegment& s) { return std::min(s.size_a, s.size_b) >= greatest; });
-  return segments;
+  return segments_by_bend(
+      curve, [&](double bend) { return 2 * pi / (elements_per_turn * bend); }, least, greatest, slope);
+}
+
+std::vector<SizeSegment> segments_by_sag(const Nurbs& curve, double sag, double greatest, double slope) {
+  return segments_by_bend(
+      curve, [&](double bend) { return std::sqrt(8 * sag / bend); }, sag, greatest, slope);
 }
 
 SizeField sizes_at_bends(const CadFace& face, const SizeField& sizes) {

@@ -30,6 +30,10 @@ std::vector<SizeSegment> segments_near(const Nurbs& curve, const GrowingSize& si
 std::vector<SizeSegment> segments_by_curvature(const Nurbs& curve, double elements_per_turn, double least,
                                                double greatest, double slope);
 
+/// sqrt(8 sag / |curvature|) along one curve, between `sag` and `greatest`, in the same way: the size of which the
+/// straight edge is this distance away from the curve.
+std::vector<SizeSegment> segments_by_sag(const Nurbs& curve, double sag, double greatest, double slope);
+
 /// `sizes`, and at bends of the boundary, where a mapped element holds fewer polynomials, that of edges which turn by
 /// 15 degrees, but at least three quarters of the greatest size (lib/method.md, section 10).
 SizeField sizes_at_bends(const CadFace& face, const SizeField& sizes);

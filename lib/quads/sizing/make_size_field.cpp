@@ -150,6 +150,7 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
       add(own);
     }
   }
+  for (const SagLimit& limit : options.sags) add(segments_by_sag(limit.curve, limit.sag, greatest, slope));
   if (options.per_curve > 0)
     add(segments_by_curves(whole, options.per_curve, options.least_along_curves, greatest, slope));
   if (options.curvature > 0)

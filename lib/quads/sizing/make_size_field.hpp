@@ -40,6 +40,12 @@ struct NearSize {
   double other_size = 0;
 };
 
+/// Straight edges along a curve are at most this distance away from it.
+struct SagLimit {
+  Nurbs curve;
+  double sag = 0;
+};
+
 struct SizeOptions {
   double size = 0;  ///< if no source prescribes less; 0: diameter / 20, or the greatest size of a table
   /// The least number of elements along each boundary curve (sizing/make_size_field); 0: none; automatic: 0, unless
@@ -48,6 +54,7 @@ struct SizeOptions {
   static constexpr int automatic = -1;
   double least_along_curves = 0;  ///< no element along a curve must be shorter for `per_curve`
   std::vector<NearSize> near;
+  std::vector<SagLimit> sags;
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
   SizeSources sources;

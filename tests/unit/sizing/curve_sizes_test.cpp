@@ -61,6 +61,16 @@ TEST(BoundarySizes, CurvatureOfAParabolaIsFollowed) {
   }
 }
 
+TEST(BoundarySizes, StraightEdgesKeepTheirDistanceFromTheCurve) {
+  const Nurbs circle = curve::circular_arc({0, 0}, 2, 0, 2 * pi);
+  const double size = 0.4, sag = 2 - std::sqrt(4 - size * size / 4);  // of an edge of this length
+  const std::vector<SizeSegment> segments = segments_by_sag(circle, sag, 10, slope);
+  ASSERT_FALSE(segments.empty());
+  for (const SizeSegment& s : segments) EXPECT_NEAR(s.size_a, size, 1e-3);
+  EXPECT_TRUE(segments_by_sag(circle, sag, 0.3, slope).empty()) << "more than the greatest size";
+  EXPECT_TRUE(segments_by_sag(curve::segment({0, 0}, {1, 0}), sag, 10, slope).empty());
+}
+
 TEST(SizesAtBends, EdgesTurnBy15DegreesButAreNotShorterThanThreeQuarters) {
   const double length = 2 * pi / 24;  // of a 24th of the unit circle
   const CadFace disc = hand_made::face({{curve::circular_arc({0, 0}, 1, 0, 2 * pi)}}, 2);

@@ -30,6 +30,14 @@ TEST(MakeSizeField, TakesAllSourcesTogether) {
   EXPECT_THROW(make_size_field(face, options), UsageError);
 }
 
+TEST(MakeSizeField, StraightEdgesKeepTheirDistanceFromCurves) {
+  const double size = 0.4, sag = 2 - std::sqrt(4 - size * size / 4);  // of an edge of this length on the circle
+  SizeOptions options;
+  options.size = 10;
+  options.sags = {{curve::circular_arc({0, 0}, 2, 0, 2 * pi), sag}};
+  EXPECT_NEAR(make_size_field(hand_made::unit_square().face, options).at({2, 0}), size, 1e-3);
+}
+
 TEST(MakeSizeField, ParsesWhatTheCommandLineHas) {
   EXPECT_EQ(parse_near_size("a=b=0.5").boundary, "a=b");
   EXPECT_EQ(parse_near_size("wall=2e-3").size, 2e-3);
