@@ -1,7 +1,5 @@
 #include "refine/point_energy.hpp"
 
-#include <limits>
-
 namespace quadrille::refine {
 namespace {
 
@@ -16,20 +14,6 @@ Matrix2d size_bend(const Vector2d& a) {
 }
 
 }  // namespace
-
-PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) {
-  const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
-  const double size = (aa * aa * aa + bb * bb * bb) / 2;
-  const Vec2 det_a{b.y, -b.x}, det_b{-a.y, a.x};
-  value = det > 0 ? size * det + weight * mu * mu * mu : std::numeric_limits<double>::infinity();
-  mu_slope = 3 * weight * mu * mu / det;
-  mu_bend = 6 * weight * mu;
-  mu_a = (a - mu * det_a) / det, mu_b = (b - mu * det_b) / det;
-  size_a = 3 * aa * aa * det, size_b = 3 * bb * bb * det;
-  turn_a = 12 * aa * det, turn_b = 12 * bb * det;
-  by_a = size_a * a + size * det_a + mu_slope * det * mu_a;
-  by_b = size_b * b + size * det_b + mu_slope * det * mu_b;
-}
 
 Matrix4d point_hessian(Vec2 a, Vec2 b, double weight) {
   const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
@@ -47,20 +31,5 @@ Matrix4d point_hessian(Vec2 a, Vec2 b, double weight) {
   const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(sum);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseAbs().asDiagonal() * eigen.eigenvectors().transpose();
 }
-
-SidePoint side_point(int side, int p, int r, int n) {
-  switch (side) {
-    case 0:
-      return {r * n + p, true, 1, 1};
-    case 1:
-      return {p * n + n - 1 - r, false, 1, -1};
-    case 2:
-      return {(n - 1 - r) * n + n - 1 - p, true, -1, -1};
-    default:
-      return {(n - 1 - p) * n + r, false, -1, 1};
-  }
-}
-
-std::array<Vec2, 4> corner_slopes(double s, double t) { return {{{t - 1, s - 1}, {1 - t, -s}, {t, s}, {-t, 1 - s}}}; }
 
 }  // namespace quadrille::refine

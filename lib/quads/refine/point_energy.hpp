@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <limits>
 
 #include "base/vec2.hpp"
 
@@ -18,6 +19,20 @@ struct PointEnergy {
   Vec2 mu_a, mu_b;
 };
 
+inline PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) {
+  const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
+  const double size = (aa * aa * aa + bb * bb * bb) / 2;
+  const Vec2 det_a{b.y, -b.x}, det_b{-a.y, a.x};
+  value = det > 0 ? size * det + weight * mu * mu * mu : std::numeric_limits<double>::infinity();
+  mu_slope = 3 * weight * mu * mu / det;
+  mu_bend = 6 * weight * mu;
+  mu_a = (a - mu * det_a) / det, mu_b = (b - mu * det_b) / det;
+  size_a = 3 * aa * aa * det, size_b = 3 * bb * bb * det;
+  turn_a = 12 * aa * det, turn_b = 12 * bb * det;
+  by_a = size_a * a + size * det_a + mu_slope * det * mu_a;
+  by_b = size_b * b + size * det_b + mu_slope * det * mu_b;
+}
+
 /// The second derivatives by (a, b), with the absolute values of its curvatures: positive semidefinite.
 Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight);
 
@@ -28,9 +43,22 @@ struct SidePoint {
 };
 
 /// Of n x n points of an element: point p along a side, r away from it.
-SidePoint side_point(int side, int p, int r, int n);
+inline SidePoint side_point(int side, int p, int r, int n) {
+  switch (side) {
+    case 0:
+      return {r * n + p, true, 1, 1};
+    case 1:
+      return {p * n + n - 1 - r, false, 1, -1};
+    case 2:
+      return {(n - 1 - r) * n + n - 1 - p, true, -1, -1};
+    default:
+      return {(n - 1 - p) * n + r, false, -1, 1};
+  }
+}
 
 /// Derivatives by s and t of the bilinear functions of the corners.
-std::array<Vec2, 4> corner_slopes(double s, double t);
+inline std::array<Vec2, 4> corner_slopes(double s, double t) {
+  return {{{t - 1, s - 1}, {1 - t, -s}, {t, s}, {-t, 1 - s}}};
+}
 
 }  // namespace quadrille::refine
