@@ -11,7 +11,7 @@ namespace {
 struct StepConstants {
   double longest_step =
       0.3;                ///< of the prescribed size, by which the ends of an edge move apart at most in a first step
-  int first_sweeps = 40;  ///< with the diagonal blocks of the Hessian, that cost less
+  int first_sweeps = 60;  ///< with the diagonal blocks of the Hessian, that cost less
   int blocks_kept = 10;   ///< sweeps, after which sizes and blocks are those of the new positions
   /// Sweeps after which sizes and factors of the Hessian are, also after one that lowers the energy by more than a
   /// fraction.
