@@ -22,13 +22,20 @@ void add_multiple(double factor, const VertexMoves& other, VertexMoves& to) {
 }
 
 void InverseHessian::set_blocks(const DiagonalBlocks& blocks, const std::vector<Vec2>& tangents) {
-  first_.set_blocks(blocks, tangents);
+  coarse_.set_blocks(blocks, tangents);
+  is_factored_ = false;
+  if (!pairs_.empty()) set_factor();
+}
+
+void InverseHessian::factorise(const SizeEnergy& energy) {
+  factored_.set(energy.hessians(), energy);
+  is_factored_ = true;
   if (!pairs_.empty()) set_factor();
 }
 
 void InverseHessian::set_factor() {
   const Pair& last = pairs_.back();
-  factor_ = last.curvature / inner_product(last.change, first_(last.change));
+  factor_ = last.curvature / inner_product(last.change, first(last.change));
 }
 
 void InverseHessian::add_step(VertexMoves step, VertexMoves change) {
@@ -46,7 +53,7 @@ VertexMoves InverseHessian::descent(const VertexMoves& gradient) const {
     parts.push_back(inner_product(pair->step, d) / pair->curvature);
     add_multiple(-parts.back(), pair->change, d);
   }
-  d = first_(d);
+  d = first(d);
   for (Vec2& x : d) x *= factor_;
   for (const Pair& pair : pairs_) {
     add_multiple(parts.back() - inner_product(pair.change, d) / pair.curvature, pair.step, d);

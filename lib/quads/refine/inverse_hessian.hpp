@@ -1,10 +1,11 @@
 #pragma once
-// The inverse of the Hessian of an energy of moves, from its diagonal blocks (refine/coarse_moves) and the last steps
-// (Nocedal 1980).
+// The inverse of the Hessian of an energy of moves, from the last steps (Nocedal 1980) and a first matrix: that of its
+// diagonal blocks (refine/coarse_moves), or its factors (refine/factored_hessian).
 
 #include <deque>
 
 #include "refine/coarse_moves.hpp"
+#include "refine/factored_hessian.hpp"
 
 namespace quadrille::refine {
 
@@ -15,11 +16,14 @@ void add_multiple(double factor, const VertexMoves& other, VertexMoves& to);
 class InverseHessian {
  public:
   /// `problem` must outlive it.
-  explicit InverseHessian(const RelaxProblem& problem) : first_(problem) {}
+  explicit InverseHessian(const RelaxProblem& problem) : coarse_(problem), factored_(problem) {}
 
   /// As CoarseMoves has them. Steps so far are not forgotten.
   void set_blocks(const DiagonalBlocks& blocks, const std::vector<Vec2>& tangents);
+  /// Of where the energy was computed last. Steps so far are not forgotten.
+  void factorise(const SizeEnergy& energy);
   void forget() { pairs_.clear(), factor_ = 1; }
+  bool is_factored() const { return is_factored_; }
   /// Whether it knows no step.
   bool is_plain() const { return pairs_.empty(); }
   /// `change`: of the gradient by the step.
@@ -35,8 +39,14 @@ class InverseHessian {
   };
   void set_factor();
 
-  CoarseMoves first_;  ///< but for a factor
-  double factor_ = 1;
+  VertexMoves first(const VertexMoves& gradient) const {
+    return is_factored_ ? factored_(gradient) : coarse_(gradient);
+  }
+
+  CoarseMoves coarse_;
+  FactoredHessian factored_;
+  bool is_factored_ = false;
+  double factor_ = 1;  ///< of the first matrix
   std::deque<Pair> pairs_;
 };
 

@@ -10,6 +10,7 @@
 // largest weight.
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -107,6 +108,8 @@ struct RelaxProblem {
   void fix_vertex(int vertex);
   /// Makes moves, or a gradient, of vertices that slide together the same.
   void join_twins(VertexMoves& moves) const;
+  /// The first of the two vertices that slide together, in opposite directions, or the vertex itself.
+  int slides_with(int vertex) const { return twin_[vertex] < 0 ? vertex : std::min(vertex, twin_[vertex]); }
   int num_vertices() const { return follow.num_vertices(); }
   /// Sum over all elements, for these nodes; infinite if det J is not positive.
   double total_energy(const std::vector<Vec2>& nodes) const;

@@ -4,8 +4,9 @@
 // to the least size energy (refine/size_energy).
 //
 // The first matrix of the method (refine/size_relaxer) has the moves of all levels of the blocks' grids
-// (refine/coarse_moves), so that the number of steps hardly grows with that of elements. Where sizes
-// differ, they are those at the middles of elements, and are taken anew every few sweeps. Vertices on the boundary
+// (refine/coarse_moves), so that the number of steps hardly grows with that of elements; where thin elements need more
+// steps, it is that of the Hessian itself (refine/factored_hessian). Where sizes differ, they are those at the middles
+// of elements, and are taken anew every few sweeps. Vertices on the boundary
 // slide across smooth joints of curves without given names; then the nearest ones are put at these
 // (refine/joint_vertices).
 

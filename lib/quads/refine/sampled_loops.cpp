@@ -31,7 +31,7 @@ SampledLoops::SampledLoops(const QuadMesh& mesh) {
       Curve curve{loop.length, arc.total() / count, {}};
       for (int k = 0; k <= count; ++k) {
         const double t = k == count ? face.curves[c].end() : arc.parameter(k * curve.step);
-        curve.samples.push_back({curve::point(face.curves[c], t), curve::tangent(face.curves[c], t, k == count)});
+        curve.samples.push_back({curve::point(face.curves[c], t), curve::tangent(face.curves[c], t, k == count), {}});
       }
       loop.length += arc.total();
       loop.curves.push_back(std::move(curve));
@@ -54,7 +54,8 @@ LoopPoint SampledLoops::at(int loop, double length) const {
   const Vec2 chord = b.position - a.position;
   return {v * v * (1 + 2 * u) * a.position + u * u * (1 + 2 * v) * b.position +
               curve.step * u * v * (v * a.tangent - u * b.tangent),
-          6 * u * v / curve.step * chord + v * (1 - 3 * u) * a.tangent + u * (1 - 3 * v) * b.tangent};
+          6 * u * v / curve.step * chord + v * (1 - 3 * u) * a.tangent + u * (1 - 3 * v) * b.tangent,
+          (b.tangent - a.tangent) / curve.step};
 }
 
 }  // namespace quadrille::refine

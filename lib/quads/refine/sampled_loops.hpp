@@ -9,6 +9,7 @@ namespace quadrille::refine {
 
 struct LoopPoint {
   Vec2 position, tangent;  ///< tangent of length 1 up to the error of the interpolation
+  Vec2 bend;               ///< derivative of the tangent by length, about
 };
 
 class SampledLoops {

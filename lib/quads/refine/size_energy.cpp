@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/tolerance.hpp"
+#include "refine/point_energy.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -13,56 +13,7 @@ namespace {
 
 constexpr double first_shape_weight = 2;  ///< w
 constexpr double sharp_sine = 0.5;        ///< of the angle of a corner between curves
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct SidePoint {
-  int point = 0;  ///< s fastest
-  bool is_along_a = true;
-  double along = 1, across = 1;  ///< signs of the derivatives along the side and away from it
-};
-
-/// Point p along a side, r away from it.
-SidePoint side_point(int side, int p, int r, int n) {
-  switch (side) {
-    case 0:
-      return {r * n + p, true, 1, 1};
-    case 1:
-      return {p * n + n - 1 - r, false, 1, -1};
-    case 2:
-      return {(n - 1 - r) * n + n - 1 - p, true, -1, -1};
-    default:
-      return {(n - 1 - p) * n + r, false, -1, 1};
-  }
-}
-
-/// Derivatives by s and t of the bilinear functions of the corners.
-std::array<Vec2, 4> corner_slopes(double s, double t) { return {{{t - 1, s - 1}, {1 - t, -s}, {t, s}, {-t, 1 - s}}}; }
-
 }  // namespace
-
-/// The energy at one point, its derivatives by a and b, and what the second derivatives are made of.
-struct SizeEnergy::PointEnergy {
-  double value = 0;
-  Vec2 by_a, by_b;
-  double mu_slope = 0, mu_bend = 0, size_a = 0, size_b = 0, turn_a = 0, turn_b = 0;
-  Vec2 mu_a, mu_b;
-
-  PointEnergy(Vec2 a, Vec2 b, double weight);
-};
-
-SizeEnergy::PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) {
-  const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
-  const double size = (aa * aa * aa + bb * bb * bb) / 2;
-  const Vec2 det_a{b.y, -b.x}, det_b{-a.y, a.x};
-  value = det > 0 ? size * det + weight * mu * mu * mu : infinity;
-  mu_slope = 3 * weight * mu * mu / det;
-  mu_bend = 6 * weight * mu;
-  mu_a = (a - mu * det_a) / det, mu_b = (b - mu * det_b) / det;
-  size_a = 3 * aa * aa * det, size_b = 3 * bb * bb * det;
-  turn_a = 12 * aa * det, turn_b = 12 * bb * det;
-  by_a = size_a * a + size * det_a + mu_slope * det * mu_a;
-  by_b = size_b * b + size * det_b + mu_slope * det * mu_b;
-}
 
 SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
     : problem_(problem), loops_(shaped), start_(problem.num_vertices()), inverse_size_(shaped.num_elems(), {1, 1}) {
@@ -82,6 +33,7 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
   }
   position_ = start_;
   tangent_.resize(start_.size());
+  bend_.resize(start_.size());
   lighten_sharp_corners();
   add_curved_sides(shaped);
 }
@@ -155,6 +107,7 @@ void SizeEnergy::place(const VertexMoves& moves) {
     const LoopPoint at = loops_.at(on_curve.loop, on_curve.length + moves[v].x);
     position_[v] = at.position;
     tangent_[v] = at.tangent;
+    bend_[v] = at.bend;
   }
   for (CurvedSide& side : sides_)
     if (side.edge >= 0) place_side(side, moves);
@@ -173,6 +126,7 @@ void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {
   for (int p = 1; p < points - 1; ++p) {
     const LoopPoint at = loops_.at(start.loop, low + curved_rule_.at[p] * length);
     side.tangent[p] = at.tangent;
+    side.bend[p] = at.bend;
     side.shift[p] = at.position - ((1 - curved_rule_.at[p]) * position_[from] + curved_rule_.at[p] * position_[to]);
   }
 }
@@ -247,13 +201,13 @@ void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
     by.b[k] = weight * inverse_size_[elem].y * e.by_b;
     const std::array<Vec2, 4> slopes = corner_slopes(points_at.s(k), points_at.t(k));
     for (int c = 0; c < 4; ++c) sum.gradient[v[c]] += slopes[c].x * by.a[k] + slopes[c].y * by.b[k];
-    if (!sum.hessian.empty()) add_hessian(elem, at, k, e, sum);
+    if (!sum.blocks.empty()) add_blocks(elem, at, k, e, sum);
   }
   if (elem_sides_[elem] >= 0) pull_back_sides(elem, by);
 }
 
-void SizeEnergy::add_hessian(int elem, const Tangents& at, int point, const PointEnergy& e,
-                             EnergyDerivatives& sum) const {
+void SizeEnergy::add_blocks(int elem, const Tangents& at, int point, const PointEnergy& e,
+                            EnergyDerivatives& sum) const {
   const double weight = rule(elem).weight_at(point);
   const std::array<Vec2, 4> slopes = corner_slopes(rule(elem).s(point), rule(elem).t(point));
   const Vec2 a = at.a[point], b = at.b[point];
@@ -262,11 +216,24 @@ void SizeEnergy::add_hessian(int elem, const Tangents& at, int point, const Poin
     const Vec2 g = e1 * e.mu_a + e2 * e.mu_b;
     const double round = e.mu_slope * (e1 * e1 + e2 * e2) + e.size_a * e1 * e1 + e.size_b * e2 * e2;
     const double turn_a = e.turn_a * e1 * e1, turn_b = e.turn_b * e2 * e2;
-    std::array<double, 3>& h = sum.hessian[problem_.follow.elem_vertices()[elem][c]];
+    std::array<double, 3>& h = sum.blocks[problem_.follow.elem_vertices()[elem][c]];
     h[0] += weight * (round + e.mu_bend * g.x * g.x + turn_a * a.x * a.x + turn_b * b.x * b.x);
     h[1] += weight * (e.mu_bend * g.x * g.y + turn_a * a.x * a.y + turn_b * b.x * b.y);
     h[2] += weight * (round + e.mu_bend * g.y * g.y + turn_a * a.y * a.y + turn_b * b.y * b.y);
   }
+}
+
+/// The derivatives by the shifts of the points of a side.
+SizeEnergy::SidePoints SizeEnergy::by_shifts(const Sides& sides, int side, const Tangents& by) const {
+  SidePoints by_shift{};
+  for (int p = 0; p < points; ++p)
+    for (int r = 0; r < points; ++r) {
+      const SidePoint x = side_point(side, p, r, points);
+      const Vec2 along = x.along * blend(sides, side, curved_rule_.at[r]) * (x.is_along_a ? by.a : by.b)[x.point];
+      by_shift[p] += x.across * blend_slope(sides, side, curved_rule_.at[r]) * (x.is_along_a ? by.b : by.a)[x.point];
+      for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * along;
+    }
+  return by_shift;
 }
 
 /// Adds the derivatives by the slides of the ends of curved sides, whose points slide with them.
@@ -275,14 +242,7 @@ void SizeEnergy::pull_back_sides(int elem, const Tangents& by) {
   for (int k = 0; k < 4; ++k) {
     if (sides.side[k] < 0 || sides_[sides.side[k]].edge < 0) continue;
     const CurvedSide& side = sides_[sides.side[k]];
-    SidePoints by_shift{};
-    for (int p = 0; p < points; ++p)
-      for (int r = 0; r < points; ++r) {
-        const SidePoint x = side_point(k, p, r, points);
-        const Vec2 along = x.along * blend(sides, k, curved_rule_.at[r]) * (x.is_along_a ? by.a : by.b)[x.point];
-        by_shift[p] += x.across * blend_slope(sides, k, curved_rule_.at[r]) * (x.is_along_a ? by.b : by.a)[x.point];
-        for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * along;
-      }
+    const SidePoints by_shift = by_shifts(sides, k, by);
     const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
     double from = 0, to = 0;
     for (int p = 1; p < points - 1; ++p) {
@@ -300,8 +260,8 @@ void SizeEnergy::reduce_to_curves(EnergyDerivatives& sum) const {
       sum.gradient[v] = {};
     } else if (problem_.follow.on_boundary(v) >= 0) {
       const Vec2 t = tangent_[v];
-      if (!sum.hessian.empty()) {
-        std::array<double, 3>& h = sum.hessian[v];
+      if (!sum.blocks.empty()) {
+        std::array<double, 3>& h = sum.blocks[v];
         h = {h[0] * t.x * t.x + 2 * h[1] * t.x * t.y + h[2] * t.y * t.y, 0, 1};
       }
       sum.gradient[v] = {dot(sum.gradient[v], t) + slide_gradient_[v], 0};
@@ -309,12 +269,12 @@ void SizeEnergy::reduce_to_curves(EnergyDerivatives& sum) const {
   }
 }
 
-EnergyDerivatives SizeEnergy::with_derivatives(const VertexMoves& moves, bool has_hessian) {
+EnergyDerivatives SizeEnergy::with_derivatives(const VertexMoves& moves, bool has_blocks) {
   place(moves);
   const std::size_t count = start_.size();
-  EnergyDerivatives sum{0, VertexMoves(count), std::vector<std::array<double, 3>>(has_hessian ? count : 0)};
+  EnergyDerivatives sum{0, VertexMoves(count), std::vector<std::array<double, 3>>(has_blocks ? count : 0)};
   slide_gradient_.assign(count, 0);
-  for (int elem = 0; elem < static_cast<int>(is_free_.size()) && sum.value < infinity; ++elem)
+  for (int elem = 0; elem < static_cast<int>(is_free_.size()) && std::isfinite(sum.value); ++elem)
     if (is_free_[elem]) add_element(elem, sum);
   reduce_to_curves(sum);
   return sum;

@@ -13,6 +13,7 @@
 // bilinear in its vertices but for sides that are curved: those on CAD curves, which follow their ends along the curve,
 // and edges inside that keep their curves, whose displacement from the chord does not change.
 
+#include <Eigen/Dense>
 #include <array>
 #include <vector>
 
@@ -25,8 +26,13 @@ namespace quadrille::refine {
 struct EnergyDerivatives {
   double value = 0;  ///< infinite if det J is not positive
   VertexMoves gradient;
-  std::vector<std::array<double, 3>> hessian;  ///< positive parts of the diagonal blocks: xx, xy, yy; if asked for
+  std::vector<std::array<double, 3>> blocks;  ///< positive parts of the Hessian's diagonal: xx, xy, yy; if asked for
 };
+
+/// Second derivatives by the moves of the corners, (x, y) of each in turn; of corners that slide x is the slide.
+using ElementHessian = Eigen::Matrix<double, 8, 8>;
+
+struct PointEnergy;
 
 class SizeEnergy {
  public:
@@ -40,7 +46,9 @@ class SizeEnergy {
   std::vector<double> shape_weights;
 
   double value(const VertexMoves& moves) { return with_derivatives(moves).value; }
-  EnergyDerivatives with_derivatives(const VertexMoves& moves, bool has_hessian = false);
+  EnergyDerivatives with_derivatives(const VertexMoves& moves, bool has_blocks = false);
+  /// By element, where the energy was computed last; positive semidefinite (refine/point_energy).
+  std::vector<ElementHessian> hessians() const;
   /// Of the vertices, where the energy was computed last.
   const std::vector<Vec2>& positions() const { return position_; }
   /// Of the curves at the vertices that slide, where the energy was computed last.
@@ -56,12 +64,12 @@ class SizeEnergy {
     int edge = -1;         ///< of BoundarySlide; -1: inside, or its ends are fixed
     SidePoints shift{};    ///< from the chord
     SidePoints tangent{};  ///< of the curve
+    SidePoints bend{};
   };
   struct Sides {
     std::array<int, 4> side{-1, -1, -1, -1};  ///< into sides_, in the side's own direction
     std::array<bool, 2> is_linear{};          ///< of sides 0 and 2, 1 and 3: both are curved
   };
-  struct PointEnergy;
   struct Tangents {
     std::array<Vec2, points * points> a, b;  ///< x_s, x_t at the points of the element's rule; s fastest
   };
@@ -82,9 +90,16 @@ class SizeEnergy {
   void place_side(CurvedSide& side, const VertexMoves& moves) const;
   Tangents tangents(int elem) const;
   void add_element(int elem, EnergyDerivatives& sum);
-  void add_hessian(int elem, const Tangents& at, int point, const PointEnergy& e, EnergyDerivatives& sum) const;
+  SidePoints by_shifts(const Sides& sides, int side, const Tangents& by) const;
+  using MoveSlopes = std::array<Eigen::Matrix<double, 4, 8>, points * points>;
+  MoveSlopes move_slopes(int elem) const;
+  void add_slides_of_points(int elem, int side, MoveSlopes& by_move) const;
+  ElementHessian hessian(int elem) const;
+  void add_bends(int elem, const Tangents& by, ElementHessian& sum) const;
+  void add_blocks(int elem, const Tangents& at, int point, const PointEnergy& e, EnergyDerivatives& sum) const;
   void pull_back_sides(int elem, const Tangents& by);
   void reduce_to_curves(EnergyDerivatives& sum) const;
+  int sliding_side(int elem, int side) const;
   double blend(const Sides& sides, int side, double eta) const;
   double blend_slope(const Sides& sides, int side, double eta) const;
 
@@ -95,7 +110,7 @@ class SizeEnergy {
   const Rule corners_{2, {0, 1}, {0.5, 0.5}};
   Rule curved_rule_;
   std::array<std::array<double, points>, points> slope_{};  ///< row: of the derivatives at a point
-  std::vector<Vec2> start_, position_, tangent_;            ///< by vertex
+  std::vector<Vec2> start_, position_, tangent_, bend_;     ///< by vertex
   std::vector<double> slide_gradient_;                      ///< by vertex, from the points between vertices
   std::vector<CurvedSide> sides_;
   std::vector<int> elem_sides_;  ///< into curved_, -1: bilinear

@@ -9,8 +9,14 @@ namespace quadrille::refine {
 namespace {
 
 struct StepConstants {
-  double longest_step = 0.3;  ///< of the prescribed size, by which the ends of an edge move apart at most in one step
-  int sweeps_kept = 10;       ///< after which sizes and diagonal blocks are those of the new positions
+  double longest_step =
+      0.3;                ///< of the prescribed size, by which the ends of an edge move apart at most in a first step
+  int first_sweeps = 60;  ///< with the diagonal blocks of the Hessian, that cost less
+  int blocks_kept = 10;   ///< sweeps, after which sizes and blocks are those of the new positions
+  /// Sweeps after which sizes and factors of the Hessian are, also after one that lowers the energy by more than a
+  /// fraction.
+  int factors_kept = 20;
+  double far_progress = 0.01;
   /// Relaxation ends after this many sweeps in turn that lower the energy by less than this fraction.
   int slow_sweeps = 2;
   double least_progress = 1e-5;
@@ -73,7 +79,7 @@ bool SizeRelaxer::step(EnergyDerivatives& at) {
   symmetry_->average(direction);
   const double slope = inner_product(direction, at.gradient);
   if (!(slope < -step_constants.least_slope * at.value)) return false;
-  double length = longest_step(direction);
+  double length = inverse_.is_factored() ? 1 : longest_step(direction);
   for (int halving = 0; halving < step_constants.max_halvings; ++halving, length /= 2) {
     VertexMoves next = moves;
     add_multiple(length, direction, next);
@@ -123,24 +129,27 @@ bool SizeRelaxer::begin_again() {
   return std::isfinite(energy.value(moves));
 }
 
-EnergyDerivatives SizeRelaxer::begin() {
-  EnergyDerivatives at = energy.with_derivatives(moves, true);
+EnergyDerivatives SizeRelaxer::begin(bool is_first) {
+  EnergyDerivatives at = energy.with_derivatives(moves, is_first);
   problem_.join_twins(at.gradient);
   if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);
   symmetry_->average(at.gradient);
-  inverse_.set_blocks(at.hessian, energy.curve_tangents());
+  is_first ? inverse_.set_blocks(at.blocks, energy.curve_tangents()) : inverse_.factorise(energy);
   return at;
 }
 
 void SizeRelaxer::run() {
   inverse_.forget();
   set_sizes();
-  int slow = 0;
-  EnergyDerivatives at = begin();
-  for (int sweep = 0; sweep < options_.sweeps && slow < step_constants.slow_sweeps; ++sweep) {
-    if (sweep > 0 && sweep % step_constants.sweeps_kept == 0) {
+  int slow = 0, kept = 0;
+  EnergyDerivatives at = begin(true);
+  for (int sweep = 0; sweep < options_.sweeps && slow < step_constants.slow_sweeps; ++sweep, ++kept) {
+    const bool is_first = sweep < step_constants.first_sweeps;
+    if (sweep == step_constants.first_sweeps) inverse_.forget();
+    if (kept == (is_first ? step_constants.blocks_kept : step_constants.factors_kept) ||
+        sweep == step_constants.first_sweeps) {
       if (!options_.sizes.is_uniform()) set_sizes();
-      at = begin();
+      at = begin(is_first), kept = 0;
     }
     const double before = at.value;
     if (!step(at)) {
@@ -149,7 +158,11 @@ void SizeRelaxer::run() {
       continue;
     }
     ++num_sweeps;
-    slow = before - at.value < step_constants.least_progress * before ? slow + 1 : 0;
+    const double progress = (before - at.value) / before;
+    slow = progress < step_constants.least_progress ? slow + 1 : 0;
+    if (is_first || progress <= step_constants.far_progress) continue;
+    inverse_.forget();
+    kept = step_constants.factors_kept - 1;
   }
   value = at.value;
 }

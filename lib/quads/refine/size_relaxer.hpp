@@ -1,6 +1,8 @@
 #pragma once
 // The iteration of relaxation to the prescribed sizes (refine/relax_sizes): a limited-memory quasi-Newton method
-// (Nocedal 1980), whose directions are averaged over the symmetries of the face.
+// (Nocedal 1980) from the Hessian's diagonal blocks. Where it does not end within a few dozens of sweeps, because some
+// elements are much thinner than others, Newton's method while the energy falls much, then the quasi-Newton method from
+// the last Hessian. Directions are averaged over the symmetries of the face.
 
 #include <optional>
 #include <vector>
@@ -48,7 +50,7 @@ class SizeRelaxer {
 
  private:
   void set_sizes();
-  EnergyDerivatives begin();
+  EnergyDerivatives begin(bool is_first);
   double longest_step(const VertexMoves& direction) const;
   bool step(EnergyDerivatives& at);
 

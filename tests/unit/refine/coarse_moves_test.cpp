@@ -22,7 +22,7 @@ struct Preconditioner {
     SizeEnergy energy(problem, mesh);
     energy.set_sizes(std::vector<Vec2>(mesh.num_elems(), Vec2{1, 1}));
     const EnergyDerivatives at = energy.with_derivatives(VertexMoves(problem.num_vertices()), true);
-    moves.set_blocks(at.hessian, energy.curve_tangents());
+    moves.set_blocks(at.blocks, energy.curve_tangents());
   }
 
   /// Of moves that vertices may make.

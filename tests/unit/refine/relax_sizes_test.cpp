@@ -49,6 +49,17 @@ TEST(RelaxSizes, UnevenLinesBecomeEven) {
   EXPECT_TRUE(relaxed.mesh.is_valid);
 }
 
+TEST(RelaxSizes, VeryThinElementsBecomeEvenInAFewSteps) {
+  QuadMesh mesh = mesh_of(hand_made::unit_square(), 1.0 / 24, 1);
+  for (Vec2& x : mesh.nodes) x = {std::pow(x.x, 5), std::pow(x.y, 3)};  // the thinnest are 1 : 1e6
+  measure_elements(mesh);
+  const sizing::SizeField sizes(0.1);
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+  EXPECT_GT(relaxed.energy_before, 1e5);
+  EXPECT_NEAR(relaxed.energy_after, 3, 1e-3);
+  EXPECT_LT(relaxed.sweeps, 120);
+}
+
 TEST(RelaxSizes, EqualSquaresStayBitForBit) {
   const sizing::SizeField sizes(0.3);
   const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 3);

@@ -87,7 +87,7 @@ TEST(SizeEnergy, GradientIsThatOfDifferencesAlsoAlongCurves) {
           const double slope = (energy.value(more) - energy.value(less)) / (2 * h);
           const double expected = problem.is_fixed[v] || !is_along ? 0 : slope;
           EXPECT_NEAR(dot(at.gradient[v], d), expected, 2e-6 * (1 + std::abs(slope))) << order << ", vertex " << v;
-          EXPECT_GT(at.hessian[v][0] * at.hessian[v][2], at.hessian[v][1] * at.hessian[v][1]);
+          EXPECT_GT(at.blocks[v][0] * at.blocks[v][2], at.blocks[v][1] * at.blocks[v][1]);
         }
     }
 }

@@ -1,0 +1,122 @@
+// The second derivatives of SizeEnergy.
+
+#include <algorithm>
+
+#include "refine/point_energy.hpp"
+#include "refine/size_energy.hpp"
+
+namespace quadrille::refine {
+
+/// Into sides_, of a side whose points slide with its ends, else -1.
+int SizeEnergy::sliding_side(int elem, int side) const {
+  const int k = elem_sides_[elem] < 0 ? -1 : curved_[elem_sides_[elem]].side[side];
+  return k >= 0 && sides_[k].edge >= 0 ? k : -1;
+}
+
+/// Derivatives of a and b by the moves of the corners.
+SizeEnergy::MoveSlopes SizeEnergy::move_slopes(int elem) const {
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  const Rule& at = rule(elem);
+  MoveSlopes by_move;
+  for (int k = 0; k < at.size(); ++k) {
+    by_move[k].setZero();
+    const std::array<Vec2, 4> slopes = corner_slopes(at.s(k), at.t(k));
+    for (int c = 0; c < 4; ++c) {
+      if (problem_.is_fixed[v[c]]) continue;
+      const double by_s = inverse_size_[elem].x * slopes[c].x, by_t = inverse_size_[elem].y * slopes[c].y;
+      const auto add = [&](int column, Vec2 d) {
+        by_move[k].col(2 * c + column) << by_s * d.x, by_s * d.y, by_t * d.x, by_t * d.y;
+      };
+      const bool slides = problem_.follow.on_boundary(v[c]) >= 0;
+      add(0, slides ? tangent_[v[c]] : Vec2{1, 0});
+      if (!slides) add(1, {0, 1});
+    }
+  }
+  for (int side = 0; side < 4; ++side)
+    if (sliding_side(elem, side) >= 0) add_slides_of_points(elem, side, by_move);
+  return by_move;
+}
+
+/// The points between the ends of a side slide with these.
+void SizeEnergy::add_slides_of_points(int elem, int side, MoveSlopes& by_move) const {
+  const Sides& sides = curved_[elem_sides_[elem]];
+  const CurvedSide& on_curve = sides_[sides.side[side]];
+  const SlidingEdge& edge = problem_.boundary.edges()[on_curve.edge];
+  const Vec2 scale = inverse_size_[elem];
+  for (const bool is_end : {false, true}) {
+    const int corner = (side + is_end) % 4;
+    if (problem_.is_fixed[problem_.follow.elem_vertices()[elem][corner]]) continue;
+    const double direction = problem_.follow.direction(is_end ? edge.to : edge.from);
+    SidePoints shift{};
+    for (int p = 1; p < points - 1; ++p) {
+      const double t = curved_rule_.at[p];
+      shift[p] = direction * (is_end ? t : 1 - t) * (on_curve.tangent[p] - on_curve.tangent[is_end ? points - 1 : 0]);
+    }
+    for (int p = 0; p < points; ++p) {
+      Vec2 slope;
+      for (int q = 0; q < points; ++q) slope += slope_[p][q] * shift[q];
+      for (int r = 0; r < points; ++r) {
+        const SidePoint x = side_point(side, p, r, points);
+        const Vec2 along = x.along * blend(sides, side, curved_rule_.at[r]) * slope;
+        const Vec2 across = x.across * blend_slope(sides, side, curved_rule_.at[r]) * shift[p];
+        const Vec2 a = scale.x * (x.is_along_a ? along : across), b = scale.y * (x.is_along_a ? across : along);
+        by_move[x.point].col(2 * corner) += Eigen::Vector4d(a.x, a.y, b.x, b.y);
+      }
+    }
+  }
+}
+
+/// What points on curves add where these turn against the derivatives `by` a and b.
+void SizeEnergy::add_bends(int elem, const Tangents& by, ElementHessian& sum) const {
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  std::array<Vec2, 4> force{};
+  for (int k = 0; k < rule(elem).size(); ++k) {
+    const std::array<Vec2, 4> slopes = corner_slopes(rule(elem).s(k), rule(elem).t(k));
+    for (int c = 0; c < 4; ++c) force[c] += slopes[c].x * by.a[k] + slopes[c].y * by.b[k];
+  }
+  for (int from = 0; from < 4; ++from) {
+    if (sliding_side(elem, from) < 0) continue;
+    const CurvedSide& side = sides_[sliding_side(elem, from)];
+    const SidePoints by_shift = by_shifts(curved_[elem_sides_[elem]], from, by);
+    const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
+    const int to = (from + 1) % 4;
+    for (int p = 1; p < points - 1; ++p) {
+      const double t = curved_rule_.at[p];
+      force[from] += (t - 1) * by_shift[p], force[to] += -t * by_shift[p];
+      Eigen::Matrix<double, 8, 1> slide = Eigen::Matrix<double, 8, 1>::Zero();
+      if (!problem_.is_fixed[v[from]]) slide[2 * from] = problem_.follow.direction(edge.from) * (1 - t);
+      if (!problem_.is_fixed[v[to]]) slide[2 * to] = problem_.follow.direction(edge.to) * t;
+      sum += std::max(0.0, dot(by_shift[p], side.bend[p])) * slide * slide.transpose();
+    }
+  }
+  for (int c = 0; c < 4; ++c)
+    if (!problem_.is_fixed[v[c]] && problem_.follow.on_boundary(v[c]) >= 0)
+      sum(2 * c, 2 * c) += std::max(0.0, dot(force[c], bend_[v[c]]));
+}
+
+ElementHessian SizeEnergy::hessian(int elem) const {
+  const Tangents at = tangents(elem);
+  const MoveSlopes by_move = move_slopes(elem);
+  ElementHessian sum = ElementHessian::Zero();
+  Tangents by;
+  for (int k = 0; k < rule(elem).size(); ++k) {
+    const double weight = rule(elem).weight_at(k);
+    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
+    const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
+    sum += by_move[k].transpose().lazyProduct(column);
+    const PointEnergy e(at.a[k], at.b[k], shape_weights[elem]);
+    by.a[k] = weight * inverse_size_[elem].x * e.by_a;
+    by.b[k] = weight * inverse_size_[elem].y * e.by_b;
+  }
+  add_bends(elem, by, sum);
+  return sum;
+}
+
+std::vector<ElementHessian> SizeEnergy::hessians() const {
+  std::vector<ElementHessian> hessians(is_free_.size());
+  for (std::size_t elem = 0; elem < is_free_.size(); ++elem)
+    if (is_free_[elem]) hessians[elem] = hessian(static_cast<int>(elem));
+  return hessians;
+}
+
+}  // namespace quadrille::refine
