@@ -92,7 +92,7 @@ std::vector<double> parameters_in_whole(const BlockNodes& nodes) {
   const int side = nodes.block.halved->side;
   const Vec2 direction = nodes.block.halved->line.direction;
   const auto along = [&](double u) {
-    return dot(direction, side % 2 == 0 ? nodes.position(u, side / 2) : nodes.position(side == 1 ? 1 : 0, u));
+    return dot(direction, side % 2 == 0 ? nodes.position(u, side == 2 ? 1 : 0) : nodes.position(side == 1 ? 1 : 0, u));
   };
   std::vector<double> parameters = nodes.parameters[side];
   for (std::size_t k = 1; k + 1 < parameters.size(); ++k) {
