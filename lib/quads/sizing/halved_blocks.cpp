@@ -18,7 +18,7 @@ constexpr double least_slope = 0.02;  ///< of the parameter
 /// The arcs on one line of symmetry.
 class ArcsOnLine {
  public:
-  ArcsOnLine(const BlockLayout& layout, const curve::SymmetryLine& line) : layout_(layout), line_(line) {
+  ArcsOnLine(const BlockLayout& layout, const curve::SymmetryLine& line) : layout_(layout) {
     for (const GraphArc& arc : layout.arcs)
       is_on_line_.push_back(std::ranges::all_of(
           arc.pieces, [&](const ArcPiece& piece) { return std::ranges::binary_search(line.curves, piece.curve); }));
@@ -57,7 +57,6 @@ class ArcsOnLine {
   }
 
   const BlockLayout& layout_;
-  const curve::SymmetryLine& line_;
   std::vector<bool> is_on_line_, is_line_of_whole_;
 };
 
