@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "base/error.hpp"
@@ -75,6 +76,8 @@ struct Cbc {
   CbcLibrary library;
   ModelFunctions model{library};
   SearchFunctions search{library};
+  /// The solver has global variables: of two searches at a time one would wait for commands from standard input.
+  mutable std::mutex in_use;
 };
 
 struct Deleter {
@@ -134,6 +137,7 @@ void IntegerProgram::add_equation(const std::vector<Term>& terms, double right_s
 
 std::vector<double> IntegerProgram::solve() const {
   const Cbc& cbc = Cbc::get();
+  const std::lock_guard lock(cbc.in_use);
   const Model model(cbc.model.create());
   const Matrix matrix = matrix_of(column_);
   const int num = static_cast<int>(column_.size());

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "base/parallel.hpp"
+
 namespace quadrille::quantize {
 namespace {
 
@@ -65,6 +69,18 @@ TEST(IntegerProgram, ReturnsNothingWhereOnlyFractionsSolveIt) {
   const int x = program.add_variable(0, 10, 1, true);
   program.add_equation({{x, 2}}, 5);
   EXPECT_TRUE(program.solve().empty());
+}
+
+TEST(IntegerProgram, SeveralThreadsMaySolveAtATime) {
+  std::vector<double> found(400, -1);
+  parallel_for(static_cast<int>(found.size()), 4, [&](int i) {
+    IntegerProgram program;
+    const int x = program.add_variable(0, 1000, 1, true), y = program.add_variable(0, 1000, 3, true);
+    program.add_equation({{x, 2}, {y, 5}}, 2 * i + 1);
+    const std::vector<double> solution = program.solve();
+    if (solution.size() == 2) found[i] = 2 * solution[x] + 5 * solution[y];
+  });
+  for (int i = 2; i < static_cast<int>(found.size()); ++i) EXPECT_EQ(found[i], 2 * i + 1);
 }
 
 }  // namespace
