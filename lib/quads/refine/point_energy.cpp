@@ -25,8 +25,8 @@ Matrix4d point_hessian(Vec2 a, Vec2 b, double weight) {
   size_xx.topLeftCorner<2, 2>() = size_bend(x.head<2>());
   size_xx.bottomRightCorner<2, 2>() = size_bend(x.tail<2>());
   const Matrix4d mu_xx = (Matrix4d::Identity() - symmetric_product(mu_x, det_x) - mu * det_xx) / det;
-  const Matrix4d sum = det * size_xx + symmetric_product(size_x, det_x) + size * det_xx +
-                       3 * weight * mu * (mu * mu_xx + 2 * mu_x * mu_x.transpose());
+  Matrix4d sum = det * size_xx + symmetric_product(size_x, det_x) + size * det_xx +
+                 3 * weight * mu * (mu * mu_xx + 2 * mu_x * mu_x.transpose());
   if (sum.llt().info() == Eigen::Success) return sum;
   const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(sum);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseAbs().asDiagonal() * eigen.eigenvectors().transpose();
