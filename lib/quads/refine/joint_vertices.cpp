@@ -220,10 +220,10 @@ void warn_of_joints(const QuadMesh& mesh, Report& report) {
   const int curve = joints[0];
   report.warn(
       warning::joint_inside_edge,
-      fmt::format("{} of the joints of smooth curves without given names lie inside an edge, which has the name "
-                  "of one curve, the first between {} and {} at {}: give these curves names (cad2tri --name) "
-                  "where different boundary conditions meet there, or lower --size",
-                  joints.size(), face.curve_names[face.previous_in_loop(curve)], face.curve_names[curve],
+      fmt::format("{} curves without given names begin inside an edge, which has the name of one curve, the first of "
+                  "them {} after {} at {}: give them names (cad2tri --name) where other boundary conditions begin, or "
+                  "lower --size",
+                  joints.size(), face.curve_names[curve], face.curve_names[face.previous_in_loop(curve)],
                   position_text(face.joints[curve].position + face.origin)));
 }
 
