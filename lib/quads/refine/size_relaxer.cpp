@@ -134,7 +134,10 @@ EnergyDerivatives SizeRelaxer::begin(bool is_first) {
   problem_.join_twins(at.gradient);
   if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);
   symmetry_->average(at.gradient);
-  is_first ? inverse_.set_blocks(at.blocks, energy.curve_tangents()) : inverse_.factorise(energy);
+  if (is_first)
+    inverse_.set_blocks(at.blocks, energy.curve_tangents());
+  else
+    inverse_.factorise(energy);
   return at;
 }
 
