@@ -189,8 +189,9 @@ void declare(Options& o, QuadrefineOptions& options) {
       "--relax", options.relax, "size|shape|none",
       "move vertices, also those on sides of blocks and irregular ones, those of boundaries and interfaces along them: "
       "size: to the prescribed edge lengths, and where the boundary is bent to those that turn by 15 degrees, but not "
-      "below three quarters of the greatest; shape: to the angles of rectangles, with the lengths as they are, and not "
-      "on interfaces and periodic sides; none: not. Layers along walls keep their vertices, and all do with --blocks");
+      "below three quarters of the greatest; shape: to the angles of rectangles, with the lengths as they are; none: "
+      "not. "
+      "Layers along walls keep their vertices, and all do with --blocks");
   o.integer("--relax-sweeps", options.refine.relax_sweeps, 0, 1000, "greatest number of steps of --relax");
   o.choice(
       "--rings", options.refine.rings,

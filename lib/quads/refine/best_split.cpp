@@ -8,7 +8,6 @@
 #include "growth/straighten_lines.hpp"
 #include "refine/chosen_blocks.hpp"
 #include "refine/inner_edges.hpp"
-#include "refine/relax.hpp"
 #include "refine/relax_sizes.hpp"
 #include "sizing/element_limit.hpp"
 
@@ -119,14 +118,6 @@ bool correct_lines(const SplitRequest& request, SplitMesh& result) {
   return keep_if_better(request, std::move(next), result);
 }
 
-/// By element: whether it lies in a block that has layers, which relaxation does not move.
-std::vector<bool> elements_in_layered_blocks(const SplitMesh& split) {
-  std::vector<bool> is_layered;
-  if (split.walls)
-    for (const int block : split.mesh.elem_block) is_layered.push_back(split.walls->has_wall(block));
-  return is_layered;
-}
-
 /// By element: whether its chords have layers or prescribed lengths at their ends, from which elements grow.
 std::vector<bool> elements_that_keep_lengths(const SplitRequest& request, const SplitMesh& split) {
   const BlockLayout& blocks = request.equal.blocks();
@@ -148,6 +139,7 @@ bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
                             request.options.relax_sweeps,
                             elements_that_keep_lengths(request, result),
                             elements_on_layered_chords(request.equal.blocks(), result)};
+  relaxation.keeps_lengths = request.options.relax == Relax::shape;
   relaxation.greatest_lengths = sizing::ring_lengths(result.mesh, request.rings);
   if (!request.options.boundary_counts.empty()) relaxation.slides_off = SlidesOff::breaks;
   SizeRelaxed relaxed = relax_to_sizes(result.mesh, relaxation);
@@ -204,12 +196,7 @@ void place_vertices(const SplitRequest& request, SplitMesh& result) {
     }
   }
   const RefineOptions& options = request.options;
-  if (options.relax == Relax::shape && options.relax_sweeps > 0)
-    relax_and_report(result.mesh,
-                     {options.relax_sweeps, result.settings.tolerance, elements_in_layered_blocks(result),
-                      request.report.progress()},
-                     request.report);
-  if (options.relax != Relax::size || !options.blocks.empty() || !relax_sizes(request, result))
+  if (options.relax == Relax::none || !options.blocks.empty() || !relax_sizes(request, result))
     shape_inner_edges(result.mesh, options.inner_edges, elements_on_layered_chords(request.equal.blocks(), result));
   result.distance = mesh::boundary_distance(result.mesh);
   set_score(request, result);

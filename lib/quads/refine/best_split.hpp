@@ -39,12 +39,11 @@ BestSplit best_split(const SplitRequest& request);
 ///   1. With layers, lines along the normals of walls are straightened (growth/straighten_lines) in the blocks that it
 ///      improves.
 ///   2. Lines inside blocks are corrected from the intervals that the mesh has (growth/line_intervals), a few times.
-///   3. By the option `relax`, vertices move to the prescribed sizes (refine/relax_sizes) or better shapes
-///      (refine/relax).
+///   3. By the option `relax`, vertices move to the prescribed sizes or better shapes (refine/relax_sizes).
 ///   4. Edges inside become straight (refine/inner_edges) but on chords with layers, which keep their shape.
 ///
-/// 1 and 2 are kept if they improve the score of the mesh, sizes if they do not make it worse; shapes never lower its
-/// least scaled Jacobian, straight edges not below 0.6. The elements and the score of the mesh are measured again.
+/// 1 and 2 are kept if they improve the score of the mesh, 3 if it does not make it worse; shapes never lower its least
+/// scaled Jacobian, straight edges not below 0.6. The elements and the score of the mesh are measured again.
 void place_vertices(const SplitRequest& request, SplitMesh& result);
 
 }  // namespace quadrille::refine

@@ -93,9 +93,6 @@ void BoundarySlide::add_loop(const std::vector<QuadBoundaryEdge>& loop_edges) {
     fix_at_breaks(static_cast<int>(vertices_.size()) - 1);
     edges_.push_back({edge.elem, edge.side, first_vertex + k, first_vertex + (k + 1) % count});
   }
-  for (int k = 0; k < count; ++k)
-    if (slides_off_ == SlidesOff::nothing && is_shared(mesh_->face, loop_edges[k].curve))
-      vertices_[first_vertex + k].is_fixed = vertices_[first_vertex + (k + 1) % count].is_fixed = true;
   for (int e = first; e < first + count; ++e) fix_beside_joints(e);
 }
 
@@ -104,8 +101,7 @@ bool BoundarySlide::may_leave(const curve::Chain& chain, int piece) const {
   const CadFace& face = mesh_->face;
   const int before = chain.pieces()[piece].curve, after = chain.pieces()[piece + 1].curve;
   if (is_seam(face, after)) return true;
-  if (slides_off_ == SlidesOff::nothing || face.joints[after].is_corner ||
-      std::abs(face.joints[after].interior_angle - pi) >= tolerance::same_angle)
+  if (face.joints[after].is_corner || std::abs(face.joints[after].interior_angle - pi) >= tolerance::same_angle)
     return false;
   if (face.curve_names[before] == face.curve_names[after])
     return face.is_interface(before) == face.is_interface(after) &&
@@ -164,9 +160,8 @@ void BoundarySlide::fix_at_breaks(int vertex) {
   // Another vertex will be there.
   for (const LoopJoint& joint : free_joints_)
     v.is_at_break &= joint.loop != v.loop || !is_at(v.length, joint.length / (2 * total));
-  if (slides_off_ == SlidesOff::nothing) v.is_fixed |= v.is_at_break;
   const std::vector<double> joints = chain.joint_fractions();
-  for (std::size_t k = 0; slides_off_ != SlidesOff::nothing && k < joints.size(); ++k)
+  for (std::size_t k = 0; k < joints.size(); ++k)
     if (is_at(v.length, joints[k]) && !may_leave(chain, static_cast<int>(k))) v.is_fixed = true;
 }
 

@@ -16,7 +16,6 @@ namespace quadrille::refine {
 
 /// What vertices may slide off.
 enum class SlidesOff {
-  nothing,
   breaks,  ///< of curves, and smooth joints between curves of one name
   joints,  ///< also, on loops without interfaces and periodic curves, smooth joints between curves without given names
 };
@@ -43,7 +42,7 @@ struct LoopJoint {
 class BoundarySlide {
  public:
   /// `mesh` must outlive it.
-  explicit BoundarySlide(const QuadMesh& mesh, SlidesOff slides_off = SlidesOff::nothing);
+  explicit BoundarySlide(const QuadMesh& mesh, SlidesOff slides_off = SlidesOff::breaks);
   BoundarySlide(const BoundarySlide&) = delete;
   BoundarySlide& operator=(const BoundarySlide&) = delete;
 

@@ -26,7 +26,7 @@ constexpr auto enum_names(InnerEdges) { return std::to_array({"straight", "curve
 /// The goal to which vertices are moved.
 enum class Relax {
   size,   ///< edges have the prescribed lengths (refine/relax_sizes)
-  shape,  ///< elements have the angles of rectangles (refine/relax)
+  shape,  ///< elements have the angles of rectangles, with the lengths that they have (refine/relax_sizes)
   none,   ///< vertices are not moved
 };
 constexpr auto enum_names(Relax) { return std::to_array({"size", "shape", "none"}); }

@@ -1,15 +1,6 @@
 #pragma once
-// A mesh to be relaxed: its movable vertices, the nodes that follow them, and the energy to minimise.
-//
-// The energy that relaxation minimises: the deviation of elements from their prescribed shape.
-//
-// At each node of an element, a = x_xi1 / l1 and b = x_xi2 / l2 are the derivatives of its map over their lengths in
-// the mesh as it was, and mu = (|a|^2 + |b|^2) / (2 a x b) >= 1 is least where they are normal to each other and keep
-// the proportion of the prescribed edge lengths; it has no bound where det J tends to 0 (Knupp 2001, shape metric with
-// targets). The energy is the mean over nodes of mu^p, summed over elements: the power gives the worst elements the
-// largest weight.
+// A mesh to be relaxed: its movable vertices, and the nodes that follow them.
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -18,35 +9,6 @@
 #include "refine/boundary_slide.hpp"
 
 namespace quadrille::refine {
-
-/// Energy of one element, its gradient by the shifts of the corners and a positive definite part of the Hessian's
-/// diagonal blocks (xx, xy, yy), when nodes follow corners bilinearly.
-struct ElementEnergy {
-  double value = 0;
-  std::array<Vec2, 4> gradient;
-  std::array<std::array<double, 3>, 4> hessian{};
-};
-
-class ShapeEnergy {
- public:
-  /// Reference lengths are computed from the present `mesh`.
-  explicit ShapeEnergy(const QuadMesh& mesh);
-
-  /// Infinite if det J is not positive at a node.
-  double value(int elem, const std::vector<Vec2>& nodes) const;
-  ElementEnergy with_derivatives(int elem, const std::vector<Vec2>& nodes) const;
-
- private:
-  struct Jacobians {
-    Eigen::MatrixXd x1, x2, y1, y2;  ///< row: xi1, column: xi2
-  };
-  Jacobians jacobians(int elem, const std::vector<Vec2>& nodes) const;
-
-  int order_;
-  std::vector<int> elem_nodes_;
-  Eigen::MatrixXd derivative_;
-  std::vector<Vec2> inverse_lengths_;  ///< 1 / l1, 1 / l2 at each node of each element
-};
 
 /// The move of a vertex from its first position: on the boundary (slide, 0), a length along the loop; inside a shift.
 using VertexMoves = std::vector<Vec2>;
@@ -95,14 +57,13 @@ class NodeFollow {
 /// The data that do not change during the relaxation.
 struct RelaxProblem {
   /// `frozen_elems` by element: keeps all nodes; empty: none does.
-  RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, SlidesOff slides_off = SlidesOff::nothing);
+  RelaxProblem(const QuadMesh& mesh, const std::vector<bool>& frozen_elems, SlidesOff slides_off = SlidesOff::breaks);
   RelaxProblem(const RelaxProblem&) = delete;
   RelaxProblem& operator=(const RelaxProblem&) = delete;
 
   const QuadMesh start;  ///< the mesh before; the others refer to it
   const BoundarySlide boundary;
   const NodeFollow follow;
-  const ShapeEnergy energy;
   std::vector<bool> is_fixed;  ///< by vertex
 
   void fix_vertex(int vertex);
@@ -111,8 +72,6 @@ struct RelaxProblem {
   /// The first of the two vertices that slide together, in opposite directions, or the vertex itself.
   int slides_with(int vertex) const { return twin_[vertex] < 0 ? vertex : std::min(vertex, twin_[vertex]); }
   int num_vertices() const { return follow.num_vertices(); }
-  /// Sum over all elements, for these nodes; infinite if det J is not positive.
-  double total_energy(const std::vector<Vec2>& nodes) const;
 
  private:
   std::vector<int> twin_;  ///< by vertex: that with which it slides together, or -1

@@ -128,9 +128,11 @@ void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& prob
 }
 
 /// By element that may move: whether it is more skew than it has to be, or not proved valid.
-std::vector<bool> skew_elements(const QuadMesh& before, const QuadMesh& after, const SizeEnergy& energy) {
-  const double least =
-      std::min(least_scaled_jacobian(before) - size_constants.greatest_loss, size_constants.good_scaled_jacobian);
+std::vector<bool> skew_elements(const SizeRelaxation& options, const QuadMesh& before, const QuadMesh& after,
+                                const SizeEnergy& energy) {
+  double least = least_scaled_jacobian(before);
+  if (!options.keeps_lengths)
+    least = std::min(least - size_constants.greatest_loss, size_constants.good_scaled_jacobian);
   std::vector<bool> is_skew;
   for (int elem = 0; elem < after.num_elems(); ++elem)
     is_skew.push_back(energy.is_free(elem) && (after.elem_scaled_jacobian[elem] < least - tolerance::tied ||
@@ -144,7 +146,7 @@ void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, con
   for (int halving = 0; halving < size_constants.move_halvings; ++halving) {
     for (Vec2& move : relaxer.moves) move *= 0.5;
     mesh = moved_mesh(problem, options, relaxer.moves);
-    if (std::ranges::count(skew_elements(shaped, mesh, relaxer.energy), true) == 0) return;
+    if (std::ranges::count(skew_elements(options, shaped, mesh, relaxer.energy), true) == 0) return;
   }
   relaxer.moves.assign(relaxer.moves.size(), {});
   relaxer.num_sweeps = 0;
@@ -169,7 +171,7 @@ bool relax_vertices(const QuadMesh& mesh, const SizeRelaxation& options, SlidesO
     if (!relax_within_tolerance(options, problem, relaxer)) return false;
     relaxed.mesh = moved_mesh(problem, options, relaxer.moves);
     if (round == 0) relaxed.energy_after = relaxer.value / num_free;
-    const std::vector<bool> is_skew = skew_elements(shaped, relaxed.mesh, relaxer.energy);
+    const std::vector<bool> is_skew = skew_elements(options, shaped, relaxed.mesh, relaxer.energy);
     if (std::ranges::count(is_skew, true) == 0) break;
     if (round == size_constants.rounds && passes_joints) return false;
     if (round == size_constants.rounds) halve_moves(problem, options, shaped, relaxer, relaxed.mesh);

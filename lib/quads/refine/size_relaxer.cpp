@@ -24,8 +24,21 @@ struct StepConstants {
   double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
   int max_halvings = 20;      ///< of a step
   int joint_steps = 8;        ///< in which vertices slide to joints
+  double shape_first = 20;    ///< factor of the weight of shapes where elements keep their lengths
 };
 constexpr StepConstants step_constants;
+
+/// By element: the mean length of its opposite sides, along s and t.
+std::vector<Vec2> element_lengths(const QuadMesh& mesh) {
+  std::vector<Vec2> lengths;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const auto side = [&](int k) {
+      return distance(mesh.nodes[side_start(mesh, elem, k)], mesh.nodes[side_start(mesh, elem, (k + 1) % 4)]);
+    };
+    lengths.push_back({(side(0) + side(2)) / 2, (side(1) + side(3)) / 2});
+  }
+  return lengths;
+}
 
 }  // namespace
 
@@ -35,8 +48,11 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
       problem_(problem),
       options_(options),
       held_(moves),
+      lengths_(options.keeps_lengths ? element_lengths(shaped) : options.greatest_lengths),
       shorter_(shaped.num_elems(), {1, 1}),
       inverse_(problem) {
+  if (options.keeps_lengths)
+    for (double& weight : energy.shape_weights) weight *= step_constants.shape_first;
   set_sizes();
   value = energy.value(moves);
 }
@@ -48,10 +64,10 @@ void SizeRelaxer::set_sizes() {
   size_.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
-    const double size = options_.sizes.at(middles[elem], region);
-    const std::vector<Vec2>& limits = options_.greatest_lengths;
+    const double size = options_.keeps_lengths ? std::max(lengths_[elem].x, lengths_[elem].y)
+                                               : options_.sizes.at(middles[elem], region);
     const Vec2 own =
-        limits.empty() ? Vec2{size, size} : Vec2{std::min(size, limits[elem].x), std::min(size, limits[elem].y)};
+        lengths_.empty() ? Vec2{size, size} : Vec2{std::min(size, lengths_[elem].x), std::min(size, lengths_[elem].y)};
     sizes.push_back({own.x * shorter_[elem].x, own.y * shorter_[elem].y});
     size_.push_back(size);
   }

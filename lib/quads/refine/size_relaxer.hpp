@@ -25,6 +25,8 @@ struct SizeRelaxation {
   SlidesOff slides_off = SlidesOff::joints;  ///< what vertices on the boundary may
   /// By element: limits of the sizes along s and t (sizing/hole_rings); empty: none.
   std::vector<Vec2> greatest_lengths = {};
+  /// Elements are to be as long and wide as they are, whatever the sizes, and none becomes worse than the worst one is.
+  bool keeps_lengths = false;
 };
 
 /// Moves vertices to the least energy.
@@ -57,6 +59,7 @@ class SizeRelaxer {
   const RelaxProblem& problem_;
   const SizeRelaxation& options_;
   VertexMoves held_;           ///< the moves of vertices that are fixed
+  std::vector<Vec2> lengths_;  ///< by element, along s and t: the greatest that are prescribed; empty: no limits
   std::vector<double> size_;   ///< by element
   std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
   std::optional<VertexSymmetry> symmetry_;

@@ -11,7 +11,6 @@
 #include "base/angle.hpp"
 #include "curve/project.hpp"
 #include "model/quad_mesh.hpp"
-#include "refine/relax.hpp"
 #include "refine/relax_sizes.hpp"
 #include "refine/validity.hpp"
 #include "sizing/make_size_field.hpp"
@@ -97,19 +96,11 @@ TEST(Regions, BothSidesOfACrackHaveNodesInTheSamePlaces) {
   for (std::size_t k = 0; k < above.size(); ++k) EXPECT_LT(distance(above[k], below[below.size() - 1 - k]), 1e-13);
 }
 
-TEST(Regions, RelaxationKeepsInterfaces) {
-  QuadMesh mesh = refined(disc_in_square(), {.size = 0.5, .order = 4, .relax = Relax::none});
-  const QuadMesh before = mesh;
-  const RelaxOutcome outcome = relax(mesh, {.sweeps = 20, .tolerance = 1e-3});
-  EXPECT_GT(outcome.largest_move, 1e-3);
-  for (const QuadBoundaryEdge& e : mesh.interface_edges)
-    for (const int node : side_nodes(mesh, e.elem, e.side)) EXPECT_EQ(mesh.nodes[node], before.nodes[node]);
-}
-
 TEST(Regions, TheBoundarySlidesBesideAnInterface) {
   QuadMesh mesh = refined(disc_in_square(), {.size = 0.5, .order = 4, .relax = Relax::none});
   const QuadMesh before = mesh;
-  relax(mesh, {.sweeps = 20, .tolerance = 1e-3});
+  const sizing::SizeField sizes(0.5);
+  mesh = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3, .keeps_lengths = true}).mesh;
   double largest_move = 0;
   for (const QuadBoundaryEdge& e : mesh.boundary_edges)
     for (const int node : side_nodes(mesh, e.elem, e.side)) {

@@ -68,6 +68,46 @@ TEST(RelaxSizes, EqualSquaresStayBitForBit) {
   EXPECT_EQ(corners(relaxed.mesh), corners(mesh));
 }
 
+/// The unit square, its first column half as wide as the others, with skew elements.
+QuadMesh skew_square(int order) {
+  QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, order);
+  for (Vec2& x : mesh.nodes) {
+    x += 0.2 * x.x * (1 - x.x) * x.y * (1 - x.y) * Vec2{4 * x.y, 3 + x.x};
+    x.x = x.x * (1 + x.x) / 2;
+  }
+  measure_elements(mesh);
+  return mesh;
+}
+
+TEST(RelaxShapes, SkewElementsBecomeRectanglesAsLongAsTheyAre) {
+  const sizing::SizeField sizes(0.25);
+  for (const int order : {1, 2, 5}) {
+    const QuadMesh mesh = skew_square(order);
+    const double before = least_scaled_jacobian(mesh);
+    ASSERT_LT(before, 0.98);
+    const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3, .keeps_lengths = true});
+    EXPECT_GT(least_scaled_jacobian(relaxed.mesh), (1 + before) / 2) << order << ": half of what is missing at least";
+    const auto width = [&](int elem) {
+      return distance(relaxed.mesh.nodes[side_start(mesh, elem, 0)], relaxed.mesh.nodes[side_start(mesh, elem, 1)]);
+    };
+    EXPECT_LT(width(0), 0.7 * width(3));
+  }
+}
+
+TEST(RelaxShapes, NoElementBecomesWorseThanTheWorst) {
+  const sizing::SizeField sizes(0.4);
+  for (const int order : {1, 2, 4, 7})
+    for (const SeparatrixGraph& graph : {hand_made::elbow(), hand_made::s_bend(), hand_made::cut_annulus(3)})
+      for (const int sweeps : {1, 5, 40}) {
+        QuadMesh mesh = mesh_of(graph, 0.4, order);
+        shape_inner_edges(mesh, InnerEdges::straight);
+        const SizeRelaxed relaxed =
+            relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-2, .sweeps = sweeps, .keeps_lengths = true});
+        EXPECT_GE(least_scaled_jacobian(relaxed.mesh), least_scaled_jacobian(mesh) - 1e-6);
+        EXPECT_TRUE(relaxed.mesh.is_valid);
+      }
+}
+
 TEST(RelaxSizes, SizesOfAFieldAreObeyed) {
   // Half as long at the left side as at the right one.
   const sizing::SizeField sizes(0.3, {{{{0, 0.5}, 0.15, 0}}, {}, 0}, {}, 1.2);
