@@ -201,6 +201,11 @@ const ArcLength& CurveTable::arc_length(int id) const {
   return known != tables_.end() ? known->second : tables_.emplace(id, curve(id)).first->second;
 }
 
+const std::vector<double>& CurveTable::breaks(int id) const {
+  const auto known = breaks_.find(id);
+  return known != breaks_.end() ? known->second : breaks_.emplace(id, smoothness_breaks(curve(id))).first->second;
+}
+
 Chain::Chain(const CurveTable& table, std::vector<ArcPiece> pieces) : table_(&table), pieces_(std::move(pieces)) {
   double length = 0;
   for (const ArcPiece& piece : pieces_) {
@@ -274,7 +279,12 @@ bool Chain::is_at_end(double fraction) const {
   return std::abs(fraction - joint) >= same_fraction || !is_whole_curve(is_at_start ? 0 : last);
 }
 
-std::vector<double> Chain::break_fractions() const {
+const std::vector<double>& Chain::break_fractions() const {
+  if (!break_fractions_) break_fractions_ = find_break_fractions();
+  return *break_fractions_;
+}
+
+std::vector<double> Chain::find_break_fractions() const {
   std::vector<double> fractions;
   for (size_t i = 0; i + 1 < ends_.size(); ++i)
     if (!is_smooth_seam(i)) fractions.push_back(ends_[i] / length());
@@ -282,7 +292,7 @@ std::vector<double> Chain::break_fractions() const {
     const ArcPiece& piece = pieces_[i];
     if (!table_->is_cad_curve(piece.curve)) continue;
     const auto [low, high] = std::minmax(piece.t0, piece.t1);
-    for (const double t : smoothness_breaks(table_->curve(piece.curve)))
+    for (const double t : table_->breaks(piece.curve))
       if (low < t && t < high) {
         const double inside = std::abs(arc_lengths_[i]->between(piece.t0, t));
         fractions.push_back(((i == 0 ? 0 : ends_[i - 1]) + inside) / length());

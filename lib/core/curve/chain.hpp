@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -67,20 +68,24 @@ struct ChainPoint {
   double t = 0;   ///< parameter on that piece's curve
 };
 
-/// Arc-length tables of many curves, made on first use and shared by all chains of one layout.
+/// Arc-length tables and breaks of many curves, made on first use and shared by all chains of one layout.
 class CurveTable {
  public:
   /// `face` and `splines` must outlive the table. Curve ids as in SeparatrixGraph.
   CurveTable(const CadFace& face, const std::vector<Nurbs>& splines);
   const Nurbs& curve(int id) const;
   const ArcLength& arc_length(int id) const;
+  /// Its smoothness_breaks (curve/nurbs).
+  const std::vector<double>& breaks(int id) const;
   double diameter() const { return face_->diameter; }
   bool is_cad_curve(int id) const { return id < face_->num_curves(); }
 
  private:
   const CadFace* face_;
   const std::vector<Nurbs>* splines_;
-  mutable std::unordered_map<int, ArcLength> tables_;  ///< of the curves asked for: most tables are about a few
+  // Of the curves asked for: most tables are about a few.
+  mutable std::unordered_map<int, ArcLength> tables_;
+  mutable std::unordered_map<int, std::vector<double>> breaks_;
 };
 
 class Chain {
@@ -98,7 +103,7 @@ class Chain {
   /// Fractions that no element edge may straddle: joints between pieces and smoothness_breaks inside CAD pieces. The
   /// seam of a smooth closed curve is not a break; its position is arbitrary. Breaks within 1e-6 diameters of an end of
   /// the chain count as that end, except the far end of a curve that is no longer than that, which may have a name.
-  std::vector<double> break_fractions() const;
+  const std::vector<double>& break_fractions() const;
   const std::vector<ArcPiece>& pieces() const { return pieces_; }
 
  private:
@@ -112,12 +117,14 @@ class Chain {
   bool is_whole_curve(size_t i) const;
   /// Whether a break counts as an end of the chain.
   bool is_at_end(double fraction) const;
+  std::vector<double> find_break_fractions() const;
 
   const CurveTable* table_;
   std::vector<ArcPiece> pieces_;
-  std::vector<double> ends_;                   ///< length up to the end of each piece
-  std::vector<double> starts_;                 ///< length on its curve at which each piece begins
-  std::vector<const ArcLength*> arc_lengths_;  ///< of the curve of each piece
+  std::vector<double> ends_;                                    ///< length up to the end of each piece
+  std::vector<double> starts_;                                  ///< length on its curve at which each piece begins
+  std::vector<const ArcLength*> arc_lengths_;                   ///< of the curve of each piece
+  mutable std::optional<std::vector<double>> break_fractions_;  ///< once they were asked for
 };
 
 }  // namespace quadrille::curve

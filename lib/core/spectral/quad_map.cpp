@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -17,6 +19,8 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double extended_roundoff = 0x1p-64;
+constexpr double sharp = 1e-10;       ///< difference of a bound from the least value, of this
+constexpr double bilinear_ulps = 16;  ///< by which nodes of bilinear elements are rounded at most
 
 using Rows = std::vector<long double>;
 
@@ -161,6 +165,66 @@ double least_corner(const BernsteinSquare& p) {
   return std::min({p.coefs.front(), p.coefs[width - 1], p.coefs[width * (width - 1)], p.coefs.back()});
 }
 
+/// An element that is bilinear but for rounding, as all are whose sides are straight: its derivatives at the corners
+/// are those of its sides, and det J and the scaled Jacobian are least at corners.
+struct BilinearElement {
+  std::array<Vec2, 2> by_xi1, by_xi2;  ///< at xi2 = -1, 1; at xi1 = -1, 1
+  double deviation = 0;                ///< bound of the distance of nodes from it, by coordinate
+
+  Vec2 a(int corner) const { return by_xi1[corner / 2]; }  ///< corners: xi1 fastest
+  Vec2 b(int corner) const { return by_xi2[corner % 2]; }
+};
+
+std::optional<BilinearElement> as_bilinear(int order, const Vec2* nodes) {
+  const std::vector<double>& xi = gll_points(order);
+  const int n = order + 1;
+  const Vec2 origin = nodes[0], right = nodes[order] - origin, top = nodes[n * order] - origin;
+  const Vec2 twist = nodes[n * n - 1] - origin - right - top;
+  const auto greatest = [](Vec2 v) { return std::max(std::abs(v.x), std::abs(v.y)); };
+  const double size = greatest(right) + greatest(top) + greatest(twist);
+  const double limit = bilinear_ulps * unit_roundoff * (greatest(origin) + size);
+  double deviation = 0;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double s = (1 + xi[i]) / 2, t = (1 + xi[j]) / 2;
+      deviation = std::max(deviation, greatest(nodes[j * n + i] - origin - (s * right + t * top + s * t * twist)));
+      if (!(deviation <= limit)) return std::nullopt;
+    }
+  return BilinearElement{
+      {right / 2, (right + twist) / 2}, {top / 2, (top + twist) / 2}, deviation + bilinear_ulps * unit_roundoff * size};
+}
+
+/// As conversion_error and add_product bound it: a node is at most `deviation` off. No value if the bound is not sharp.
+std::optional<double> bilinear_lower_bound(int order, const BilinearElement& element) {
+  const Tables& t = tables(order);
+  Vec2 largest_a, largest_b;
+  double least = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 4; ++corner) {
+    const Vec2 a = element.a(corner), b = element.b(corner);
+    least = std::min(least, cross(a, b));
+    largest_a = {std::max(largest_a.x, std::abs(a.x)), std::max(largest_a.y, std::abs(a.y))};
+    largest_b = {std::max(largest_b.x, std::abs(b.x)), std::max(largest_b.y, std::abs(b.y))};
+  }
+  const double error = t.value_norm * t.derivative_norm * element.deviation;
+  const auto product_error = [&](double a, double b) {
+    return (a + b) * error + error * error + bilinear_ulps * unit_roundoff * a * b;
+  };
+  const double below = product_error(largest_a.x, largest_b.y) + product_error(largest_a.y, largest_b.x);
+  if (!(below < sharp * least)) return std::nullopt;
+  return least - below;
+}
+
+ScaledJacobianMinimum least_at_corners(const BilinearElement& element) {
+  ScaledJacobianMinimum least{2, {}};
+  for (int corner = 0; corner < 4; ++corner) {
+    const Vec2 a = element.a(corner), b = element.b(corner);
+    const double scale = std::sqrt(norm2(a) * norm2(b)), value = scale > 0 ? cross(a, b) / scale : 0;
+    if (value < least.value) least = {std::min(value, 1.0), {corner % 2 == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0}};
+  }
+  if (least.value <= 0) least.value = -1;
+  return least;
+}
+
 /// Values and derivatives of the nodal basis at equispaced sample points, ends included.
 struct Samples {
   Eigen::MatrixXd value, derivative;
@@ -234,12 +298,15 @@ double least_value(const BernsteinSquare& polynomial, double tolerance) {
 }
 
 double quad_jacobian_lower_bound(int order, const Vec2* nodes, int depth) {
+  if (const std::optional<BilinearElement> element = as_bilinear(order, nodes))
+    if (const std::optional<double> bound = bilinear_lower_bound(order, *element)) return *bound;
   return lower_bound(quad_jacobian_det(order, nodes), depth);
 }
 
 double quad_scaled_jacobian(int order, const Vec2* nodes) { return quad_scaled_jacobian_minimum(order, nodes).value; }
 
 ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes) {
+  if (const std::optional<BilinearElement> element = as_bilinear(order, nodes)) return least_at_corners(*element);
   const Samples& s = table_per_order<Samples>(order);
   const int n = order + 1;
   Eigen::MatrixXd x(n, n), y(n, n);  // row: xi1, column: xi2

@@ -63,7 +63,7 @@ void add_product(const DofMap& map, const CondensedElements& elements, const Eig
     if (at_given && !has_given_dofs(map, e)) continue;
     const Eigen::MatrixXd of_elem = element_dofs(map, e, dofs);
     if (of_elem.isZero(0)) continue;
-    const Eigen::MatrixXd local = elements[e]->schur.dense() * of_elem;
+    const Eigen::MatrixXd local = elements[e]->schur * of_elem;
     const int offset = map.elem2offset[e];
     for (int i = 0; i < local.rows(); ++i) {
       const int dof = map.elem2dofs[offset + i], row = dof - first;

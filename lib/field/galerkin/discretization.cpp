@@ -89,9 +89,12 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
   Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
   dofs << solver_->solve(rhs), given;
   watch.lap("substitution");
-  residual_ = relative_residual(*map_, elements_, rhs, dofs);
-  watch.lap("residual");
   return dofs;
+}
+
+double ContinuousSystem::residual(const Eigen::MatrixXd& dofs) const {
+  const Eigen::MatrixXd given = dofs.bottomRows(map_->num_dofs - map_->num_unknowns);
+  return relative_residual(*map_, elements_, right_hand_side(*map_, elements_, given), dofs);
 }
 
 Eigen::MatrixXd ContinuousSystem::solution(const Eigen::MatrixXd& given, double negligible) {
@@ -150,7 +153,8 @@ Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
   const Eigen::MatrixXd dofs = system_.solve(dirichlet_.values(context_->topology, system_.map()), watch);
   Solution solution;
   solution.num_unknowns = system_.map().num_unknowns;
-  solution.residual = system_.residual();
+  solution.residual = system_.residual(dofs);
+  watch.lap("residual");
   solution.elem_coefs = system_.all_coefs(dofs);
   watch.lap("coefficients");
   solution.laps = watch.laps();

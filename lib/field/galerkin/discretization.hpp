@@ -70,12 +70,12 @@ class ContinuousSystem {
   const std::vector<int>& elem_order() const { return elem_order_; }
   /// All dofs (num_dofs rows) from the values of the given ones, [num_unknowns, num_dofs).
   Eigen::MatrixXd solve(const Eigen::MatrixXd& given, Stopwatch& watch);
-  /// The same without the residual, and where it is not `negligible` (SparseSolver::solve).
+  /// The same, where it is not `negligible` (SparseSolver::solve).
   Eigen::MatrixXd solution(const Eigen::MatrixXd& given, double negligible);
   /// Energy products of the solutions for many given values that are sparse, without the solutions.
   Eigen::MatrixXd energy_products(const SparseColumns& given) const;
-  /// Residual of the last solve, relative to its right-hand side.
-  double residual() const { return residual_; }
+  /// Residual of a solution, relative to the right-hand side of its given dofs.
+  double residual(const Eigen::MatrixXd& dofs) const;
   /// The reactions of the given dofs (galerkin/condensed_system.hpp).
   Eigen::MatrixXd reactions(const Eigen::MatrixXd& dofs) const;
   /// The coefficients of one element in the orthogonal basis.
@@ -98,7 +98,6 @@ class ContinuousSystem {
   CondensedElements elements_;
   std::unique_ptr<DofMap> map_;
   std::unique_ptr<SparseSolver> solver_;  ///< of map_
-  double residual_ = 0;
 };
 
 /// The continuous discretisation of both Laplace problems.

@@ -123,7 +123,6 @@ struct PhaseSolver::Parts {
 struct PhaseSolver::State {
   PhaseForm form;        ///< without s
   Eigen::VectorXd dofs;  ///< of s, including the hole winding
-  double residual = 0;
   double remainder_energy = 0;     ///< a(s, s) / 2
   Eigen::VectorXd hole_reactions;  ///< a(s, w_j)
   Eigen::VectorXd best_winding;    ///< m* of lib/method.md §8.6
@@ -250,8 +249,7 @@ void PhaseSolver::solve_for_winding(const Eigen::MatrixXd& data, State& state) {
   const HoleMeasures& holes = parts_->holes;
   const Eigen::MatrixXd given = holes.m.size() == 0 ? data : data + 2 * pi * (holes.given * holes.m);
   state.dofs = parts_->system.solve(given, parts_->watch);
-  state.residual = parts_->system.residual();
-  if (!std::isfinite(state.residual)) throw ComputeError("the solution is not finite: some element has a folded shape");
+  if (!state.dofs.allFinite()) throw ComputeError("the solution is not finite: some element has a folded shape");
   const Eigen::VectorXd reaction = parts_->system.reactions(state.dofs);
   state.remainder_energy = given.col(0).dot(reaction) / 2;
   if (holes.m.size() == 0) return;
@@ -293,7 +291,7 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const std::vector<int>& windin
   report.set("solve.method", enum_name(field.method));
   report.set("solve.num_elements", mesh.num_elems());
   report.set("solve.num_unknowns", parts_->system.map().num_unknowns);
-  report.set("solve.residual", state.residual);
+  report.set("solve.residual", parts_->system.residual(state.dofs));
   std::vector<double> node_valences, corner_valences;
   for (const PhaseNode& node : form.prescribed.nodes) node_valences.push_back(node.valence);
   for (const CornerValence& corner : form.prescribed.corners) corner_valences.push_back(corner.valence);

@@ -193,6 +193,17 @@ Eigen::MatrixXd SymmetricMatrix::dense() const {
   return all;
 }
 
+Eigen::MatrixXd SymmetricMatrix::operator*(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(rows_, x.cols());
+  for (Eigen::Index k = 0; k < x.cols(); ++k)
+    for (Eigen::Index j = 0, first = 0; j < rows_; first += rows_ - j, ++j) {
+      const auto below = columns_.segment(first + 1, rows_ - j - 1);
+      product(j, k) += columns_[first] * x(j, k) + below.dot(x.col(k).tail(below.size()));
+      product.col(k).tail(below.size()) += x(j, k) * below;
+    }
+  return product;
+}
+
 CondensedElement eliminate_interior(const Eigen::MatrixXd& k_ii, const Eigen::MatrixXd& k_ib,
                                     const Eigen::MatrixXd& k_bb, const char* failure) {
   const Eigen::LLT<Eigen::MatrixXd> factored(k_ii);  // L L^T

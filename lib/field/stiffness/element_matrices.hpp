@@ -30,6 +30,7 @@ class SymmetricMatrix {
   Eigen::Index rows() const { return rows_; }
   /// All entries.
   Eigen::MatrixXd dense() const;
+  Eigen::MatrixXd operator*(const Eigen::MatrixXd& x) const;
 
  private:
   Eigen::Index rows_ = 0;

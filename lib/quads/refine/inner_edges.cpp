@@ -7,6 +7,7 @@
 
 #include "base/tolerance.hpp"
 #include "refine/validity.hpp"
+#include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::refine {
@@ -156,13 +157,13 @@ void EdgeShaper::restore_inside(int elem) {
   const int first = elem * mesh_.nodes_per_elem();
   for (int k = first; k < first + mesh_.nodes_per_elem(); ++k)
     mesh_.nodes[mesh_.elem_nodes[k]] = before_.nodes[mesh_.elem_nodes[k]];
-  mesh_.elem_jacobian_bound[elem] = before_.elem_jacobian_bound[elem];
-  mesh_.elem_scaled_jacobian[elem] = before_.elem_scaled_jacobian[elem];
 }
 
 bool EdgeShaper::is_worse(int elem) const {
-  const double least = std::min(good_scaled_jacobian, before_.elem_scaled_jacobian[elem]) - tolerance::tied;
-  return !(mesh_.elem_jacobian_bound[elem] > 0) || mesh_.elem_scaled_jacobian[elem] < least;
+  if (!(mesh_.elem_jacobian_bound[elem] > 0)) return true;
+  const double scaled_jacobian = mesh_.elem_scaled_jacobian[elem] + tolerance::tied;
+  return scaled_jacobian < good_scaled_jacobian &&
+         scaled_jacobian < spectral::quad_scaled_jacobian(mesh_.order, element_nodes(before_, elem).data());
 }
 
 /// Of each of these elements the straight edge that bends most, and those that bend as much, keep their curves.
@@ -193,13 +194,10 @@ void EdgeShaper::run() {
     for (const int elem : elems) place_edges(elem);
     std::vector<int> worse;
     for (const int elem : elems) {
-      if (is_unchanged(elem)) {
-        restore_inside(elem);
-        continue;
-      }
-      place_inside(elem);
+      const bool has_all_curves = is_unchanged(elem);
+      has_all_curves ? restore_inside(elem) : place_inside(elem);
       measure_element(mesh_, elem);
-      if (is_worse(elem)) worse.push_back(elem);
+      if (!has_all_curves && is_worse(elem)) worse.push_back(elem);
     }
     elems = restore_curves(worse);
   }
@@ -209,7 +207,10 @@ void EdgeShaper::run() {
 }  // namespace
 
 void shape_inner_edges(QuadMesh& mesh, InnerEdges shape, const std::vector<bool>& kept) {
-  if (shape != InnerEdges::curved && mesh.order > 1) EdgeShaper(mesh, shape, kept).run();
+  if (shape == InnerEdges::curved || mesh.order == 1) return measure_elements(mesh);
+  mesh.elem_jacobian_bound.resize(mesh.num_elems());
+  mesh.elem_scaled_jacobian.resize(mesh.num_elems());
+  EdgeShaper(mesh, shape, kept).run();
 }
 
 }  // namespace quadrille::refine

@@ -3,56 +3,74 @@
 
 #include <Eigen/Dense>
 #include <array>
-#include <limits>
 
 #include "base/vec2.hpp"
 
 namespace quadrille::refine {
 
-/// The energy for a = x_s / h and b = x_t / h, and its derivatives by these; infinite if det J is not positive.
-struct PointEnergy {
-  PointEnergy(Vec2 a, Vec2 b, double weight);
-  double value = 0;
-  Vec2 by_a, by_b;
-  /// Of the second derivatives: of mu^3 by mu and of mu by a and b; factors of the unit matrix, and of a a and b b.
-  double mu_slope = 0, mu_bend = 0, size_a = 0, size_b = 0, turn_a = 0, turn_b = 0;
-  Vec2 mu_a, mu_b;
+/// `Real`: double, or an array of the values at several points.
+template <class Real>
+struct PointVector {
+  Real x, y;
 };
 
-inline PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) {
-  const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
-  const double size = (aa * aa * aa + bb * bb * bb) / 2;
-  const Vec2 det_a{b.y, -b.x}, det_b{-a.y, a.x};
-  value = det > 0 ? size * det + weight * mu * mu * mu : std::numeric_limits<double>::infinity();
-  mu_slope = 3 * weight * mu * mu / det;
-  mu_bend = 6 * weight * mu;
-  mu_a = (a - mu * det_a) / det, mu_b = (b - mu * det_b) / det;
-  size_a = 3 * aa * aa * det, size_b = 3 * bb * bb * det;
-  turn_a = 12 * aa * det, turn_b = 12 * bb * det;
-  by_a = size_a * a + size * det_a + mu_slope * det * mu_a;
-  by_b = size_b * b + size * det_b + mu_slope * det * mu_b;
+/// The energy for a = x_s / h and b = x_t / h, and its derivatives by these, where det J is positive.
+template <class Real>
+struct PointEnergy {
+  PointEnergy(const PointVector<Real>& a, const PointVector<Real>& b, double weight);
+  Real det, value;
+  PointVector<Real> by_a, by_b;
+};
+
+template <class Real>
+PointEnergy<Real>::PointEnergy(const PointVector<Real>& a, const PointVector<Real>& b, double weight)
+    : det(a.x * b.y - a.y * b.x) {
+  const Real aa = a.x * a.x + a.y * a.y, bb = b.x * b.x + b.y * b.y, mu = 0.5 * (aa + bb) / det;
+  const Real aaaa = aa * aa, bbbb = bb * bb, size = 0.5 * (aaaa * aa + bbbb * bb), mu_mu = weight * mu * mu;
+  value = size * det + mu_mu * mu;
+  // mu grows by (a - mu det_a) / det with a, det_a = (b_y, -b_x), and with b alike, det_b = (-a_y, a_x).
+  const Real mu_slope = 3.0 * mu_mu / det, by_det = size - mu_slope * mu;
+  const Real along_a = 3.0 * aaaa * det + mu_slope, along_b = 3.0 * bbbb * det + mu_slope;
+  by_a = {along_a * a.x + by_det * b.y, along_a * a.y - by_det * b.x};
+  by_b = {along_b * b.x - by_det * a.y, along_b * b.y + by_det * a.x};
 }
+
+/// What is positive of the second derivatives.
+class PointBends {
+ public:
+  PointBends(Vec2 a, Vec2 b, double weight);
+  /// (xx, xy, yy), by the move of a point with which a moves by `along_s` and b by `along_t`.
+  std::array<double, 3> block(double along_s, double along_t) const;
+
+ private:
+  Vec2 a_, b_;
+  /// Of mu^3 by mu and of mu by a and b; factors of the unit matrix, and of a a and b b.
+  double mu_slope_, mu_bend_, size_a_, size_b_, turn_a_, turn_b_;
+  Vec2 mu_a_, mu_b_;
+};
 
 /// The second derivatives by (a, b), with the absolute values of its curvatures: positive semidefinite.
 Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight);
 
-struct SidePoint {
-  int point = 0;  ///< s fastest
-  bool is_along_a = true;
+/// Where the points of an element are as seen from a side: p along it, r away from it.
+struct SideFrame {
+  int first = 0, step_along = 0, step_across = 0;
   double along = 1, across = 1;  ///< signs of the derivatives along the side and away from it
+
+  int point(int p, int r) const { return first + p * step_along + r * step_across; }
 };
 
-/// Of n x n points of an element: point p along a side, r away from it.
-inline SidePoint side_point(int side, int p, int r, int n) {
+/// Of n x n points, s fastest.
+inline SideFrame side_frame(int side, int n) {
   switch (side) {
     case 0:
-      return {r * n + p, true, 1, 1};
+      return {0, 1, n, 1, 1};
     case 1:
-      return {p * n + n - 1 - r, false, 1, -1};
+      return {n - 1, n, -1, 1, -1};
     case 2:
-      return {(n - 1 - r) * n + n - 1 - p, true, -1, -1};
+      return {n * n - 1, -1, -n, -1, -1};
     default:
-      return {(n - 1 - p) * n + r, false, -1, 1};
+      return {n * (n - 1), -n, 1, -1, 1};
   }
 }
 

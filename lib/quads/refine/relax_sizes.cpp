@@ -47,7 +47,6 @@ QuadMesh moved_mesh(const RelaxProblem& problem, const SizeRelaxation& options, 
   QuadMesh mesh = problem.start;
   mesh.nodes = problem.follow.nodes(moves);
   update_curves(problem, moves, mesh);
-  measure_elements(mesh);
   shape_inner_edges(mesh, options.inner_edges, options.kept_elems);
   return mesh;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 #include "base/tolerance.hpp"
 #include "refine/point_energy.hpp"
@@ -13,17 +15,26 @@ namespace {
 
 constexpr double first_shape_weight = 2;  ///< w
 constexpr double sharp_sine = 0.5;        ///< of the angle of a corner between curves
+constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
+
+SizeEnergy::Rule::Rule(int count) : size(count * count) {
+  const spectral::Quadrature line = spectral::gauss_lobatto(count);
+  for (int k = 0; k < size; ++k) {
+    s[k] = (1 + line.points[k % count]) / 2;
+    t[k] = (1 + line.points[k / count]) / 2;
+    weight[k] = line.weights[k % count] * line.weights[k / count] / 4;
+  }
+}
 
 SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
     : problem_(problem), loops_(shaped), start_(problem.num_vertices()), inverse_size_(shaped.num_elems(), {1, 1}) {
-  const spectral::Quadrature rule = spectral::gauss_lobatto(points);
-  const Eigen::MatrixXd slopes = spectral::differentiation_matrix(rule.points);
-  curved_rule_.count = points;
+  const Eigen::MatrixXd slopes = spectral::differentiation_matrix(spectral::gauss_lobatto(points).points);
   for (int i = 0; i < points; ++i) {
-    curved_rule_.at[i] = (1 + rule.points[i]) / 2;
-    curved_rule_.weight[i] = rule.weights[i] / 2;
+    const double eta = along_[i] = curved_rule_.s[i];
     for (int j = 0; j < points; ++j) slope_[i][j] = 2 * slopes(i, j);
+    linear_.value[i] = 1 - eta, linear_.slope[i] = -1;
+    quadratic_.value[i] = (1 - eta) * (1 - eta), quadratic_.slope[i] = -2 * (1 - eta);
   }
   shape_weights.assign(shaped.num_elems(), first_shape_weight);
   for (int elem = 0; elem < shaped.num_elems(); ++elem) {
@@ -58,7 +69,7 @@ void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
   elem_sides_.assign(shaped.num_elems(), -1);
   const std::vector<double>& xi = spectral::gll_points(shaped.order);
   std::vector<double> sampled;
-  for (const double t : curved_rule_.at) sampled.push_back(2 * t - 1);
+  for (const double t : along_) sampled.push_back(2 * t - 1);
   const Eigen::MatrixXd interpolate = spectral::interpolation_matrix(xi, sampled);
   const auto add = [&](int elem, int side, const CurvedSide& curved) {
     if (elem_sides_[elem] < 0) elem_sides_[elem] = static_cast<int>(curved_.size()), curved_.emplace_back();
@@ -81,9 +92,10 @@ void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
       for (int p = 0; p < points; ++p) {
         Vec2 x;
         for (int k = 0; k <= shaped.order; ++k) x += interpolate(p, k) * shaped.nodes[side_node(shaped, elem, side, k)];
-        curved.shift[p] = x - ((1 - curved_rule_.at[p]) * from + curved_rule_.at[p] * to);
+        curved.shift[p] = x - ((1 - along_[p]) * from + along_[p] * to);
         bend = std::max(bend, norm(curved.shift[p]));
       }
+      curved.slope = slopes_of(curved.shift);
       if (curved.edge >= 0 || bend > tolerance::tied * distance(from, to)) add(elem, side, curved);
     }
     if (elem_sides_[elem] < 0) continue;
@@ -124,52 +136,67 @@ void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {
   const double beyond = end.length <= start.length ? loops_.length(end.loop) : 0;
   const double length = end.length + beyond + follow.slide(edge.to, moves) - low;
   for (int p = 1; p < points - 1; ++p) {
-    const LoopPoint at = loops_.at(start.loop, low + curved_rule_.at[p] * length);
+    const LoopPoint at = loops_.at(start.loop, low + along_[p] * length);
     side.tangent[p] = at.tangent;
     side.bend[p] = at.bend;
-    side.shift[p] = at.position - ((1 - curved_rule_.at[p]) * position_[from] + curved_rule_.at[p] * position_[to]);
+    side.shift[p] = at.position - ((1 - along_[p]) * position_[from] + along_[p] * position_[to]);
   }
+  side.slope = slopes_of(side.shift);
 }
 
-double SizeEnergy::blend(const Sides& sides, int side, double eta) const {
-  return sides.is_linear[side % 2] ? 1 - eta : (1 - eta) * (1 - eta);
+SizeEnergy::SidePoints SizeEnergy::slopes_of(const SidePoints& shift) const {
+  SidePoints slopes{};
+  for (int p = 0; p < points; ++p)
+    for (int q = 0; q < points; ++q) slopes[p] += slope_[p][q] * shift[q];
+  return slopes;
 }
 
-double SizeEnergy::blend_slope(const Sides& sides, int side, double eta) const {
-  return sides.is_linear[side % 2] ? -1 : -2 * (1 - eta);
+template <class Visit>
+void SizeEnergy::with_size(const Rule& rule, const Visit& visit) {
+  if (rule.size == 4)
+    visit(std::integral_constant<int, 4>{});
+  else
+    visit(std::integral_constant<int, points * points>{});
 }
 
 SizeEnergy::Tangents SizeEnergy::tangents(int elem) const {
   const auto& v = problem_.follow.elem_vertices()[elem];
-  const Vec2 c0 = position_[v[0]], c1 = position_[v[1]], c2 = position_[v[2]], c3 = position_[v[3]];
   const Vec2 scale = inverse_size_[elem];
-  const Rule& points_at = rule(elem);
-  const int n = points_at.count;
-  Tangents at;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double s = points_at.at[i], t = points_at.at[j];
-      at.a[j * n + i] = scale.x * ((1 - t) * (c1 - c0) + t * (c2 - c3));
-      at.b[j * n + i] = scale.y * ((1 - s) * (c3 - c0) + s * (c2 - c1));
-    }
-  if (elem_sides_[elem] < 0) return at;
+  const Vec2 bottom = scale.x * (position_[v[1]] - position_[v[0]]),
+             top = scale.x * (position_[v[2]] - position_[v[3]]);
+  const Vec2 left = scale.y * (position_[v[3]] - position_[v[0]]),
+             right = scale.y * (position_[v[2]] - position_[v[1]]);
+  const Rule& at = rule(elem);
+  const auto between = [&](const auto& t, double low, double high) { return low + t * (high - low); };
+  Tangents tangents;
+  const auto place = [&](auto n) {
+    tangents.a.x.head<n>() = between(at.t.head<n>(), bottom.x, top.x);
+    tangents.a.y.head<n>() = between(at.t.head<n>(), bottom.y, top.y);
+    tangents.b.x.head<n>() = between(at.s.head<n>(), left.x, right.x);
+    tangents.b.y.head<n>() = between(at.s.head<n>(), left.y, right.y);
+  };
+  with_size(at, place);
+  if (elem_sides_[elem] >= 0) add_shifts(elem, tangents);
+  return tangents;
+}
+
+/// Of the points of curved sides from their chords, blended into the element.
+void SizeEnergy::add_shifts(int elem, Tangents& at) const {
   const Sides& sides = curved_[elem_sides_[elem]];
-  for (int k = 0; k < 4; ++k) {
-    if (sides.side[k] < 0) continue;
-    const SidePoints& shift = sides_[sides.side[k]].shift;
-    for (int p = 0; p < points; ++p) {
-      Vec2 slope;
-      for (int q = 0; q < points; ++q) slope += slope_[p][q] * shift[q];
-      for (int r = 0; r < points; ++r) {
-        const SidePoint x = side_point(k, p, r, points);
-        (x.is_along_a ? at.a : at.b)[x.point] +=
-            (x.is_along_a ? scale.x : scale.y) * x.along * blend(sides, k, curved_rule_.at[r]) * slope;
-        (x.is_along_a ? at.b : at.a)[x.point] +=
-            (x.is_along_a ? scale.y : scale.x) * x.across * blend_slope(sides, k, curved_rule_.at[r]) * shift[p];
+  for (int side = 0; side < 4; ++side) {
+    if (sides.side[side] < 0) continue;
+    const CurvedSide& curved = sides_[sides.side[side]];
+    const Blend& blended = blend(sides, side);
+    const SideFrame frame = side_frame(side, points);
+    const bool is_along_a = side % 2 == 0;
+    const double along = frame.along * (is_along_a ? inverse_size_[elem].x : inverse_size_[elem].y);
+    const double across = frame.across * (is_along_a ? inverse_size_[elem].y : inverse_size_[elem].x);
+    for (int r = 0; r < points; ++r)
+      for (int p = 0; p < points; ++p) {
+        (is_along_a ? at.a : at.b).add(frame.point(p, r), along * blended.value[r] * curved.slope[p]);
+        (is_along_a ? at.b : at.a).add(frame.point(p, r), across * blended.slope[r] * curved.shift[p]);
       }
-    }
   }
-  return at;
 }
 
 void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
@@ -179,7 +206,7 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
     if (!is_free_[elem]) continue;
     const Tangents at = tangents(elem);
     double area = 0;
-    for (int k = 0; k < rule(elem).size(); ++k) area += rule(elem).weight_at(k) * cross(at.a[k], at.b[k]);
+    for (int k = 0; k < rule(elem).size; ++k) area += rule(elem).weight[k] * cross(at.a[k], at.b[k]);
     squares += area / (sizes[elem].x * sizes[elem].y);
     ++count;
   }
@@ -188,51 +215,84 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
     inverse_size_[elem] = {factor / sizes[elem].x, factor / sizes[elem].y};
 }
 
+/// The energy of an element, and its derivatives by x_s and x_t at the points of its rule.
+double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
+  const Rule& of = rule(elem);
+  const Vec2 scale = inverse_size_[elem];
+  double sum = 0;
+  with_size(of, [&](auto n) {
+    using Some = Eigen::Array<double, n, 1>;
+    const PointEnergy<Some> e({at.a.x.head<n>(), at.a.y.head<n>()}, {at.b.x.head<n>(), at.b.y.head<n>()},
+                              shape_weights[elem]);
+    const Some weight = of.weight.head<n>();
+    sum = e.det.minCoeff() > 0 ? (weight * e.value).sum() : infinity;
+    by.a.x.head<n>() = scale.x * weight * e.by_a.x;
+    by.a.y.head<n>() = scale.x * weight * e.by_a.y;
+    by.b.x.head<n>() = scale.y * weight * e.by_b.x;
+    by.b.y.head<n>() = scale.y * weight * e.by_b.y;
+  });
+  return sum;
+}
+
 void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
   const Tangents at = tangents(elem);
-  const auto& v = problem_.follow.elem_vertices()[elem];
-  const Rule& points_at = rule(elem);
   Tangents by;
-  for (int k = 0; k < points_at.size(); ++k) {
-    const double weight = points_at.weight_at(k);
-    const PointEnergy e(at.a[k], at.b[k], shape_weights[elem]);
-    sum.value += weight * e.value;
-    by.a[k] = weight * inverse_size_[elem].x * e.by_a;
-    by.b[k] = weight * inverse_size_[elem].y * e.by_b;
-    const std::array<Vec2, 4> slopes = corner_slopes(points_at.s(k), points_at.t(k));
-    for (int c = 0; c < 4; ++c) sum.gradient[v[c]] += slopes[c].x * by.a[k] + slopes[c].y * by.b[k];
-    if (!sum.blocks.empty()) add_blocks(elem, at, k, e, sum);
-  }
+  sum.value += slopes(elem, at, by);
+  const std::array<Vec2, 4> by_corner = by_corners(elem, by);
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  for (int c = 0; c < 4; ++c) sum.gradient[v[c]] += by_corner[c];
+  if (!sum.blocks.empty()) add_blocks(elem, at, sum);
   if (elem_sides_[elem] >= 0) pull_back_sides(elem, by);
 }
 
-void SizeEnergy::add_blocks(int elem, const Tangents& at, int point, const PointEnergy& e,
-                            EnergyDerivatives& sum) const {
-  const double weight = rule(elem).weight_at(point);
-  const std::array<Vec2, 4> slopes = corner_slopes(rule(elem).s(point), rule(elem).t(point));
-  const Vec2 a = at.a[point], b = at.b[point];
-  for (int c = 0; c < 4; ++c) {
-    const double e1 = inverse_size_[elem].x * slopes[c].x, e2 = inverse_size_[elem].y * slopes[c].y;
-    const Vec2 g = e1 * e.mu_a + e2 * e.mu_b;
-    const double round = e.mu_slope * (e1 * e1 + e2 * e2) + e.size_a * e1 * e1 + e.size_b * e2 * e2;
-    const double turn_a = e.turn_a * e1 * e1, turn_b = e.turn_b * e2 * e2;
-    std::array<double, 3>& h = sum.blocks[problem_.follow.elem_vertices()[elem][c]];
-    h[0] += weight * (round + e.mu_bend * g.x * g.x + turn_a * a.x * a.x + turn_b * b.x * b.x);
-    h[1] += weight * (e.mu_bend * g.x * g.y + turn_a * a.x * a.y + turn_b * b.x * b.y);
-    h[2] += weight * (round + e.mu_bend * g.y * g.y + turn_a * a.y * a.y + turn_b * b.y * b.y);
+/// The derivatives by the corners, from those by x_s and x_t.
+std::array<Vec2, 4> SizeEnergy::by_corners(int elem, const Tangents& by) const {
+  const Rule& of = rule(elem);
+  std::array<Vec2, 4> corners;
+  with_size(of, [&](auto n) {
+    constexpr int count = n;
+    const auto sums = [](const Values& place, const Vectors& v) {
+      const auto x = v.x.head<count>(), y = v.y.head<count>(), part = place.head<count>();
+      const Vec2 all{x.sum(), y.sum()}, high{(part * x).sum(), (part * y).sum()};
+      return std::array{all - high, high};
+    };
+    const auto [bottom, top] = sums(of.t, by.a);
+    const auto [left, right] = sums(of.s, by.b);
+    corners = {-(bottom + left), bottom - right, top + right, left - top};
+  });
+  return corners;
+}
+
+/// Adds the diagonal blocks of the Hessian without what may be negative.
+void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
+  const Rule& of = rule(elem);
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  for (int k = 0; k < of.size; ++k) {
+    const PointBends bends(at.a[k], at.b[k], shape_weights[elem]);
+    const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
+    for (int c = 0; c < 4; ++c) {
+      const std::array<double, 3> block =
+          bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
+      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += of.weight[k] * block[i];
+    }
   }
 }
 
 /// The derivatives by the shifts of the points of a side.
 SizeEnergy::SidePoints SizeEnergy::by_shifts(const Sides& sides, int side, const Tangents& by) const {
+  const Blend& blended = blend(sides, side);
+  const SideFrame frame = side_frame(side, points);
+  const bool is_along_a = side % 2 == 0;
+  const Vectors &by_along = is_along_a ? by.a : by.b, &by_across = is_along_a ? by.b : by.a;
   SidePoints by_shift{};
-  for (int p = 0; p < points; ++p)
+  for (int p = 0; p < points; ++p) {
+    Vec2 by_slope;
     for (int r = 0; r < points; ++r) {
-      const SidePoint x = side_point(side, p, r, points);
-      const Vec2 along = x.along * blend(sides, side, curved_rule_.at[r]) * (x.is_along_a ? by.a : by.b)[x.point];
-      by_shift[p] += x.across * blend_slope(sides, side, curved_rule_.at[r]) * (x.is_along_a ? by.b : by.a)[x.point];
-      for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * along;
+      by_slope += frame.along * blended.value[r] * by_along[frame.point(p, r)];
+      by_shift[p] += frame.across * blended.slope[r] * by_across[frame.point(p, r)];
     }
+    for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * by_slope;
+  }
   return by_shift;
 }
 
@@ -246,8 +306,8 @@ void SizeEnergy::pull_back_sides(int elem, const Tangents& by) {
     const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
     double from = 0, to = 0;
     for (int p = 1; p < points - 1; ++p) {
-      from += (1 - curved_rule_.at[p]) * dot(by_shift[p], side.tangent[p] - side.tangent[0]);
-      to += curved_rule_.at[p] * dot(by_shift[p], side.tangent[p] - side.tangent[points - 1]);
+      from += (1 - along_[p]) * dot(by_shift[p], side.tangent[p] - side.tangent[0]);
+      to += along_[p] * dot(by_shift[p], side.tangent[p] - side.tangent[points - 1]);
     }
     slide_gradient_[problem_.follow.vertex_of(edge.from)] += problem_.follow.direction(edge.from) * from;
     slide_gradient_[problem_.follow.vertex_of(edge.to)] += problem_.follow.direction(edge.to) * to;

@@ -32,8 +32,6 @@ struct EnergyDerivatives {
 /// Second derivatives by the moves of the corners, (x, y) of each in turn; of corners that slide x is the slide.
 using ElementHessian = Eigen::Matrix<double, 8, 8>;
 
-struct PointEnergy;
-
 class SizeEnergy {
  public:
   /// `shaped`: the mesh of the problem with its edges inside as they are to be (refine/inner_edges).
@@ -63,6 +61,7 @@ class SizeEnergy {
   struct CurvedSide {
     int edge = -1;         ///< of BoundarySlide; -1: inside, or its ends are fixed
     SidePoints shift{};    ///< from the chord
+    SidePoints slope{};    ///< of the shift, by the position along the side
     SidePoints tangent{};  ///< of the curve
     SidePoints bend{};
   };
@@ -70,18 +69,24 @@ class SizeEnergy {
     std::array<int, 4> side{-1, -1, -1, -1};  ///< into sides_, in the side's own direction
     std::array<bool, 2> is_linear{};          ///< of sides 0 and 2, 1 and 3: both are curved
   };
-  struct Tangents {
-    std::array<Vec2, points * points> a, b;  ///< x_s, x_t at the points of the element's rule; s fastest
-  };
-  /// A rule of quadrature on [0, 1]. Bilinear elements need only their corners, where det J is least.
-  struct Rule {
-    int count = 0;
-    std::array<double, points> at{}, weight{};
+  using Values = Eigen::Array<double, points * points, 1>;  ///< at the points of the element's rule; s fastest
+  struct Vectors {
+    Values x, y;
 
-    int size() const { return count * count; }
-    double s(int point) const { return at[point % count]; }
-    double t(int point) const { return at[point / count]; }
-    double weight_at(int point) const { return weight[point % count] * weight[point / count]; }
+    Vec2 operator[](int point) const { return {x[point], y[point]}; }
+    void add(int point, Vec2 v) { x[point] += v.x, y[point] += v.y; }
+  };
+  struct Tangents {
+    Vectors a, b;  ///< x_s / h, x_t / h
+  };
+  struct Blend {
+    std::array<double, points> value{}, slope{};  ///< at the points of a line away from the side
+  };
+  /// A rule of quadrature on the unit square. Bilinear elements need only their corners, where det J is least.
+  struct Rule {
+    explicit Rule(int count);  ///< of Gauss-Lobatto-Legendre points in each direction, at most `points`
+    int size = 0;
+    Values s, t, weight;
   };
 
   void lighten_sharp_corners();
@@ -89,6 +94,9 @@ class SizeEnergy {
   void place(const VertexMoves& moves);
   void place_side(CurvedSide& side, const VertexMoves& moves) const;
   Tangents tangents(int elem) const;
+  void add_shifts(int elem, Tangents& at) const;
+  double slopes(int elem, const Tangents& at, Tangents& by) const;
+  std::array<Vec2, 4> by_corners(int elem, const Tangents& by) const;
   void add_element(int elem, EnergyDerivatives& sum);
   SidePoints by_shifts(const Sides& sides, int side, const Tangents& by) const;
   using MoveSlopes = std::array<Eigen::Matrix<double, 4, 8>, points * points>;
@@ -96,22 +104,26 @@ class SizeEnergy {
   void add_slides_of_points(int elem, int side, MoveSlopes& by_move) const;
   ElementHessian hessian(int elem) const;
   void add_bends(int elem, const Tangents& by, ElementHessian& sum) const;
-  void add_blocks(int elem, const Tangents& at, int point, const PointEnergy& e, EnergyDerivatives& sum) const;
+  void add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const;
   void pull_back_sides(int elem, const Tangents& by);
   void reduce_to_curves(EnergyDerivatives& sum) const;
   int sliding_side(int elem, int side) const;
-  double blend(const Sides& sides, int side, double eta) const;
-  double blend_slope(const Sides& sides, int side, double eta) const;
+  SidePoints slopes_of(const SidePoints& shift) const;
+  const Blend& blend(const Sides& sides, int side) const { return sides.is_linear[side % 2] ? linear_ : quadratic_; }
 
+  /// visit(std::integral_constant<int, number of points>): loops of a known length are fast.
+  template <class Visit>
+  static void with_size(const Rule& rule, const Visit& visit);
   const Rule& rule(int elem) const { return elem_sides_[elem] < 0 ? corners_ : curved_rule_; }
 
   const RelaxProblem& problem_;
   const SampledLoops loops_;
-  const Rule corners_{2, {0, 1}, {0.5, 0.5}};
-  Rule curved_rule_;
+  const Rule corners_{2}, curved_rule_{points};
+  std::array<double, points> along_{};                      ///< of the points of a side, in [0, 1]
   std::array<std::array<double, points>, points> slope_{};  ///< row: of the derivatives at a point
-  std::vector<Vec2> start_, position_, tangent_, bend_;     ///< by vertex
-  std::vector<double> slide_gradient_;                      ///< by vertex, from the points between vertices
+  Blend quadratic_, linear_;
+  std::vector<Vec2> start_, position_, tangent_, bend_;  ///< by vertex
+  std::vector<double> slide_gradient_;                   ///< by vertex, from the points between vertices
   std::vector<CurvedSide> sides_;
   std::vector<int> elem_sides_;  ///< into curved_, -1: bilinear
   std::vector<Sides> curved_;

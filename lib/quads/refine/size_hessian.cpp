@@ -18,9 +18,9 @@ SizeEnergy::MoveSlopes SizeEnergy::move_slopes(int elem) const {
   const auto& v = problem_.follow.elem_vertices()[elem];
   const Rule& at = rule(elem);
   MoveSlopes by_move;
-  for (int k = 0; k < at.size(); ++k) {
+  for (int k = 0; k < at.size; ++k) {
     by_move[k].setZero();
-    const std::array<Vec2, 4> slopes = corner_slopes(at.s(k), at.t(k));
+    const std::array<Vec2, 4> slopes = corner_slopes(at.s[k], at.t[k]);
     for (int c = 0; c < 4; ++c) {
       if (problem_.is_fixed[v[c]]) continue;
       const double by_s = inverse_size_[elem].x * slopes[c].x, by_t = inverse_size_[elem].y * slopes[c].y;
@@ -43,37 +43,32 @@ void SizeEnergy::add_slides_of_points(int elem, int side, MoveSlopes& by_move) c
   const CurvedSide& on_curve = sides_[sides.side[side]];
   const SlidingEdge& edge = problem_.boundary.edges()[on_curve.edge];
   const Vec2 scale = inverse_size_[elem];
+  const Blend& blended = blend(sides, side);
+  const SideFrame frame = side_frame(side, points);
+  const bool is_along_a = side % 2 == 0;
   for (const bool is_end : {false, true}) {
     const int corner = (side + is_end) % 4;
     if (problem_.is_fixed[problem_.follow.elem_vertices()[elem][corner]]) continue;
     const double direction = problem_.follow.direction(is_end ? edge.to : edge.from);
     SidePoints shift{};
     for (int p = 1; p < points - 1; ++p) {
-      const double t = curved_rule_.at[p];
+      const double t = along_[p];
       shift[p] = direction * (is_end ? t : 1 - t) * (on_curve.tangent[p] - on_curve.tangent[is_end ? points - 1 : 0]);
     }
-    for (int p = 0; p < points; ++p) {
-      Vec2 slope;
-      for (int q = 0; q < points; ++q) slope += slope_[p][q] * shift[q];
+    const SidePoints slope = slopes_of(shift);
+    for (int p = 0; p < points; ++p)
       for (int r = 0; r < points; ++r) {
-        const SidePoint x = side_point(side, p, r, points);
-        const Vec2 along = x.along * blend(sides, side, curved_rule_.at[r]) * slope;
-        const Vec2 across = x.across * blend_slope(sides, side, curved_rule_.at[r]) * shift[p];
-        const Vec2 a = scale.x * (x.is_along_a ? along : across), b = scale.y * (x.is_along_a ? across : along);
-        by_move[x.point].col(2 * corner) += Eigen::Vector4d(a.x, a.y, b.x, b.y);
+        const Vec2 by_s = frame.along * blended.value[r] * slope[p], by_t = frame.across * blended.slope[r] * shift[p];
+        const Vec2 a = scale.x * (is_along_a ? by_s : by_t), b = scale.y * (is_along_a ? by_t : by_s);
+        by_move[frame.point(p, r)].col(2 * corner) += Eigen::Vector4d(a.x, a.y, b.x, b.y);
       }
-    }
   }
 }
 
 /// What points on curves add where these turn against the derivatives `by` a and b.
 void SizeEnergy::add_bends(int elem, const Tangents& by, ElementHessian& sum) const {
   const auto& v = problem_.follow.elem_vertices()[elem];
-  std::array<Vec2, 4> force{};
-  for (int k = 0; k < rule(elem).size(); ++k) {
-    const std::array<Vec2, 4> slopes = corner_slopes(rule(elem).s(k), rule(elem).t(k));
-    for (int c = 0; c < 4; ++c) force[c] += slopes[c].x * by.a[k] + slopes[c].y * by.b[k];
-  }
+  std::array<Vec2, 4> force = by_corners(elem, by);
   for (int from = 0; from < 4; ++from) {
     if (sliding_side(elem, from) < 0) continue;
     const CurvedSide& side = sides_[sliding_side(elem, from)];
@@ -81,7 +76,7 @@ void SizeEnergy::add_bends(int elem, const Tangents& by, ElementHessian& sum) co
     const SlidingEdge& edge = problem_.boundary.edges()[side.edge];
     const int to = (from + 1) % 4;
     for (int p = 1; p < points - 1; ++p) {
-      const double t = curved_rule_.at[p];
+      const double t = along_[p];
       force[from] += (t - 1) * by_shift[p], force[to] += -t * by_shift[p];
       Eigen::Matrix<double, 8, 1> slide = Eigen::Matrix<double, 8, 1>::Zero();
       if (!problem_.is_fixed[v[from]]) slide[2 * from] = problem_.follow.direction(edge.from) * (1 - t);
@@ -97,17 +92,15 @@ void SizeEnergy::add_bends(int elem, const Tangents& by, ElementHessian& sum) co
 ElementHessian SizeEnergy::hessian(int elem) const {
   const Tangents at = tangents(elem);
   const MoveSlopes by_move = move_slopes(elem);
+  const Rule& of = rule(elem);
   ElementHessian sum = ElementHessian::Zero();
-  Tangents by;
-  for (int k = 0; k < rule(elem).size(); ++k) {
-    const double weight = rule(elem).weight_at(k);
-    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
+  for (int k = 0; k < of.size; ++k) {
+    const Eigen::Matrix4d bend = of.weight[k] * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
-    const PointEnergy e(at.a[k], at.b[k], shape_weights[elem]);
-    by.a[k] = weight * inverse_size_[elem].x * e.by_a;
-    by.b[k] = weight * inverse_size_[elem].y * e.by_b;
   }
+  Tangents by;
+  slopes(elem, at, by);
   add_bends(elem, by, sum);
   return sum;
 }

@@ -118,6 +118,7 @@ bool SizeRelaxer::hold_joints(RelaxProblem& problem) {
   const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves, options_.tolerance);
   if (!at_joints) return false;
   for (const JointVertex& at : *at_joints) problem.fix_vertex(at.vertex);
+  inverse_.forget();
   const VertexMoves before = moves;
   // In each step as far as elements allow; then the other vertices follow.
   double left = 1;
@@ -138,6 +139,7 @@ bool SizeRelaxer::hold_joints(RelaxProblem& problem) {
 }
 
 bool SizeRelaxer::begin_again() {
+  inverse_.forget();
   for (std::size_t v = 0; v < moves.size(); ++v)
     if (problem_.is_fixed[v]) moves[v] = held_[v];
   if (std::isfinite(energy.value(moves))) return true;
@@ -158,7 +160,6 @@ EnergyDerivatives SizeRelaxer::begin(bool is_first) {
 }
 
 void SizeRelaxer::run() {
-  inverse_.forget();
   set_sizes();
   int slow = 0, kept = 0;
   EnergyDerivatives at = begin(true);

@@ -30,12 +30,10 @@ VertexSymmetry::VertexSymmetry(const RelaxProblem& problem, const std::vector<Ve
   const PointGrid grid(positions);
   for (const curve::Isometry& g : curve::symmetries(face)) {
     if (!g.is_mirrored && g.angle == 0) continue;
-    Image image{images(grid, g, tolerance::same_point * face.diameter),
-                {g.centre, g.is_mirrored ? g.angle : -g.angle, g.is_mirrored},
-                {}};
+    Image image{images(grid, g, tolerance::same_point * face.diameter), g.turned({1, 0}), g.turned({0, 1}), {}};
     if (image.vertex.empty()) continue;
     for (int v = 0; v < problem.num_vertices(); ++v)
-      image.is_backwards.push_back(dot(image.inverse.turned(tangents[image.vertex[v]]), tangents[v]) < 0);
+      image.is_backwards.push_back(dot(tangents[image.vertex[v]], g.turned(tangents[v])) < 0);
     double difference = 0, size = 0;
     for (int v = 0; v < problem.num_vertices(); ++v) {
       difference += norm2(back(image, v, gradient) - gradient[v]);
@@ -48,7 +46,7 @@ VertexSymmetry::VertexSymmetry(const RelaxProblem& problem, const std::vector<Ve
 /// What the image of a vertex does, mapped back to the vertex.
 Vec2 VertexSymmetry::back(const Image& image, int vertex, const VertexMoves& moves) const {
   const Vec2 move = moves[image.vertex[vertex]];
-  if (problem_.follow.on_boundary(vertex) < 0) return image.inverse.turned(move);
+  if (problem_.follow.on_boundary(vertex) < 0) return {dot(image.x, move), dot(image.y, move)};
   return image.is_backwards[vertex] ? -move : move;
 }
 

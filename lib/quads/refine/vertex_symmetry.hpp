@@ -22,8 +22,8 @@ class VertexSymmetry {
 
  private:
   struct Image {
-    std::vector<int> vertex;  ///< by vertex: its image
-    curve::Isometry inverse;
+    std::vector<int> vertex;         ///< by vertex: its image
+    Vec2 x, y;                       ///< the directions that are mapped onto those of the axes
     std::vector<bool> is_backwards;  ///< by vertex that slides: its image slides in the opposite direction
   };
   Vec2 back(const Image& image, int vertex, const VertexMoves& moves) const;

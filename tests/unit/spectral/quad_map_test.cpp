@@ -112,6 +112,22 @@ TEST(QuadMap, ThinElementsOfHighOrderAreProved) {
   }
 }
 
+/// Nodes that are rounded lie beside the bilinear map: what is proved is that of the polynomial through them.
+TEST(QuadMap, BoundOfARoundedBilinearElementLiesBelowItsPolynomial) {
+  for (const int order : {1, 2, 4, 7})
+    for (const Vec2 origin : {Vec2{}, Vec2{3e3, -1e3}}) {
+      const auto nodes = sampled(order, [&](double a, double b) {
+        return origin + Vec2{a + 0.2 * b + 0.3 * a * b, b - 0.1 * a - 0.2 * a * b};
+      });
+      const double bound = quad_jacobian_lower_bound(order, nodes.data());
+      const BernsteinSquare det = quad_jacobian_det(order, nodes.data());
+      EXPECT_LE(bound, *std::ranges::min_element(det.coefs) + det.error) << order;
+      EXPECT_NEAR(bound, *std::ranges::min_element(det.coefs), 1e-7) << order;
+      const ScaledJacobianMinimum least = quad_scaled_jacobian_minimum(order, nodes.data());
+      EXPECT_EQ(std::abs(least.xi.x) * std::abs(least.xi.y), 1);
+    }
+}
+
 TEST(QuadMap, ScaledJacobianIsTheSineOfTheAngle) {
   const auto sheared = sampled(3, [](double a, double b) { return Vec2{5 * (a + b), b}; });
   EXPECT_NEAR(quad_scaled_jacobian(3, sheared.data()), 1 / std::sqrt(26.0), 1e-14);
