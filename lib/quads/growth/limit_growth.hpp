@@ -30,7 +30,7 @@ struct GrowthConstants {
   double warned_excess = 0.1;  ///< of the limit: lines inside blocks are smoothed, not limited
   double margin = 0.1;  ///< part of the limit's logarithm by which arcs, with the first weight, and lines inside blocks
                         ///< aim at less than the limit: lines are not as smooth as the arcs between which they run, and
-                        ///< are tied to their neighbours afterwards (layers/smooth_across)
+                        ///< are tied to their neighbours afterwards (layers/tied_lines)
   /// Part of the logarithm of what is aimed at from which on excess is weighted: against the other terms, some remains.
   double excess_aim = 0.97;
   int max_tie_tries = 4;  ///< counts at which equal parts of an arc may compete for the last intervals
