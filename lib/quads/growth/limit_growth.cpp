@@ -88,11 +88,6 @@ double worst_ratio(const GrowthInput& input, const sizing::ArcDivisions& divisio
   return worst;
 }
 
-/// Whether no ratio exceeds this power of the limit.
-bool is_within(const GrowthInput& input, double power, const sizing::ArcDivisions& divisions) {
-  return worst_ratio(input, divisions) <= std::pow(input.limit, power) * (1 + tolerance::tied);
-}
-
 /// The chords of the intervals that are too long beside a neighbour and have no neighbour that is too long beside them:
 /// between a short and a long interval several may exceed the limit, and dividing the longest is the least change.
 std::set<int> coarse_chords(const GrowthInput& input, const sizing::ArcDivisions& divisions) {
@@ -122,17 +117,15 @@ bool misses_tolerance(const GrowthInput& input, int arc, const sizing::ArcDivisi
 
 /// The excess over the limit has only as much weight as it takes: more skews the blocks.
 void smooth_within_limit(const GrowthInput& input, const sizing::ArcDivisions& shape, sizing::ArcDivisions& divisions) {
-  const double well_within = 1 - growth_constants.margin;
   DivisionSmoother smoother(input, shape);
   smoother.smooth({}, divisions);
   sizing::ArcDivisions sharper = divisions;
-  const auto sharpen = [&](double weight, double power) {
-    if (is_within(input, power, divisions)) return;
-    smoother.smooth({weight, growth_constants.excess_aim * power}, sharper);
-    if (worst_ratio(input, sharper) < worst_ratio(input, divisions)) divisions = sharper;
-  };
-  sharpen(growth_constants.excess_weights.front(), well_within);
-  for (const double weight : growth_constants.excess_weights) sharpen(weight, 1);
+  for (const double weight : growth_constants.excess_weights) {
+    const double worst = worst_ratio(input, divisions);
+    if (worst <= input.limit * (1 + tolerance::tied)) return;
+    smoother.smooth({weight, growth_constants.excess_aim}, sharper);
+    if (worst_ratio(input, sharper) < worst) divisions = sharper;
+  }
 }
 
 std::set<int> inaccurate_chords(const GrowthInput& input, const sizing::ArcDivisions& divisions) {

@@ -2,8 +2,8 @@
 // Limits the ratio of adjacent intervals along all lines of arcs: smooth divisions, with greater counts where these
 // alone do not suffice.
 //
-// In each round the ends are moved (growth/smooth_divisions); where the limit is nearly reached or exceeded, again,
-// with more and more weight on what exceeds it. Then chords get a tenth more free intervals, at least one, if one of
+// In each round the ends are moved (growth/smooth_divisions); where the limit is exceeded, again, with more and more
+// weight on what exceeds it. Then chords get a tenth more free intervals, at least one, if one of
 // their intervals misses the tolerance of the boundary, or is still too long beside a neighbour while none is too long
 // beside it. Prescribed counts and layers stay. The rounds end when no ratio exceeds the limit, when the mesh would
 // have `GrowthConstants::most_refined` times the elements, or after `patience` rounds without a better result.
@@ -28,10 +28,9 @@ struct GrowthConstants {
   std::array<double, 3> excess_weights{10, 30, 90};
   double most_refined = 4;     ///< elements, over those at first
   double warned_excess = 0.1;  ///< of the limit: lines inside blocks are smoothed, not limited
-  double margin = 0.1;  ///< part of the limit's logarithm by which arcs, with the first weight, and lines inside blocks
-                        ///< aim at less than the limit: lines are not as smooth as the arcs between which they run, and
-                        ///< are tied to their neighbours afterwards (layers/smooth_across)
-  /// Part of the logarithm of what is aimed at from which on excess is weighted: against the other terms, some remains.
+  double margin = 0.1;  ///< part of the limit's logarithm by which lines inside blocks aim at less than the limit: they
+                        ///< are tied to their neighbours afterwards (layers/tied_lines)
+  /// Part of the logarithm of the limit from which on excess is weighted: against the other terms, some remains.
   double excess_aim = 0.97;
   int max_tie_tries = 4;  ///< counts at which equal parts of an arc may compete for the last intervals
 };

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "base/message_text.hpp"
-#include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/mesh_score.hpp"
 #include "prescribe/named_arcs.hpp"
@@ -48,21 +47,12 @@ GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const Ke
 
 namespace {
 
-double least_interval(const std::vector<std::vector<double>>& lines) {
-  double least = 1e300;
-  for (const std::vector<double>& line : lines)
-    for (const double length : line) least = std::min(least, length);
-  return least;
-}
-
-/// The directions of the lines that a block loses next: those along its walls; without walls, or with walls in both
-/// directions, those with the longer intervals. In a tie, and if it has lines in one direction only, all.
+/// The directions of the lines that a block loses next: those along its walls. Without walls, or with walls in both
+/// directions, and if it has lines in one direction only, all.
 std::array<bool, 2> lines_to_drop(const std::array<int, 4>& walls, const layers::BlockLineLengths& lines) {
-  if (lines[0].empty() || lines[1].empty()) return {true, true};
   const bool has_columns = walls[0] >= 0 || walls[2] >= 0, has_rows = walls[1] >= 0 || walls[3] >= 0;
-  if (has_columns != has_rows) return {has_rows, has_columns};
-  const double ratio = least_interval(lines[0]) / least_interval(lines[1]), tol = tolerance::tied;
-  return {ratio > 1 - tol, ratio < 1 + tol};
+  if (has_columns == has_rows || lines[0].empty() || lines[1].empty()) return {true, true};
+  return {has_rows, has_columns};
 }
 
 /// Whether arcs themselves miss the limit, not only lines inside blocks.

@@ -27,8 +27,8 @@ KeptChords kept_chords(const sizing::MeasuredLayout& measured, const std::vector
 GrowthOutcome smooth_arcs(const layers::WallInput& input, double limit, const KeptChords& kept, layers::WallPlan& plan,
                           sizing::ArcDivisions& divisions);
 
-/// Blocks whose elements corrected lines make invalid or more skew (mesh/mesh_score) lose those along their walls
-/// (without walls: those with the longer intervals), and the next time all: these lines follow from the sides alone.
+/// Blocks whose elements corrected lines make invalid or more skew (mesh/mesh_score) lose those along their walls, and
+/// the next time, or without walls, all: these lines follow from the sides alone.
 /// `without`: the skewness of the same blocks without corrected lines; `mesh`: with `lines`. Returns whether any did.
 bool drop_worse(const std::vector<double>& without, const QuadMesh& mesh, const layers::WallSides& walls,
                 BlockLines& lines);

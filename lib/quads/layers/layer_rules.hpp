@@ -161,7 +161,7 @@ struct LayerConstants {
   /// A prescribed count with which an arc misses the tolerance rises by one and this part of itself.
   int count_steps = 16;
 
-  // Lines inside blocks (smooth_across).
+  // Lines inside blocks (tied_lines).
   /// The distance over which divisions of adjacent lines may change, over the length of the elements along them.
   double reach_across = 2;
 

@@ -71,20 +71,15 @@ LineFamily row_family(const BlockNodes& nodes) {
   return {block.sides[3], block.sides[1], nodes.lengths(0), nodes.lengths(2), nodes.order};
 }
 
-/// Parameters of the nodes of a line (divide_normal_line). The map of a whole block does not measure length on the side
-/// that divides it: there the intervals of lines are lengths, if they are not given.
+/// Parameters of the nodes of a line. Where the lengths of its intervals are not given, the arcs beside it have them.
 std::vector<double> divided_line(const BlockNodes& nodes, int direction, const LineFamily& family,
                                  const NormalLine& line, int number) {
+  const auto& lines = nodes.block.lines[direction];
+  if (!lines.empty()) return divide_normal_line(family, line, number, nodes.origin, lines[number]);
   const std::array<double, 2> blend{nodes.parameters[direction == 0 ? 0 : 3][number],
                                     nodes.parameters[direction == 0 ? 2 : 1][number]};
-  const auto& lines = nodes.block.lines[direction];
-  std::vector<double> lengths;
-  if (!lines.empty())
-    lengths = lines[number];
-  else if (nodes.block.halved)
-    lengths = measured_line(family, line, number, blend, nodes.origin).sizes;
-  return divide_normal_line(family, line, number, (blend[0] + blend[1]) / 2, nodes.origin,
-                            lengths.empty() ? nullptr : &lengths);
+  return divide_normal_line(family, line, number, nodes.origin,
+                            measured_line(family, line, number, blend, nodes.origin).sizes);
 }
 
 /// Of the nodes on the side that divides the whole block: where its map meets them.

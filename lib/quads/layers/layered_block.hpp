@@ -27,7 +27,7 @@ struct LayeredBlock {
   std::array<std::vector<double>, 4> fractions;
   std::array<double, 4> lengths{};
   /// If given, the lengths of the intervals above the layers of every line of nodes: columns (0) by their number along
-  /// side 0, rows (1) by their number along side 1. An empty direction follows from the sides (divide_normal_line).
+  /// side 0, rows (1) by their number along side 1. An empty direction follows from the sides (measured_line).
   BlockLineLengths lines = {};
   /// If given for a direction that has lines, factors of these intervals once adjacent lines are tied to each other.
   BlockLineLengths factors = {};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/bracketed_root.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "layers/wall_spec.hpp"
@@ -93,20 +92,6 @@ class HeightSearch {
 
 void append(std::vector<double>& to, const std::vector<double>& more) { to.insert(to.end(), more.begin(), more.end()); }
 
-/// The intervals times e^(tilt weight), with the tilt for which they sum to `total`.
-std::vector<double> tilted(const std::vector<double>& intervals, const std::vector<double>& weights, double total) {
-  const auto sum = [&](double tilt) {
-    double result = 0;
-    for (std::size_t i = 0; i < intervals.size(); ++i) result += intervals[i] * std::exp(tilt * weights[i]);
-    return result;
-  };
-  const double tilt = bisect([&](double t) { return sum(t) - total; }, -5, 5), factor = total / sum(tilt);
-  std::vector<double> result;
-  for (std::size_t i = 0; i < intervals.size(); ++i)
-    result.push_back(intervals[i] * std::exp(tilt * weights[i]) * factor);
-  return result;
-}
-
 double speed_at(const NormalLine& line, double u) {
   const double low = std::max(0.0, u - line_constants.speed_step), high = std::min(1.0, u + line_constants.speed_step);
   return distance(line(low), line(high)) / (high - low);
@@ -118,25 +103,6 @@ std::vector<double> end_fractions(const std::vector<double>& lengths) {
   for (const double length : lengths) ends.push_back(ends.back() + length);
   for (double& end : ends) end /= ends.back();
   return ends;
-}
-
-/// Intervals between the layers, in u: u measures length on the arcs beside the line, and on the line up to a factor.
-/// So a line that is one of the arcs has exactly its division.
-std::vector<double> free_intervals(const LineFamily& family, const NormalLine& line, double low, double high,
-                                   double blend) {
-  const std::size_t first = family.low.heights.size(), last = family.left.size() - family.high.heights.size();
-  const bool from_low = family.low.wall != nullptr, from_high = family.high.wall != nullptr;
-  const double low_speed = speed_at(line, low), high_speed = speed_at(line, high);
-  const double count = static_cast<double>(last - first + 1);
-  std::vector<double> intervals, weights;
-  for (std::size_t k = first; k < last; ++k) {
-    const double i = static_cast<double>(k - first + 1);
-    const double x = !from_high ? 0 : !from_low ? 1 : i / count;
-    intervals.push_back(std::pow(family.left[k], 1 - blend) * std::pow(family.right[k], blend) /
-                        (std::pow(low_speed, 1 - x) * std::pow(high_speed, x)));
-    weights.push_back(!from_high ? i : !from_low ? count - i : 2 * i * (count - i) / count);
-  }
-  return tilted(intervals, weights, high - low);
 }
 
 /// The nodes of a line in the layers of both ends, the ends included.
@@ -259,13 +225,12 @@ BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::s
   return result;
 }
 
-std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend,
-                                       Vec2 origin, const std::vector<double>* lengths) {
+std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, Vec2 origin,
+                                       const std::vector<double>& lengths) {
   auto [nodes, top] = layer_nodes(family, line, node, origin);
   const double low = nodes.back(), high = top.front();
-  const std::vector<double> intervals =
-      lengths ? parameter_steps(line, low, high, *lengths) : free_intervals(family, line, low, high, blend);
-  const std::vector<double> fractions = interval_nodes(end_fractions(intervals), family.order);
+  const std::vector<double> fractions =
+      interval_nodes(end_fractions(parameter_steps(line, low, high, lengths)), family.order);
   for (std::size_t k = 1; k < fractions.size(); ++k) nodes.push_back(low + fractions[k] * (high - low));
   append(nodes, {top.begin() + 1, top.end()});
   return nodes;

@@ -1,9 +1,8 @@
 #pragma once
 // Wall-normal lines: lines of mesh nodes across a block between two opposite sides, of which one or both are walls.
 //
-// In the layers nodes lie at their heights above the wall. Between them, intervals are blended across the block from
-// the intervals of the two arcs beside the line, times e^(c w_i): w_i rises with the distance from the layers, and c is
-// the one factor with which they fill the line.
+// In the layers nodes lie at their heights above the wall. Between them, intervals have given lengths, or those of the
+// two arcs beside the line, blended across the block; one factor makes them fill the line.
 
 #include <array>
 #include <cstddef>
@@ -69,11 +68,10 @@ struct BlockLine {
 BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node,
                         const std::array<double, 2>& blend, Vec2 origin);
 
-/// Parameters from 0 to 1 of all nodes of the line that starts at the given node of both sides. `blend`: 0 at the left,
-/// 1 at the right. Throws ComputeError, with the position plus `origin`, if the line turns back before its layers end
-/// or the layers of both ends overlap. `lengths`: of the intervals between the layers, up to a common factor; nullptr:
-/// they are blended from the arcs.
-std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, double blend,
-                                       Vec2 origin, const std::vector<double>* lengths = nullptr);
+/// Parameters from 0 to 1 of all nodes of the line that starts at the given node of both sides. `lengths`: of the
+/// intervals between the layers, up to a common factor. Throws ComputeError, with the position plus `origin`, if the
+/// line turns back before its layers end or the layers of both ends overlap.
+std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, Vec2 origin,
+                                       const std::vector<double>& lengths);
 
 }  // namespace quadrille::layers

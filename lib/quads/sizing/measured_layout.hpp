@@ -78,7 +78,6 @@ class MeasuredLayout {
   explicit MeasuredLayout(BlockLayout&& layout) = delete;
   /// The same layout with other parameters, one per arc, and these halved sides.
   MeasuredLayout with_parameters(std::vector<ArcParameter> parameters, HalvedSides halved = {}) const;
-  MeasuredLayout with_equal_parameters() const { return with_parameters(std::vector<ArcParameter>(num_arcs())); }
 
   const BlockLayout& blocks() const { return *geometry_->blocks; }
   int num_arcs() const { return static_cast<int>(geometry_->chains.size()); }

@@ -45,7 +45,7 @@ TEST(DropWorse, BlocksThatLoseQualityLoseTheirLines) {
   EXPECT_TRUE(drop_worse(skewness_of({0.9, 0.2, 0.4}), mesh, walls, lines));
   EXPECT_FALSE(lines[0][0].empty());
   EXPECT_FALSE(lines[1][0].empty());
-  EXPECT_TRUE(lines[2][0].empty() && lines[2][1].empty()) << "neither direction has shorter intervals";
+  EXPECT_TRUE(lines[2][0].empty() && lines[2][1].empty());
   EXPECT_FALSE(drop_worse(skewness_of({0.9, 0.2, 0.4}), mesh, walls, lines)) << "nothing is left";
 }
 
@@ -58,20 +58,19 @@ TEST(DropWorse, BlocksThatAreNotProvedLoseTheirLinesHoweverBadTheyWere) {
   EXPECT_TRUE(lines[1][0].empty());
 }
 
-TEST(DropWorse, NormalsOfWallsAndLinesWithShorterIntervalsAreDroppedLast) {
+TEST(DropWorse, NormalsOfWallsAreDroppedLast) {
   BlockLines lines = lines_of(3);
-  lines[2] = {{{{0.1}}, {{0.2}}}};
-  // Walls below a, to the right of b, none at c, whose columns have the shorter intervals.
+  // Walls below a, to the right of b, none at c.
   const layers::WallSides walls = walls_of({{{0, -1, -1, -1}, {-1, 1, -1, -1}, no_wall}});
   const QuadMesh bad = mesh_of({0.1, 0.1, 0.1, 0.1, 0.1, 0.1});
   EXPECT_TRUE(drop_worse(skewness_of({0.9, 0.9, 0.9}), bad, walls, lines));
-  for (const int block : {0, 1, 2}) {
-    const int kept = block == 1 ? 1 : 0;
-    EXPECT_FALSE(lines[block][kept].empty()) << block;
-    EXPECT_TRUE(lines[block][1 - kept].empty()) << block;
+  for (const int block : {0, 1}) {
+    EXPECT_FALSE(lines[block][block].empty()) << block;
+    EXPECT_TRUE(lines[block][1 - block].empty()) << block;
   }
+  EXPECT_TRUE(lines[2][0].empty() && lines[2][1].empty());
   EXPECT_TRUE(drop_worse(skewness_of({0.9, 0.9, 0.9}), bad, walls, lines));
-  for (const int block : {0, 1, 2}) EXPECT_TRUE(lines[block][0].empty() && lines[block][1].empty()) << block;
+  for (const int block : {0, 1}) EXPECT_TRUE(lines[block][0].empty() && lines[block][1].empty()) << block;
 }
 
 }  // namespace

@@ -44,7 +44,9 @@ class BetweenSides {
 
   std::vector<double> divide(const NormalLine& line, const std::vector<double>& left, const std::vector<double>& right,
                              double blend, int order = 1) const {
-    return divide_normal_line(LineFamily{low, high, left, right, order}, line, 0, blend, {100, 200});
+    const LineFamily family{low, high, left, right, order};
+    const Vec2 origin{100, 200};
+    return divide_normal_line(family, line, 0, origin, measured_line(family, line, 0, {blend, blend}, origin).sizes);
   }
 
   BlockLine measure(const NormalLine& line, const std::vector<double>& left, const std::vector<double>& right,
@@ -88,12 +90,11 @@ TEST(DivideNormalLine, CoincidesWithTheArcsBesideItAtBothBlends) {
   EXPECT_LT(middle, 0.4);
 }
 
-TEST(DivideNormalLine, StretchesIntervalsFarFromTheLayersMost) {
+TEST(DivideNormalLine, StretchesIntervalsAboveTheLayersByOneFactor) {
   // The arcs beside the line are half as long above the layers.
   const BetweenSides lower({0.1}, {});
-  const std::vector<double> nodes = lower.divide(upright, {0.1, 0.15, 0.15, 0.15}, {0.1, 0.15, 0.15, 0.15}, 0.5);
-  EXPECT_LT(nodes[2] - nodes[1], nodes[3] - nodes[2]);
-  EXPECT_LT(nodes[3] - nodes[2], nodes[4] - nodes[3]);
+  const std::vector<double> beside{0.1, 0.05, 0.1, 0.3};
+  expect_near(lower.divide(upright, beside, beside, 0.5), {0, 0.1, 0.2, 0.4, 1});
 }
 
 TEST(DivideNormalLine, PlacesGaussLobattoPointsOfEachElement) {

@@ -79,7 +79,7 @@ TEST(MeasuredLayout, ParametersRunAlongTheChordAndFractionsAlongTheArc) {
   parameters[0] = parameters[2] = ArcParameter({0, 0.2, 0.3, 0.8, 1});
   const MeasuredLayout measured = equal.with_parameters(parameters);
   EXPECT_FALSE(measured.has_equal_parameters());
-  EXPECT_TRUE(measured.with_equal_parameters().has_equal_parameters());
+  EXPECT_TRUE(measured.with_parameters(std::vector<ArcParameter>(measured.num_arcs())).has_equal_parameters());
   const mesh::Chord& chord = measured.chords()[measured.chord_of(0)];
   ASSERT_EQ(chord.arcs, (std::vector<int>{0, 2}));
   ASSERT_TRUE(chord.backwards[1]) << "opposite sides of a block run against each other";
@@ -94,7 +94,7 @@ TEST(MeasuredLayout, CopiesShareTheCurvesAndOutliveTheOriginal) {
   const BlockLayout layout = layout_of(hand_made::quarter_annulus());
   std::optional<MeasuredLayout> original(layout);
   const curve::CurveTable* curves = &original->curves();
-  const MeasuredLayout copy = original->with_equal_parameters();
+  const MeasuredLayout copy = original->with_parameters(std::vector<ArcParameter>(original->num_arcs()));
   original.reset();
   EXPECT_EQ(&copy.curves(), curves);
   EXPECT_NEAR(norm(copy.chain(1).at(0.5).position), 2, 1e-12);

@@ -1,4 +1,4 @@
-#include "layers/smooth_across.hpp"
+#include "layers/tied_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,33 +25,38 @@ std::vector<double> middles(const LineNodes& nodes) {
   return result;
 }
 
+void smooth_across(LineNodes& nodes) {
+  const LineNodes given = nodes;
+  layers::smooth_across(given, 1, 2, 1, 2, nodes.parameters);
+}
+
 TEST(SmoothAcross, EqualLinesStay) {
   LineNodes nodes = lines({0.4, 0.4, 0.4, 0.4}, 0.1);
-  smooth_across(nodes, 1, 2, 1, 2);
+  smooth_across(nodes);
   for (const double u : middles(nodes)) EXPECT_NEAR(u, 0.4, 1e-14);
 }
 
 TEST(SmoothAcross, OtherValuesOfTheNodesAreSmoothedAsParametersAre) {
   const LineNodes given = lines({0.4, 0.5, 0.45, 0.4}, 0.2);
   LineNodes smoothed = given;
-  smooth_across(smoothed, 1, 2, 1, 2);
+  smooth_across(smoothed);
   std::vector<double> doubled;
   for (const double u : given.parameters) doubled.push_back(2 * u);
-  smooth_across(given, 1, 2, 1, 2, doubled);
+  layers::smooth_across(given, 1, 2, 1, 2, doubled);
   for (std::size_t i = 0; i < doubled.size(); ++i) EXPECT_NEAR(doubled[i], 2 * smoothed.parameters[i], 1e-14);
   EXPECT_GT(std::abs(smoothed.parameters[4] - 0.5), 1e-3) << "they change";
 }
 
 TEST(SmoothAcross, LinesFarFromEachOtherStay) {
   LineNodes nodes = lines({0.4, 0.7, 0.4, 0.6}, 1e4);
-  smooth_across(nodes, 1, 2, 1, 2);
+  smooth_across(nodes);
   EXPECT_NEAR(nodes.parameters[4], 0.7, 1e-6);
   EXPECT_NEAR(nodes.parameters[7], 0.4, 1e-6);
 }
 
 TEST(SmoothAcross, CloseLinesBecomeAlikeBetweenTheSides) {
   LineNodes nodes = lines({0.4, 0.42, 0.39, 0.4}, 1e-4);
-  smooth_across(nodes, 1, 2, 1, 2);
+  smooth_across(nodes);
   EXPECT_EQ(nodes.parameters[1], 0.4) << "sides do not move";
   EXPECT_EQ(nodes.parameters[10], 0.4);
   for (const double u : middles(nodes)) EXPECT_NEAR(u, 0.4, 1e-4);
@@ -63,7 +68,7 @@ TEST(SmoothAcross, LinesBesideASideThatIsDividedDifferentlyDoNotJump) {
   middle.front() = middle.back() = 0.4;
   const double gap = 1e-3;
   LineNodes nodes = lines(middle, gap);
-  smooth_across(nodes, 1, 2, 1, 2);
+  smooth_across(nodes);
   const std::vector<double> found = middles(nodes);
   for (std::size_t line = 1; line < found.size(); ++line)
     EXPECT_LT(std::abs(found[line] - found[line - 1]), 0.01 * gap);
@@ -72,8 +77,8 @@ TEST(SmoothAcross, LinesBesideASideThatIsDividedDifferentlyDoNotJump) {
 TEST(SmoothAcross, NoParameterLeavesTheRangeOfItsNodeAndMirrorImagesAgree) {
   const std::vector<double> middle{0.4, 0.7, 0.3, 0.6, 0.5};
   LineNodes nodes = lines(middle, 0.3), mirrored = lines({middle.rbegin(), middle.rend()}, 0.3);
-  smooth_across(nodes, 1, 2, 1, 2);
-  smooth_across(mirrored, 1, 2, 1, 2);
+  smooth_across(nodes);
+  smooth_across(mirrored);
   const std::vector<double> found = middles(nodes);
   std::vector<double> turned = middles(mirrored);
   std::reverse(turned.begin(), turned.end());
