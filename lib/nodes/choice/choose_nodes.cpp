@@ -48,7 +48,8 @@ CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOption
   const CadFace& face = evaluator.field().mesh.face;
   const ties::TieOrbits ties = ties::tie_orbits(face);
   if (options.ties == ties::TiePolicy::choose && !ties.ties.empty()) {
-    const auto solve = [&](const std::vector<field::LiftedData>& data, double negligible) {
+    const auto solve = [&](const auto& data, const std::vector<int>& elem_order, double negligible) {
+      solver.get()->set_orders(elem_order);
       return solver.get()->harmonic_parts(data, negligible);
     };
     return ties::choose_at_ties(evaluator, ties, solve, {options.search, options.max_valence}, report);
