@@ -73,6 +73,26 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
   return guide::line_field_points(evaluator.field().mesh.face, options.max_valence);
 }
 
+void add(const Report& part, Report& report) {
+  for (const auto& [key, value] : part.entries()) report.set(key, value);
+  for (const Report::Warning& warning : part.warnings()) report.warn(warning.code, warning.message);
+}
+
+/// The same, searched for once by all that share what is found.
+CriticalPoints found_nodes(const field::FieldEvaluator& evaluator, const NodeOptions& options, SharedSolver& solver,
+                           Report& report) {
+  FoundNodes found{options.search, options.max_valence, options.ties, {}, Report(report.progress())};
+  const bool is_shared = options.found != nullptr;
+  if (is_shared && *options.found && **options.found == found) {
+    found = **options.found;
+  } else {
+    found.points = nodes_of(evaluator, options, solver, found.report);
+    if (is_shared) *options.found = found;
+  }
+  add(found.report, report);
+  return std::move(found.points);
+}
+
 /// By curve: whether nodes keep a distance from it.
 std::vector<bool> curves_with_clearance(const CadFace& face, const std::vector<placement::WallClearance>& walls) {
   std::vector<bool> have;
@@ -109,7 +129,7 @@ CriticalPoints nodes_of_face(const Field& field, const NodeOptions& options, int
   const CadFace& face = field.mesh.face;
   const field::FieldEvaluator evaluator(field);
   SharedSolver solver(field, num_threads);
-  CriticalPoints points = nodes_of(evaluator, options, solver, report);
+  CriticalPoints points = found_nodes(evaluator, options, solver, report);
   begin_part("resolve");
   guide::override_corners(face, options.overrides, points);
   if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
@@ -139,8 +159,7 @@ CriticalPoints nodes_of_half(const Field& field, const NodeOptions& options, con
       model.nodes_of_half(choose_nodes(whole, model.options_of_whole(), num_threads, of_whole, begin_part));
   guide::complete_nodes(field::FieldEvaluator(field), points);
   points.face = field.mesh.face;
-  for (const auto& [key, value] : of_whole.entries()) report.set(key, value);
-  for (const Report::Warning& warning : of_whole.warnings()) report.warn(warning.code, warning.message);
+  add(of_whole, report);
   return points;
 }
 
