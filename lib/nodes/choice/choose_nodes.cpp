@@ -48,7 +48,8 @@ CriticalPoints zeros_of(const field::FieldEvaluator& evaluator, const NodeOption
   const CadFace& face = evaluator.field().mesh.face;
   const ties::TieOrbits ties = ties::tie_orbits(face);
   if (options.ties == ties::TiePolicy::choose && !ties.ties.empty()) {
-    const auto solve = [&](const std::vector<field::LiftedData>& data, double negligible) {
+    const auto solve = [&](const auto& data, const std::vector<int>& elem_order, double negligible) {
+      solver.get()->set_orders(elem_order);
       return solver.get()->harmonic_parts(data, negligible);
     };
     return ties::choose_at_ties(evaluator, ties, solve, {options.search, options.max_valence}, report);
@@ -70,6 +71,26 @@ CriticalPoints nodes_of(const field::FieldEvaluator& evaluator, const NodeOption
                             error.what()));
   }
   return guide::line_field_points(evaluator.field().mesh.face, options.max_valence);
+}
+
+void add(const Report& part, Report& report) {
+  for (const auto& [key, value] : part.entries()) report.set(key, value);
+  for (const Report::Warning& warning : part.warnings()) report.warn(warning.code, warning.message);
+}
+
+/// The same, searched for once by all that share what is found.
+CriticalPoints found_nodes(const field::FieldEvaluator& evaluator, const NodeOptions& options, SharedSolver& solver,
+                           Report& report) {
+  FoundNodes found{options.search, options.max_valence, options.ties, {}, Report(report.progress())};
+  const bool is_shared = options.found != nullptr;
+  if (is_shared && *options.found && **options.found == found) {
+    found = **options.found;
+  } else {
+    found.points = nodes_of(evaluator, options, solver, found.report);
+    if (is_shared) *options.found = found;
+  }
+  add(found.report, report);
+  return std::move(found.points);
 }
 
 /// By curve: whether nodes keep a distance from it.
@@ -108,7 +129,7 @@ CriticalPoints nodes_of_face(const Field& field, const NodeOptions& options, int
   const CadFace& face = field.mesh.face;
   const field::FieldEvaluator evaluator(field);
   SharedSolver solver(field, num_threads);
-  CriticalPoints points = nodes_of(evaluator, options, solver, report);
+  CriticalPoints points = found_nodes(evaluator, options, solver, report);
   begin_part("resolve");
   guide::override_corners(face, options.overrides, points);
   if (options.degenerate == guide::DegeneratePolicy::divide) guide::divide_degenerate_corners(face, points);
@@ -138,8 +159,7 @@ CriticalPoints nodes_of_half(const Field& field, const NodeOptions& options, con
       model.nodes_of_half(choose_nodes(whole, model.options_of_whole(), num_threads, of_whole, begin_part));
   guide::complete_nodes(field::FieldEvaluator(field), points);
   points.face = field.mesh.face;
-  for (const auto& [key, value] : of_whole.entries()) report.set(key, value);
-  for (const Report::Warning& warning : of_whole.warnings()) report.warn(warning.code, warning.message);
+  add(of_whole, report);
   return points;
 }
 

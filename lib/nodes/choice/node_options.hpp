@@ -1,10 +1,12 @@
 #pragma once
 // What a user prescribes of irregular nodes and corner valences.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/report.hpp"
 #include "guide/divide_corners.hpp"
 #include "guide/find_critical_points.hpp"
 #include "guide/override_corners.hpp"
@@ -14,6 +16,19 @@
 #include "topology/apply_topology.hpp"
 
 namespace quadrille::choice {
+
+/// What the search in a field has found with these options: nodes before any that a user chooses.
+struct FoundNodes {
+  guide::SearchOptions search;
+  int max_valence = 0;
+  ties::TiePolicy ties = ties::TiePolicy::choose;
+  CriticalPoints points;
+  Report report;
+
+  bool operator==(const FoundNodes& other) const {  // whether the search is the same
+    return search == other.search && max_valence == other.max_valence && ties == other.ties;
+  }
+};
 
 /// The defaults are those of critpoints.
 struct NodeOptions {
@@ -32,6 +47,8 @@ struct NodeOptions {
   /// Patterns of the names of curves on lines at which the face is one half, or a quarter, of a whole: then the nodes
   /// are those of the whole (choice/half_model.hpp). Without effect where curve/symmetry_lines.hpp finds no such lines.
   std::vector<std::string> symmetry;
+  /// Shared by choices from one field, so that what is the same is searched for once. Null: not shared.
+  std::shared_ptr<std::optional<FoundNodes>> found;
 };
 
 }  // namespace quadrille::choice

@@ -31,6 +31,7 @@ struct SearchOptions {
   /// zeros at a distance d, `noise` must be below |J| d / 4; a value below the residual of the field's solution shows
   /// zeros of the discrete field, not of v.
   double noise = zeros::field_noise;
+  bool operator==(const SearchOptions&) const = default;
 
   /// Throws UsageError if a number is outside its interval.
   void validate() const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "curve/symmetry.hpp"
@@ -75,6 +76,24 @@ struct Negligible {
 };
 constexpr Negligible negligible;
 
+/// Lower orders where the coefficients of higher ones are negligible.
+Field shortened(Field field, double limit) {
+  int end = 0;
+  for (int e = 0; e < field.mesh.num_elems(); ++e) {
+    int &first = field.coef_offsets[e], &order = field.elem_order[e], size = spectral::num_tri_modes(order);
+    const auto is_negligible = [&](int i) { return std::hypot(field.u[first + i], field.v[first + i]) < limit; };
+    for (int last = size - 1; order > 1 && is_negligible(last); --last)
+      if (last == spectral::num_tri_modes(order - 1)) size = spectral::num_tri_modes(--order);
+    for (std::vector<double>* values : {&field.u, &field.v})
+      std::copy_n(values->begin() + first, size, values->begin() + end);
+    first = std::exchange(end, end + size);
+  }
+  field.coef_offsets.back() = end;
+  field.u.resize(end);
+  field.v.resize(end);
+  return field;
+}
+
 }  // namespace
 
 TieOrbits tie_orbits(const CadFace& face) {
@@ -116,14 +135,17 @@ TiltedField::TiltedField(const Field& field, const TieOrbits& ties, PartSolver s
       ties_(&ties),
       solve_(std::move(solve)),
       choice_(ties.units.size(), false),
-      sum_(solved(choice_)),
+      sum_(shortened(solved(choice_), negligible_part())),
       evaluator_(sum_) {
   std::vector<field::LiftedData> data;
   for (const std::vector<int>& unit : ties.units)
     data.push_back(field::tilt_data(field.mesh, joints_of(ties, unit), field::TiltPart::odd));
-  const bool are_many = data.size() > negligible.many_units;
-  odd_ = solve_(data, are_many ? negligible.of_many : negligible.always);
+  odd_ = solve_(data, sum_.elem_order, negligible_part());
   for (const field::HarmonicPart& part : odd_) changes_.push_back(changes_by(part));
+}
+
+double TiltedField::negligible_part() const {
+  return choice_.size() > negligible.many_units ? negligible.of_many : negligible.always;
 }
 
 Field TiltedField::solved(const Choice& choice) const {
@@ -144,7 +166,7 @@ Field TiltedField::solved(const Choice& choice) const {
   data.liftings.insert(data.liftings.end(), odd.liftings.begin(), odd.liftings.end());
   for (const Lifting& lifting : opposite.liftings) data.liftings.emplace_back(lifting).jump *= -1;
   Field sum = *field_;
-  field::add(solve_({data}, negligible.always).front(), 1, sum);
+  field::add(solve_({data}, sum.elem_order, negligible.always).front(), 1, sum);
   sum.elem_error = field::error_estimate(sum);
   return sum;
 }

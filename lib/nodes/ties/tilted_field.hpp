@@ -44,10 +44,10 @@ std::vector<std::vector<int>> chamfers(const CadFace& face, const TieOrbits& tie
 /// Which units of ties have the smaller valence.
 using Choice = std::vector<bool>;
 
-/// Solves for harmonic functions with the mesh and the orders of the field, without coefficients that are smaller than
-/// `negligible`.
-using PartSolver =
-    std::function<std::vector<field::HarmonicPart>(const std::vector<field::LiftedData>&, double negligible)>;
+/// Solves for harmonic functions with the mesh of the field and these orders of elements, without coefficients that are
+/// smaller than `negligible`.
+using PartSolver = std::function<std::vector<field::HarmonicPart>(
+    const std::vector<field::LiftedData>&, const std::vector<int>& elem_order, double negligible)>;
 
 class TiltedField {
  public:
@@ -74,6 +74,7 @@ class TiltedField {
   std::size_t num_numbers() const;
 
  private:
+  double negligible_part() const;
   std::vector<Change> changes_by(const field::HarmonicPart& part);
 
   const Field* field_;

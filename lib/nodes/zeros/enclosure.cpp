@@ -29,43 +29,6 @@ Angles viewing_angles(const Cell& cell, Vec2 eye, Vec2 centre) {
   return angles;
 }
 
-constexpr int most_bisections = 20;
-
-/// The least |v| over an element, by bisection of cells in which it may be much less than where it was seen.
-class LeastValue {
- public:
-  LeastValue(const Field& field, const LiftingGroup& group, const std::vector<Disc>& discs, double enough)
-      : field_(field), group_(group), discs_(discs), enough_(enough) {}
-
-  /// A lower bound; infinite if the discs cover the cell.
-  double in(const Cell& cell, int bisections = most_bisections) {
-    Enclosure enclosure;
-    enclosure.set(cell, field_, group_);
-    if (is_covered(enclosure.centre(), enclosure.radius())) return INFINITY;
-    for (int k = 0; k < 3; ++k)
-      if (!is_covered(cell.vertex(k), 0)) seen_ = std::min(seen_, norm(enclosure.value_at_vertex(k)));
-    const double least = enclosure.least_value();
-    if (least >= std::min(near * seen_, enough_) || bisections == 0) return least;
-    Cell first, second;
-    bisect(cell, first, second);
-    const double in_first = in(first, bisections - 1);
-    return in_first > 0 ? std::min(in_first, in(second, bisections - 1)) : 0;
-  }
-
- private:
-  static constexpr double near = 0.25;
-  bool is_covered(Vec2 centre, double radius) const {
-    return std::any_of(discs_.begin(), discs_.end(),
-                       [&](const Disc& disc) { return distance(disc.centre, centre) + radius <= disc.radius; });
-  }
-
-  const Field& field_;
-  const LiftingGroup& group_;
-  const std::vector<Disc>& discs_;
-  double enough_;
-  double seen_ = INFINITY;
-};
-
 }  // namespace
 
 void Enclosure::set(const Cell& cell, const std::vector<Lifting>& liftings, double margin) {
@@ -239,22 +202,12 @@ bool Enclosure::isolates(Mat2& inverse_jacobian, double& contraction) const {
   return contraction < 0.75;
 }
 
-Vec2 Enclosure::value_at_vertex(int k) const {
-  const int n = cell_->degree;
-  return values_[k == 0 ? 0 : k == 1 ? spectral::bernstein_index(n, n, 0) : spectral::bernstein_index(n, 0, n)];
-}
-
 double Enclosure::greatest_value() const {
   double greatest2 = 0;
   for (const Vec2 value : values_) greatest2 = std::max(greatest2, norm2(value));
   double greatest = std::sqrt(greatest2);
   for (const Range& range : ranges_) greatest += norm(range.jump) * range.half_width;
   return greatest + far_rest_;
-}
-
-double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem,
-                   const std::vector<Disc>& discs, double enough) {
-  return LeastValue(evaluator.field(), liftings.of(elem), discs, enough).in(element_cell(evaluator, elem));
 }
 
 }  // namespace quadrille::zeros

@@ -34,8 +34,6 @@ class Enclosure {
   /// J0 a mean of d v / d lambda, |J0^-1 dv/dlambda - I| <= contraction < 1 everywhere.
   bool isolates(Mat2& inverse_jacobian, double& contraction) const;
 
-  /// The field at vertex k of the cell, apart from the rests of the liftings.
-  Vec2 value_at_vertex(int k) const;
   /// An upper bound of |v| over the cell.
   double greatest_value() const;
   /// Bound of the change of a value of the field over the cell by rounding and the margin.
@@ -67,11 +65,5 @@ class Enclosure {
   double far_rest_ = 0;        ///< bound of the rests of the liftings that are far from a group of elements
   double gradient_error_ = 0;  ///< of d v / d x; infinite when a lifting could not be linearised
 };
-
-/// A lower bound of |v| over the parts of element `elem` that are in none of these discs: no field that differs by less
-/// has a zero there; infinite if there is no such part. Mostly within a factor of 4, or above `enough`; with few cells:
-/// 0 does not mean that there is a zero. For continuous fields.
-double least_value(const field::FieldEvaluator& evaluator, FarLiftings& liftings, int elem,
-                   const std::vector<Disc>& discs = {}, double enough = INFINITY);
 
 }  // namespace quadrille::zeros

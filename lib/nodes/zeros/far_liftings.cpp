@@ -68,10 +68,11 @@ FarLiftings::FarLiftings(const field::FieldEvaluator& evaluator) : evaluator_(&e
   if (evaluator.field().liftings.size() >= least_liftings) {
     group_elements();
   } else {
-    groups_.emplace_back().near_liftings = evaluator.field().liftings;
+    groups_.emplace_back().radius = INFINITY;  // all are near
     elem2group_.assign(evaluator.maps().size(), 0);
-    is_filled_.assign(1, true);
   }
+  group2jumps_.resize(groups_.size());
+  renew();
 }
 
 void FarLiftings::group_elements() {
@@ -92,45 +93,39 @@ void FarLiftings::group_elements() {
     group.radius =
         std::max(group.radius, distance(group.centre, centres[e]) + radius_of(evaluator_->maps()[e], centres[e]));
   }
-  is_filled_.assign(groups_.size(), false);
 }
 
-void FarLiftings::fill(LiftingGroup& group) const {
-  for (const Lifting& lifting : evaluator_->field().liftings) {
+// Series are linear in the jumps: each change is added.
+void FarLiftings::update(LiftingGroup& group, std::vector<Vec2>& jumps) const {
+  const std::vector<Lifting>& liftings = evaluator_->field().liftings;
+  jumps.resize(liftings.size());
+  group.near_liftings.clear();
+  group.bend = group.rounding = group.jumps = 0;
+  for (std::size_t i = 0; i < liftings.size(); ++i) {
+    const Lifting& lifting = liftings[i];
     if (!is_far(lifting, group.centre, group.radius)) {
       group.near_liftings.push_back(lifting);
       continue;
     }
+    const Vec2 change = lifting.jump - std::exchange(jumps[i], lifting.jump);
     const Vec2 to_apex = lifting.apex - group.centre, to_pole = lifting.pole - group.centre;
     for (const auto& [d, sign] : {std::pair(to_apex, 1.0), std::pair(to_pole, -1.0)}) {
-      add_series(d, sign * lifting.jump, group);
+      if (change != Vec2{}) add_series(d, sign * change, group);
       const double nearest = norm(d) - group.radius, size = norm(lifting.jump);
       group.bend += size / (nearest * nearest);
       group.rounding += size / nearest;
     }
     group.jumps += norm(lifting.jump);
-    group.at_centre += field::lifting_angle(lifting, group.centre) * lifting.jump;
+    if (change != Vec2{}) group.at_centre += field::lifting_angle(lifting, group.centre) * change;
   }
 }
 
-void FarLiftings::renew() {
-  if (groups_.size() == 1) {
-    groups_.front().near_liftings = evaluator_->field().liftings;
-    return;
-  }
-  for (LiftingGroup& group : groups_) {
-    LiftingGroup empty;
-    empty.centre = group.centre;
-    empty.radius = group.radius;
-    group = std::move(empty);
-  }
-  is_filled_.assign(groups_.size(), false);
-}
+void FarLiftings::renew() { is_current_.assign(groups_.size(), false); }
 
 const LiftingGroup& FarLiftings::of(int elem) {
   const int g = elem2group_[elem];
-  if (!is_filled_[g]) fill(groups_[g]);
-  is_filled_[g] = true;
+  if (!is_current_[g]) update(groups_[g], group2jumps_[g]);
+  is_current_[g] = true;
   return groups_[g];
 }
 

@@ -28,23 +28,24 @@ struct LiftingGroup {
   Vec2 far_sum(Vec2 x, Mat2& gradient) const;
 };
 
-/// The groups of all elements, each made when it is first asked for. With fewer than 64 liftings all are near.
+/// The groups of all elements, each made when it is first asked for, and brought up to date when
+/// it is asked for again. With fewer than 64 liftings all are near.
 class FarLiftings {
  public:
-  /// `evaluator` must outlive it; its field's liftings must stay, or renew() follow.
+  /// `evaluator` must outlive it. When jumps of its field's liftings have changed, renew() must follow.
   explicit FarLiftings(const field::FieldEvaluator& evaluator);
   const LiftingGroup& of(int elem);
-  /// Forgets the liftings, but not the places of the elements.
   void renew();
 
  private:
   void group_elements();
-  void fill(LiftingGroup& group) const;
+  void update(LiftingGroup& group, std::vector<Vec2>& jumps) const;
 
   const field::FieldEvaluator* evaluator_;
   std::vector<int> elem2group_;
   std::vector<LiftingGroup> groups_;
-  std::vector<bool> is_filled_;
+  std::vector<std::vector<Vec2>> group2jumps_;  ///< of each lifting, those that the group has
+  std::vector<bool> is_current_;
 };
 
 }  // namespace quadrille::zeros

@@ -86,14 +86,22 @@ ZeroSearch::ZeroSearch(const field::FieldEvaluator& evaluator, std::vector<Disc>
       halves_(max_depth) {}
 
 void ZeroSearch::search(int elem) {
+  KnownCells known;
+  search(elem, 0, known);
+}
+
+void ZeroSearch::search(int elem, double change, KnownCells& known) {
   budget_ = max_cells;
-  visit(element_cell(*evaluator_, elem), 0);
+  change_ = change;
+  before_.swap(known);
+  now_.clear();
+  visit(element_cell(*evaluator_, elem), 0, 0);
+  known.assign(now_.begin(), now_.end());
 }
 
 void ZeroSearch::add(const SearchResult& found) {
   found_.zeros.insert(found_.zeros.end(), found.zeros.begin(), found.zeros.end());
   found_.open_cells.insert(found_.open_cells.end(), found.open_cells.begin(), found.open_cells.end());
-  found_.least_excluded = std::min(found_.least_excluded, found.least_excluded);
   found_.counts.examined += found.counts.examined;
   found_.counts.excluded += found.counts.excluded;
   found_.counts.isolated += found.counts.isolated;
@@ -134,32 +142,57 @@ void ZeroSearch::isolate(const Cell& cell, const Mat2& inverse_jacobian, double 
   found_.zeros.push_back({cell.elem, xi, s.x, det(s.dv_dx) > 0 ? 1 : -1, enclosure_.radius(), shift, vertices(cell)});
 }
 
-void ZeroSearch::visit(const Cell& cell, int depth) {
-  if (budget_ == 0) return;
+/// A lower bound of |v| in the cell, 0 if there may be a zero; `is_decided`: the cell is not to be bisected.
+double ZeroSearch::examine(const Cell& cell, int depth, bool& is_decided) {
   ++found_.counts.examined;
   found_.counts.greatest_depth = std::max(found_.counts.greatest_depth, depth);
   const double jump = margin(cell);
   enclosure_.set(cell, evaluator_->field(), liftings_.of(cell.elem), jump);
+  is_decided = true;
   if (const double least = enclosure_.least_value(); least > 0) {
-    found_.least_excluded = std::min(found_.least_excluded, least);
     ++found_.counts.excluded;
-    return;
+    return least;
   }
   if (is_ignored()) {
     ++found_.counts.ignored;
-    return;
+    return 0;
   }
   Mat2 inverse_jacobian;
   double contraction = 0;
-  if (enclosure_.isolates(inverse_jacobian, contraction)) return isolate(cell, inverse_jacobian, contraction);
-  if (--budget_ == 0 || depth == max_depth || enclosure_.greatest_value() < std::max(noise_, jump)) {
+  if (enclosure_.isolates(inverse_jacobian, contraction)) {
+    isolate(cell, inverse_jacobian, contraction);
+  } else if (--budget_ == 0 || depth == max_depth || enclosure_.greatest_value() < std::max(noise_, jump)) {
     found_.open_cells.push_back({cell.elem, enclosure_.centre(), enclosure_.radius(), vertices(cell)});
+  } else {
+    is_decided = false;
+  }
+  return 0;
+}
+
+/// `at`: where before_ has the cell; its size if it has not.
+void ZeroSearch::visit(const Cell& cell, int depth, std::size_t at) {
+  if (budget_ == 0) return;
+  const std::size_t unknown = before_.size(), here = now_.size();
+  if (at < unknown && before_[at].least > change_) {
+    now_.insert(now_.end(), &before_[at], &before_[at] + before_[at].num_cells);
+    for (std::size_t i = here; i < now_.size(); ++i) now_[i].least -= change_, now_[i].most -= change_;
     return;
+  }
+  now_.emplace_back();
+  const bool is_bisected = at < unknown && before_[at].num_cells > 1 && before_[at].most > change_;
+  if (!is_bisected) {
+    bool is_decided = false;
+    now_[here].least = now_[here].most = examine(cell, depth, is_decided);
+    if (is_decided) return;
   }
   auto& [first, second] = halves_[depth];
   bisect(cell, first, second);
-  visit(first, depth + 1);
-  visit(second, depth + 1);
+  visit(first, depth + 1, is_bisected ? at + 1 : unknown);
+  const std::size_t between = now_.size();
+  visit(second, depth + 1, is_bisected ? at + 1 + before_[at + 1].num_cells : unknown);
+  if (budget_ > 0)
+    now_[here] = {std::min(now_[here + 1].least, now_[between].least),
+                  std::max(now_[here + 1].most, now_[between].most), static_cast<int>(now_.size() - here)};
 }
 
 void require_decided(const ZeroSearch& search, Vec2 origin) {

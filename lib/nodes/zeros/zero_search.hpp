@@ -60,8 +60,17 @@ struct SearchResult {
   std::vector<FoundZero> zeros;
   std::vector<OpenCell> open_cells;
   SearchCounts counts;
-  double least_excluded = INFINITY;  ///< a lower bound of |v| in the cells without a zero
 };
+
+/// A cell of a search that is over: the first half of a bisected one follows, the second follows that half's cells.
+struct KnownCell {
+  double least = 0;   ///< a lower bound of |v|; 0 if there may be a zero
+  double most = 0;    ///< the greatest such bound of its parts
+  int num_cells = 1;  ///< with its parts
+};
+
+/// The cells of one element, in the order of the search; empty if nothing is known.
+using KnownCells = std::vector<KnownCell>;
 
 class ZeroSearch {
  public:
@@ -71,6 +80,9 @@ class ZeroSearch {
 
   /// Searches one element. Stops early, with an open cell, if the element needs more cells than zeros ever require.
   void search(int elem);
+  /// The same with what is known from a field that differs by at most `change` on the element: only cells in which that
+  /// may lead to a zero are examined. `known` becomes what is known of this field.
+  void search(int elem, double change, KnownCells& known);
   /// Begins anew, because the field has changed.
   void renew();
 
@@ -82,13 +94,12 @@ class ZeroSearch {
   /// Whether the search cannot be completed: an element needed too many cells, or very many cells are open.
   bool is_budget_exhausted() const { return budget_ == 0 || found_.open_cells.size() > 4000; }
   const SearchCounts& counts() const { return found_.counts; }
-  /// The liftings of the field as the elements see them.
-  FarLiftings& liftings() { return liftings_; }
   /// What was found so far; the search begins anew.
   SearchResult take() { return std::exchange(found_, {}); }
 
  private:
-  void visit(const Cell& cell, int depth);
+  void visit(const Cell& cell, int depth, std::size_t at);
+  double examine(const Cell& cell, int depth, bool& is_decided);
   void isolate(const Cell& cell, const Mat2& inverse_jacobian, double contraction);
   bool is_ignored() const;
   double margin(const Cell& cell) const;
@@ -101,6 +112,8 @@ class ZeroSearch {
   std::vector<std::array<Cell, 2>> halves_;  ///< by depth: storage of the recursion
   Enclosure enclosure_;
   long long budget_ = 1;  ///< cells left for this element
+  KnownCells before_, now_;
+  double change_ = 0;  ///< since before_
   SearchResult found_;
 };
 

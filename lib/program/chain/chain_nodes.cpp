@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "base/error.hpp"
 #include "chain/chain_inputs.hpp"
@@ -56,6 +57,8 @@ void copy_given_nodes(ChainState& chain, NodeFiles& files) {
 bool run_critpoints(ChainState& chain, StageFile<CriticalPoints>& nodes, const std::vector<std::string>& words) {
   StageTask task{ChainStage::critpoints, false, {chain.files.field.path()}};
   task.words.insert(task.words.end(), words.begin(), words.end());
+  auto& found = chain.values.critpoints.choose.found;  // in the field, which stays
+  if (!found) found = std::make_shared<std::optional<choice::FoundNodes>>();
   const auto points = [&](Run& run) {
     stage::CritpointsOptions options = chain.values.critpoints;
     cli::set_options([&](Options& o) { declare(o, options); }, words);

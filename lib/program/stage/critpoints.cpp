@@ -82,6 +82,7 @@ CriticalPoints chosen(const Field& field, const choice::NodeOptions& options, Ru
         choice::NodeOptions part_options = options;
         part_options.overrides = overrides_in(options.overrides, regions::curves_of(face, region));
         part_options.layer_corners = layer_corners;
+        if (fields.size() > 1 || !options.symmetry.empty()) part_options.found.reset();  // other fields
         part_options.walls = walls_in(options.walls, regions::curves_of(face, region));
         return choice::choose_nodes(part, part_options, threads, report, begin_phase);
       });

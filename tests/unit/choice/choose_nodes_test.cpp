@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../support/polygon_field.hpp"
 #include "base/error.hpp"
 
@@ -43,6 +45,27 @@ TEST(ChooseNodes, ZerosOfAFieldWithTiesAreKeptWhenTheirNodesMove) {
   ASSERT_EQ(points.zeros.size(), 1U);
   EXPECT_EQ(points.zeros[0].source, NodeSource::zero);
   EXPECT_GT(distance(points.zeros[0].position, points.critical_points[0].position), 1e-3);
+}
+
+TEST(ChooseNodes, WhatIsFoundIsSharedByChoicesWithTheSameSearch) {
+  const Field field = adapted_field(polygon_face({{0, 0}, {10, 0}, {10, 2}, {6, 6}, {0, 6}}));
+  NodeOptions options;
+  const auto reason = [&] {
+    Report report;
+    const CriticalPoints points = choose_nodes(field, options, 1, report);
+    const auto& entries = report.entries();
+    EXPECT_TRUE(std::any_of(entries.begin(), entries.end(), [](const auto& e) { return e.first == "ties.searches"; }));
+    return points.changes.at(0).reason;
+  };
+  const std::string alone = reason();
+  options.found = std::make_shared<std::optional<FoundNodes>>();
+  EXPECT_EQ(reason(), alone);
+  ASSERT_TRUE(*options.found);
+  (*options.found)->points.changes.at(0).reason = "found before";
+  options.place = placement::PlaceRule::energy;
+  EXPECT_EQ(reason(), "found before");
+  options.max_valence = 5;
+  EXPECT_EQ(reason(), alone);
 }
 
 }  // namespace

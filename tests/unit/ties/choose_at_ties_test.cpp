@@ -17,7 +17,8 @@ CriticalPoints chosen(const CadFace& face, Report& report) {
   const Field field = adapted_field(face);
   const field::FieldEvaluator evaluator(field);
   galerkin::PhaseSolver solver(field.mesh, field.elem_order);
-  const auto solve = [&](const std::vector<field::LiftedData>& data, double negligible) {
+  const auto solve = [&](const auto& data, const std::vector<int>& elem_order, double negligible) {
+    solver.set_orders(elem_order);
     return solver.harmonic_parts(data, negligible);
   };
   const CriticalPoints points = choose_at_ties(evaluator, tie_orbits(field.mesh.face), solve, {}, report);

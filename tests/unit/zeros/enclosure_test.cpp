@@ -147,29 +147,5 @@ TEST(Cell, halves_cover_the_element_and_keep_its_polynomials) {
     }
 }
 
-/// Over all elements.
-double least_of_all(const Field& field, const std::vector<Disc>& discs = {}) {
-  const field::FieldEvaluator evaluator(field);
-  FarLiftings liftings(evaluator);
-  double least = INFINITY;
-  for (int e = 0; e < field.mesh.num_elems(); ++e) least = std::min(least, least_value(evaluator, liftings, e, discs));
-  return least;
-}
-
-TEST(LeastValue, is_a_bound_that_is_not_far_below) {
-  const Field field = interpolated_field(square_mesh({0, 0}, 1, 4), 3, [](Vec2 x) { return Vec2{2 + x.x, x.y}; });
-  EXPECT_LE(least_of_all(field), 2);
-  EXPECT_GT(least_of_all(field), 1.9);
-}
-
-TEST(LeastValue, is_zero_at_a_zero_but_for_a_disc_about_it) {
-  const Vec2 zero{0.31, 0.17};
-  const Field field = interpolated_field(square_mesh({0, 0}, 1, 4), 3, [&](Vec2 x) { return x - zero; });
-  EXPECT_EQ(least_of_all(field), 0);
-  EXPECT_LE(least_of_all(field, {{zero, 0.1}}), 0.1);
-  EXPECT_GT(least_of_all(field, {{zero, 0.1}}), 0);
-  EXPECT_EQ(least_of_all(field, {{zero, 2}}), INFINITY);
-}
-
 }  // namespace
 }  // namespace quadrille::zeros
