@@ -26,6 +26,7 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
     for (int j = 0; j < points; ++j) slope_[i][j] = 2 * slopes(i, j);
   }
   shape_weights.assign(shaped.num_elems(), first_shape_weight);
+  multiplicities.assign(shaped.num_elems(), 1);
   for (int elem = 0; elem < shaped.num_elems(); ++elem) {
     const auto& vertices = problem.follow.elem_vertices()[elem];
     for (int c = 0; c < 4; ++c) start_[vertices[c]] = shaped.nodes[side_start(shaped, elem, c)];
@@ -180,8 +181,8 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
     const Tangents at = tangents(elem);
     double area = 0;
     for (int k = 0; k < rule(elem).size(); ++k) area += rule(elem).weight_at(k) * cross(at.a[k], at.b[k]);
-    squares += area / (sizes[elem].x * sizes[elem].y);
-    ++count;
+    squares += multiplicities[elem] * area / (sizes[elem].x * sizes[elem].y);
+    count += multiplicities[elem];
   }
   const double factor = std::sqrt(count / squares);
   for (std::size_t elem = 0; elem < sizes.size(); ++elem)
@@ -194,7 +195,7 @@ void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
   const Rule& points_at = rule(elem);
   Tangents by;
   for (int k = 0; k < points_at.size(); ++k) {
-    const double weight = points_at.weight_at(k);
+    const double weight = weight_at(elem, k);
     const PointEnergy e(at.a[k], at.b[k], shape_weights[elem]);
     sum.value += weight * e.value;
     by.a[k] = weight * inverse_size_[elem].x * e.by_a;
@@ -208,7 +209,7 @@ void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
 
 void SizeEnergy::add_blocks(int elem, const Tangents& at, int point, const PointEnergy& e,
                             EnergyDerivatives& sum) const {
-  const double weight = rule(elem).weight_at(point);
+  const double weight = weight_at(elem, point);
   const std::array<Vec2, 4> slopes = corner_slopes(rule(elem).s(point), rule(elem).t(point));
   const Vec2 a = at.a[point], b = at.b[point];
   for (int c = 0; c < 4; ++c) {

@@ -44,6 +44,8 @@ class SizeEnergy {
   void set_sizes(const std::vector<Vec2>& sizes);
   /// The weight w of the shape of each element.
   std::vector<double> shape_weights;
+  /// How many elements each one stands for (refine/count_relaxer).
+  std::vector<double> multiplicities;
 
   double value(const VertexMoves& moves) { return with_derivatives(moves).value; }
   EnergyDerivatives with_derivatives(const VertexMoves& moves, bool has_blocks = false);
@@ -99,6 +101,7 @@ class SizeEnergy {
   void add_blocks(int elem, const Tangents& at, int point, const PointEnergy& e, EnergyDerivatives& sum) const;
   void pull_back_sides(int elem, const Tangents& by);
   void reduce_to_curves(EnergyDerivatives& sum) const;
+  double weight_at(int elem, int point) const { return multiplicities[elem] * rule(elem).weight_at(point); }
   int sliding_side(int elem, int side) const;
   double blend(const Sides& sides, int side, double eta) const;
   double blend_slope(const Sides& sides, int side, double eta) const;

@@ -100,7 +100,7 @@ ElementHessian SizeEnergy::hessian(int elem) const {
   ElementHessian sum = ElementHessian::Zero();
   Tangents by;
   for (int k = 0; k < rule(elem).size(); ++k) {
-    const double weight = rule(elem).weight_at(k);
+    const double weight = weight_at(elem, k);
     const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
