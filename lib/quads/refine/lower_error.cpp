@@ -8,11 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/tolerance.hpp"
 #include "mesh/element_sizes.hpp"
 #include "refine/best_split.hpp"
 #include "refine/count_relaxer.hpp"
 #include "refine/divide_arcs.hpp"
 #include "refine/joint_vertices.hpp"
+#include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/error_counts.hpp"
 
@@ -24,8 +26,14 @@ constexpr int max_rounds = 2;             ///< meshes that are made
 constexpr double worthwhile = 0.95;       ///< of the resolution ratio: less is not worth another round
 constexpr int max_moved = 60'000;         ///< elements of all counts that are tried in a round
 constexpr std::array steps{1.0 / 4, 0.};  ///< of a count, at least one element
+constexpr double shape_weight = 10;       ///< over ln R, of ln of the least scaled Jacobian
 constexpr double least_gain = 0.005;      ///< of the cost, by a step
 constexpr double hopeless = 0.05;         ///< loss of the cost by a step that is not tried again
+
+/// What it costs that the least scaled Jacobian falls by more than 5 %, to less than 0.7.
+double shape_cost(double before, double after) {
+  return shape_weight * std::max(0.0, std::log(std::min(0.95 * before, 0.7) / std::max(after, tolerance::tied)));
+}
 
 mesh::Resolution resolution_of(const SplitRequest& request, const QuadMesh& mesh) {
   return mesh::resolution(mesh, sizing::ring_lengths(mesh, request.rings));
@@ -96,6 +104,7 @@ class CountTrials {
   const SplitRequest& request_;
   std::vector<int> counts_;  ///< of the mesh
   CountRelaxer relaxer_;
+  double first_jacobian_ = 0;  ///< least scaled Jacobian of the first trial
 };
 
 CountTrials::Trial CountTrials::at(const std::vector<int>& counts) {
@@ -121,6 +130,9 @@ CountTrials::Trial CountTrials::at(const std::vector<int>& counts) {
   const double more = trial.of.num_elems / sizing::num_elements(trial.of, counts_);
   trial.cost = std::log(resolution.ratio * sum) + mesh::resolution_power * std::log(more);
   for (const double skewness : mesh::block_skewness(mesh)) trial.cost += skewness;
+  const double jacobian = least_scaled_jacobian(mesh);
+  if (first_jacobian_ == 0) first_jacobian_ = jacobian;
+  trial.cost += shape_cost(first_jacobian_, jacobian);
   return trial;
 }
 
@@ -240,10 +252,11 @@ std::optional<SplitMesh> split_again(const SplitRequest& request, const SplitMes
 /// `resolution`: the ratio of `next` over that of `split`.
 bool is_better(const SplitMesh& next, const SplitMesh& split, double resolution) {
   const mesh::MeshScore &before = split.score, &after = next.score;
+  const double shape = shape_cost(least_scaled_jacobian(split.mesh), least_scaled_jacobian(next.mesh));
   return joints_inside_edges(next.mesh).size() <= joints_inside_edges(split.mesh).size() &&
          after.unproved <= before.unproved && !mesh::exceeds(after.distance, before.distance) &&
          !mesh::exceeds(after.elongation, before.elongation) && after.growth <= before.growth &&
-         std::log(resolution) + after.skewness - before.skewness < 0;
+         std::log(resolution) + after.skewness - before.skewness + shape < 0;
 }
 
 }  // namespace

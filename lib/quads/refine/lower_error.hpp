@@ -8,7 +8,8 @@
 //
 //   ln R + sum over blocks of ln (0.7 / least scaled Jacobian, if that is below 0.7),
 //
-// R the resolution ratio (mesh/element_sizes); first steps by a quarter of a count, then by one element.
+// and 10 ln (0.95 times the first least scaled Jacobian of all, at most 0.7, over that of now) if that is positive, R
+// the resolution ratio (mesh/element_sizes); first steps by a quarter of a count, then by one element.
 
 #include "refine/split_mesh.hpp"
 
