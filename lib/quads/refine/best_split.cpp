@@ -133,15 +133,7 @@ std::vector<bool> elements_that_keep_lengths(const SplitRequest& request, const 
 /// Returns whether vertices were moved; not if the mesh would exceed what is allowed by more. Edges are relaxed again
 /// with a stricter tolerance if they miss it between the samples of that time.
 bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
-  SizeRelaxation relaxation{request.sizes_at_bends,
-                            request.options.inner_edges,
-                            result.settings.tolerance,
-                            request.options.relax_sweeps,
-                            elements_that_keep_lengths(request, result),
-                            elements_on_layered_chords(request.equal.blocks(), result)};
-  relaxation.keeps_lengths = request.options.relax == Relax::shape;
-  relaxation.greatest_lengths = sizing::ring_lengths(result.mesh, request.rings);
-  if (!request.options.boundary_counts.empty()) relaxation.slides_off = SlidesOff::breaks;
+  SizeRelaxation relaxation = size_relaxation(request, result);
   SizeRelaxed relaxed = relax_to_sizes(result.mesh, relaxation);
   if (relaxed.sweeps == 0) return false;
   for (int round = 0; round < max_corrections; ++round) {
@@ -164,6 +156,19 @@ bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
 }
 
 }  // namespace
+
+SizeRelaxation size_relaxation(const SplitRequest& request, const SplitMesh& split) {
+  SizeRelaxation relaxation{request.sizes_at_bends,
+                            request.options.inner_edges,
+                            split.settings.tolerance,
+                            request.options.relax_sweeps,
+                            elements_that_keep_lengths(request, split),
+                            elements_on_layered_chords(request.equal.blocks(), split)};
+  relaxation.keeps_lengths = request.options.relax == Relax::shape;
+  relaxation.greatest_lengths = sizing::ring_lengths(split.mesh, request.rings);
+  if (!request.options.boundary_counts.empty()) relaxation.slides_off = SlidesOff::breaks;
+  return relaxation;
+}
 
 std::span<const Remedy> remedies() { return all_remedies; }
 

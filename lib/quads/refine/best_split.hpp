@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "refine/size_relaxer.hpp"
 #include "refine/split_mesh.hpp"
 
 namespace quadrille::refine {
@@ -33,6 +34,9 @@ struct BestSplit {
 /// The loop ends when no remedy applies, when the next attempt would have too many elements, or after max_splits: the
 /// best mesh may exceed limits, even be invalid. Of equal ones it is the first. Throws as refine.
 BestSplit best_split(const SplitRequest& request);
+
+/// How vertices of a mesh with these counts are relaxed to the prescribed sizes.
+SizeRelaxation size_relaxation(const SplitRequest& request, const SplitMesh& split);
 
 /// Moves the vertices of a mesh whose counts are settled: the one place for what improves their positions.
 ///

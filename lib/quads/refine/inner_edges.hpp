@@ -18,7 +18,8 @@
 
 namespace quadrille::refine {
 
-/// Shapes the edges that lie on no CAD curve, and measures the elements (refine/validity); no vertex moves. `kept`: by element, whether it keeps all its nodes; empty: none does. O(n) for n elements.
+/// Shapes the edges that lie on no CAD curve, and measures the elements (refine/validity); no vertex moves. `kept`: by
+/// element, whether it keeps all its nodes; empty: none does. O(n) for n elements.
 void shape_inner_edges(QuadMesh& mesh, InnerEdges shape, const std::vector<bool>& kept = {});
 
 }  // namespace quadrille::refine

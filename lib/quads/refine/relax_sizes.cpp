@@ -19,7 +19,8 @@ struct SizeConstants {
   double heavier = 3;     ///< the weight of the shape of elements that became too skew, over the one before
   int rounds = 6;         ///< of heavier weights
   int move_halvings = 4;  ///< of all moves, if elements are too skew all the same
-  double good_scaled_jacobian = 0.7, greatest_loss = 0.1;  ///< elements below both are too skew
+  double good_scaled_jacobian = 0.7, greatest_loss = 0.09;  ///< elements below both are too skew
+  double fair_scaled_jacobian = 0.6;                        ///< if that cannot be had with vertices at joints
 };
 constexpr SizeConstants size_constants;
 
@@ -126,12 +127,11 @@ void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& prob
   }
 }
 
-/// By element that may move: whether it is more skew than it has to be, or not proved valid.
+/// By element that may move: whether it is more skew than it has to be, at most `good`, or not proved valid.
 std::vector<bool> skew_elements(const SizeRelaxation& options, const QuadMesh& before, const QuadMesh& after,
-                                const SizeEnergy& energy) {
+                                const SizeEnergy& energy, double good = size_constants.good_scaled_jacobian) {
   double least = least_scaled_jacobian(before);
-  if (!options.keeps_lengths)
-    least = std::min(least - size_constants.greatest_loss, size_constants.good_scaled_jacobian);
+  if (!options.keeps_lengths) least = std::min(least - size_constants.greatest_loss, good);
   std::vector<bool> is_skew;
   for (int elem = 0; elem < after.num_elems(); ++elem)
     is_skew.push_back(energy.is_free(elem) && (after.elem_scaled_jacobian[elem] < least - tolerance::tied ||
@@ -170,10 +170,13 @@ bool relax_vertices(const QuadMesh& mesh, const SizeRelaxation& options, SlidesO
     if (!relax_within_tolerance(options, problem, relaxer)) return false;
     relaxed.mesh = moved_mesh(problem, options, relaxer.moves);
     if (round == 0) relaxed.energy_after = relaxer.value / num_free;
-    const std::vector<bool> is_skew = skew_elements(options, shaped, relaxed.mesh, relaxer.energy);
+    const bool is_last = round == size_constants.rounds;
+    const double good =
+        is_last && passes_joints ? size_constants.fair_scaled_jacobian : size_constants.good_scaled_jacobian;
+    const std::vector<bool> is_skew = skew_elements(options, shaped, relaxed.mesh, relaxer.energy, good);
     if (std::ranges::count(is_skew, true) == 0) break;
-    if (round == size_constants.rounds && passes_joints) return false;
-    if (round == size_constants.rounds) halve_moves(problem, options, shaped, relaxer, relaxed.mesh);
+    if (is_last && passes_joints) return false;
+    if (is_last) halve_moves(problem, options, shaped, relaxer, relaxed.mesh);
     for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
       if (is_skew[elem]) relaxer.energy.shape_weights[elem] *= size_constants.heavier;
   }

@@ -37,6 +37,7 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
     quadratic_.value[i] = (1 - eta) * (1 - eta), quadratic_.slope[i] = -2 * (1 - eta);
   }
   shape_weights.assign(shaped.num_elems(), first_shape_weight);
+  multiplicities.assign(shaped.num_elems(), 1);
   for (int elem = 0; elem < shaped.num_elems(); ++elem) {
     const auto& vertices = problem.follow.elem_vertices()[elem];
     for (int c = 0; c < 4; ++c) start_[vertices[c]] = shaped.nodes[side_start(shaped, elem, c)];
@@ -207,8 +208,8 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
     const Tangents at = tangents(elem);
     double area = 0;
     for (int k = 0; k < rule(elem).size; ++k) area += rule(elem).weight[k] * cross(at.a[k], at.b[k]);
-    squares += area / (sizes[elem].x * sizes[elem].y);
-    ++count;
+    squares += multiplicities[elem] * area / (sizes[elem].x * sizes[elem].y);
+    count += multiplicities[elem];
   }
   const double factor = std::sqrt(count / squares);
   for (std::size_t elem = 0; elem < sizes.size(); ++elem)
@@ -224,7 +225,7 @@ double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
     using Some = Eigen::Array<double, n, 1>;
     const PointEnergy<Some> e({at.a.x.head<n>(), at.a.y.head<n>()}, {at.b.x.head<n>(), at.b.y.head<n>()},
                               shape_weights[elem]);
-    const Some weight = of.weight.head<n>();
+    const Some weight = multiplicities[elem] * of.weight.head<n>();
     sum = e.det.minCoeff() > 0 ? (weight * e.value).sum() : infinity;
     by.a.x.head<n>() = scale.x * weight * e.by_a.x;
     by.a.y.head<n>() = scale.x * weight * e.by_a.y;
@@ -273,7 +274,7 @@ void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum
     for (int c = 0; c < 4; ++c) {
       const std::array<double, 3> block =
           bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
-      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += of.weight[k] * block[i];
+      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += multiplicities[elem] * of.weight[k] * block[i];
     }
   }
 }

@@ -42,6 +42,8 @@ class SizeEnergy {
   void set_sizes(const std::vector<Vec2>& sizes);
   /// The weight w of the shape of each element.
   std::vector<double> shape_weights;
+  /// How many elements each one stands for (refine/count_relaxer).
+  std::vector<double> multiplicities;
 
   double value(const VertexMoves& moves) { return with_derivatives(moves).value; }
   EnergyDerivatives with_derivatives(const VertexMoves& moves, bool has_blocks = false);

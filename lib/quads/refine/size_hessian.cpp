@@ -95,7 +95,8 @@ ElementHessian SizeEnergy::hessian(int elem) const {
   const Rule& of = rule(elem);
   ElementHessian sum = ElementHessian::Zero();
   for (int k = 0; k < of.size; ++k) {
-    const Eigen::Matrix4d bend = of.weight[k] * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
+    const double weight = multiplicities[elem] * of.weight[k];
+    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "refine/joint_vertices.hpp"
 
@@ -17,9 +18,7 @@ struct StepConstants {
   /// fraction.
   int factors_kept = 20;
   double far_progress = 0.01;
-  /// Relaxation ends after this many sweeps in turn that lower the energy by less than this fraction.
-  int slow_sweeps = 2;
-  double least_progress = 1e-5;
+  int slow_sweeps = 2;        ///< in turn, after which relaxation ends (SizeRelaxation::least_progress)
   double least_slope = 1e-9;  ///< least decrease that the linear model promises, of the energy
   double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
   int max_halvings = 20;      ///< of a step
@@ -50,6 +49,7 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
       held_(moves),
       lengths_(options.keeps_lengths ? element_lengths(shaped) : options.greatest_lengths),
       shorter_(shaped.num_elems(), {1, 1}),
+      counts_(shorter_),
       inverse_(problem) {
   if (options.keeps_lengths)
     for (double& weight : energy.shape_weights) weight *= step_constants.shape_first;
@@ -68,10 +68,17 @@ void SizeRelaxer::set_sizes() {
                                                : options_.sizes.at(middles[elem], region);
     const Vec2 own =
         lengths_.empty() ? Vec2{size, size} : Vec2{std::min(size, lengths_[elem].x), std::min(size, lengths_[elem].y)};
-    sizes.push_back({own.x * shorter_[elem].x, own.y * shorter_[elem].y});
+    const Vec2 shorter = shorter_[elem], count = counts_[elem];
+    sizes.push_back({own.x * shorter.x * count.x, own.y * shorter.y * count.y});
     size_.push_back(size);
   }
   energy.set_sizes(sizes);
+}
+
+void SizeRelaxer::set_counts(std::vector<Vec2> counts) {
+  counts_ = std::move(counts);
+  for (std::size_t elem = 0; elem < counts_.size(); ++elem)
+    energy.multiplicities[elem] = counts_[elem].x * counts_[elem].y;
 }
 
 /// Of this direction, at most 1.
@@ -179,7 +186,7 @@ void SizeRelaxer::run() {
     }
     ++num_sweeps;
     const double progress = (before - at.value) / before;
-    slow = progress < step_constants.least_progress ? slow + 1 : 0;
+    slow = progress < options_.least_progress ? slow + 1 : 0;
     if (is_first || progress <= step_constants.far_progress) continue;
     inverse_.forget();
     kept = step_constants.factors_kept - 1;

@@ -27,6 +27,7 @@ struct SizeRelaxation {
   std::vector<Vec2> greatest_lengths = {};
   /// Elements are to be as long and wide as they are, whatever the sizes, and none becomes worse than the worst one is.
   bool keeps_lengths = false;
+  double least_progress = 1e-5;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
 };
 
 /// Moves vertices to the least energy.
@@ -42,6 +43,8 @@ class SizeRelaxer {
   /// With the vertices that are fixed by now where they are held; if that is not possible, with all. Returns whether
   /// either is possible.
   bool begin_again();
+  /// What each element stands for: that many elements along s and t.
+  void set_counts(std::vector<Vec2> counts);
   /// Shortens the size of an element along a side.
   void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
 
@@ -62,6 +65,7 @@ class SizeRelaxer {
   std::vector<Vec2> lengths_;  ///< by element, along s and t: the greatest that are prescribed; empty: no limits
   std::vector<double> size_;   ///< by element
   std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
+  std::vector<Vec2> counts_;   ///< by element: of those along s and t for which it stands
   std::optional<VertexSymmetry> symmetry_;
   InverseHessian inverse_;
 };

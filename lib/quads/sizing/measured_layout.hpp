@@ -90,6 +90,8 @@ class MeasuredLayout {
 
   const std::vector<mesh::Chord>& chords() const { return geometry_->chords; }
   int chord_of(int arc) const { return geometry_->arc_chord[arc]; }
+  /// The chord whose count is the number of elements along a side of a block.
+  int chord_along(int block, int side) const { return chord_of(blocks().block2arcs[block][side].arc); }
   /// The number of the arc in its chord.
   int position_in_chord(int arc) const { return geometry_->arc_position[arc]; }
   /// The region that the arc is in; -1: between two, or there is only one.

@@ -10,53 +10,60 @@ namespace {
 
 int as_asked(int, int count) { return count; }
 
-/// One block of 10 x 10 elements.
+/// One block of 20 x 20 elements.
 ErrorParts one_block(double first_part) {
-  return {{first_part, 1 - first_part}, {10, 10}, {false, false}, {{0, 1}}, 100};
+  return {{first_part, 1 - first_part}, {20, 20}, {false, false}, {{0, 1}}, 400};
 }
 
-TEST(ErrorCounts, EqualPartsOfABlockKeepTheirCounts) {
-  const ErrorCounts least = least_error_counts(one_block(0.5), as_asked);
-  EXPECT_EQ(least.counts, (std::vector<int>{10, 10}));
-  EXPECT_DOUBLE_EQ(least.ratio, 1);
+TEST(ErrorCounts, TheChordWithTheGreaterPartGetsMoreElementsFirst) {
+  const std::vector<CountStep> steps = count_steps(one_block(9.0 / 13), as_asked, 0);
+  ASSERT_EQ(steps.size(), 4U);
+  EXPECT_EQ(steps[0].counts, (std::vector<int>{20, 19}));
+  EXPECT_EQ(steps[1].counts, (std::vector<int>{21, 20}));
+  EXPECT_EQ(steps[2].counts, (std::vector<int>{20, 21}));
+  EXPECT_EQ(steps[3].counts, (std::vector<int>{19, 20}));
+  const double sum = 9.0 / 13 + 4.0 / 13 / (0.95 * 0.95);
+  EXPECT_NEAR(steps[0].cost, 4 * std::log(sum * 0.95), 1e-12);
 }
 
-TEST(ErrorCounts, TheChordWithTheGreaterPartGetsMoreElements) {
-  // s1 (10 / n1)^2 + s2 (10 / n2)^2 at n1 n2 = 100 is least at n1 / n2 = sqrt(s1 / s2) = 3/2.
-  const ErrorCounts least = least_error_counts(one_block(9.0 / 13), as_asked);
-  EXPECT_EQ(least.counts, (std::vector<int>{12, 8}));
-  const double sum = 9.0 / 13 / (1.2 * 1.2) + 4.0 / 13 / (0.8 * 0.8);
-  EXPECT_NEAR(least.ratio, std::pow(sum * 96 / 100, 4), 1e-12);
+TEST(ErrorCounts, StepsChangeAPartOfTheCount) {
+  const std::vector<CountStep> steps = count_steps(one_block(0.55), as_asked, 0.2);
+  ASSERT_EQ(steps.size(), 4U);
+  for (const CountStep& step : steps) {
+    // Elements that would be a fifth more are balanced by the other chord.
+    EXPECT_EQ(std::ranges::minmax(step.counts).min, 16);
+    EXPECT_EQ(std::ranges::minmax(step.counts).max, 24);
+  }
+}
+
+TEST(ErrorCounts, StepsThatMissTheNumberOfElementsAreLeftOut) {
+  ErrorParts of = one_block(0.5);
+  of.is_fixed[0] = true;
+  EXPECT_EQ(count_steps(of, as_asked, 0).size(), 2U);
+  EXPECT_TRUE(count_steps(of, as_asked, 0.2).empty());
 }
 
 TEST(ErrorCounts, PrescribedCountsStay) {
   ErrorParts of = one_block(9.0 / 13);
   of.is_fixed[0] = true;
-  EXPECT_EQ(least_error_counts(of, as_asked).counts, (std::vector<int>{10, 10}));
+  for (const CountStep& step : count_steps(of, as_asked, 0)) EXPECT_EQ(step.counts[0], 20);
 }
 
-TEST(ErrorCounts, CountsThatTheBoundaryRaisesAreCompared) {
+TEST(ErrorCounts, CountsAreThoseThatTheBoundaryAllows) {
   const AchievedCount even_first = [](int chord, int count) {
-    return chord == 0 ? count + count % 2 : std::max(count, 9);
+    return chord == 0 ? count + count % 2 : std::max(count, 20);
   };
-  const ErrorCounts least = least_error_counts(one_block(9.0 / 13), even_first);
-  EXPECT_EQ(least.counts[0] % 2, 0);
-  EXPECT_GE(least.counts[1], 9);
-}
-
-TEST(ErrorCounts, NoCountLeavesTheRangeOfTheEstimate) {
-  ErrorParts of = one_block(0.999);
-  of.greatest_factor = 1;
-  const ErrorCounts least = least_error_counts(of, as_asked);
-  EXPECT_EQ(least.counts, (std::vector<int>{11, 9}));
+  const std::vector<CountStep> steps = count_steps(one_block(9.0 / 13), even_first, 0);
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].counts, (std::vector<int>{22, 20}));
+  EXPECT_EQ(steps[1].counts, (std::vector<int>{20, 21}));
 }
 
 TEST(ErrorCounts, MirrorImagesGetTheSameCount) {
-  // Chord 0 crosses 1 and 2, which are equal but for 1e-5: 11 x (5 + 5) would be 11 x (5 + 6) if each counted
-  // alone.
-  const ErrorParts of{{0.5, 0.25, 0.25 * (1 + 1e-5)}, {10, 5, 5}, {true, false, false}, {{0, 1}, {2, 0}}, 107};
-  const ErrorCounts least = least_error_counts(of, as_asked);
-  EXPECT_EQ(least.counts[1], least.counts[2]);
+  const ErrorParts of{{0.5, 0.25, 0.25 * (1 + 1e-5)}, {20, 10, 10}, {true, false, false}, {{0, 1}, {2, 0}}, 400};
+  const std::vector<CountStep> steps = count_steps(of, as_asked, 0);
+  ASSERT_FALSE(steps.empty());
+  for (const CountStep& step : steps) EXPECT_EQ(step.counts[1], step.counts[2]);
 }
 
 }  // namespace
