@@ -217,7 +217,7 @@ bool CountSearch::take_step(double part, std::map<Step, double>& losses) {
     return found == losses.end() ? 0 : found->second;
   };
   std::erase_if(all, [&](const sizing::CountStep& step) { return loss(step) > hopeless; });
-  std::ranges::stable_partition(all, [&](const sizing::CountStep& step) { return loss(step) == 0; });
+  std::stable_partition(all.begin(), all.end(), [&](const sizing::CountStep& step) { return loss(step) == 0; });
   for (const sizing::CountStep& step : all) {
     if (trials_left_ <= 0) return false;
     const double change = try_counts(step.counts);

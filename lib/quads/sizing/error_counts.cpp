@@ -38,8 +38,7 @@ std::vector<Orbit> orbits_of(const ErrorParts& of) {
   }
   for (Orbit& orbit : orbits)
     for (int block = 0; block < std::ssize(of.block_chords); ++block)
-      if (const auto [a, b] = of.block_chords[block];
-          std::ranges::any_of(orbit.chords, [&](int c) { return c == a || c == b; }))
+      if (std::ranges::any_of(of.block_chords[block], [&](int c) { return std::ranges::count(orbit.chords, c) > 0; }))
         orbit.blocks.push_back(block);
   return orbits;
 }
