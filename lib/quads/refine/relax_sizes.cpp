@@ -102,6 +102,7 @@ bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
   for (int round = 0;; ++round) {
     const std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
     if (rough.empty()) return true;
+    if (relaxer.is_exhausted()) return false;
     bool is_any_fixed = false;
     for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, problem, relaxer);
     if (is_any_fixed ? !relaxer.begin_again() : round >= size_constants.shortenings) return false;
@@ -121,7 +122,7 @@ void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& prob
   for (int round = 0; round < size_constants.shortenings; ++round) {
     std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
     std::erase_if(rough, passes_joint);
-    if (rough.empty()) return;
+    if (rough.empty() || relaxer.is_exhausted()) return;
     for (const EdgeError& edge : rough) shorten(edge, problem, relaxer);
     relaxer.run();
   }
@@ -164,19 +165,22 @@ bool relax_vertices(const QuadMesh& mesh, const SizeRelaxation& options, SlidesO
   const bool passes_joints = !problem.boundary.free_joints().empty();
   if (passes_joints) {
     relax_across_joints(options, problem, relaxer);
-    if (!relaxer.hold_joints(problem)) return false;
+    if (!relaxer.hold_joints(problem)) return relaxer.is_exhausted();
   }
   for (int round = 0; round <= size_constants.rounds; ++round) {
-    if (!relax_within_tolerance(options, problem, relaxer)) return false;
+    if (!relax_within_tolerance(options, problem, relaxer)) return relaxer.is_exhausted();
     relaxed.mesh = moved_mesh(problem, options, relaxer.moves);
     if (round == 0) relaxed.energy_after = relaxer.value / num_free;
-    const bool is_last = round == size_constants.rounds;
+    const bool is_last = round == size_constants.rounds || relaxer.is_exhausted();
     const double good =
         is_last && passes_joints ? size_constants.fair_scaled_jacobian : size_constants.good_scaled_jacobian;
     const std::vector<bool> is_skew = skew_elements(options, shaped, relaxed.mesh, relaxer.energy, good);
     if (std::ranges::count(is_skew, true) == 0) break;
-    if (is_last && passes_joints) return false;
-    if (is_last) halve_moves(problem, options, shaped, relaxer, relaxed.mesh);
+    if (is_last && passes_joints) return relaxer.is_exhausted();
+    if (is_last) {
+      halve_moves(problem, options, shaped, relaxer, relaxed.mesh);
+      break;
+    }
     for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
       if (is_skew[elem]) relaxer.energy.shape_weights[elem] *= size_constants.heavier;
   }

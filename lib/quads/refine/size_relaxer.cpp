@@ -22,6 +22,8 @@ struct StepConstants {
   double least_slope = 1e-9;  ///< least decrease that the linear model promises, of the energy
   double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
   int max_halvings = 20;      ///< of a step
+  double most_work = 2e7;     ///< elements, each as often as it is moved: some ten seconds
+  double factors_work = 100;  ///< steps that take as long as factors of the Hessian, of 40,000 elements
   int joint_steps = 8;        ///< in which vertices slide to joints
   double shape_first = 20;    ///< factor of the weight of shapes where elements keep their lengths
 };
@@ -76,6 +78,7 @@ void SizeRelaxer::set_sizes() {
 }
 
 void SizeRelaxer::set_counts(std::vector<Vec2> counts) {
+  inverse_.forget();
   counts_ = std::move(counts);
   for (std::size_t elem = 0; elem < counts_.size(); ++elem)
     energy.multiplicities[elem] = counts_[elem].x * counts_[elem].y;
@@ -107,6 +110,7 @@ bool SizeRelaxer::step(EnergyDerivatives& at) {
     VertexMoves next = moves;
     add_multiple(length, direction, next);
     EnergyDerivatives there = energy.with_derivatives(next);
+    count_work(1);
     if (!(there.value <= at.value + step_constants.descent * length * slope)) continue;
     problem_.join_twins(there.gradient);
     symmetry_->average(there.gradient);
@@ -154,7 +158,12 @@ bool SizeRelaxer::begin_again() {
   return std::isfinite(energy.value(moves));
 }
 
+bool SizeRelaxer::is_exhausted() const { return work_ > step_constants.most_work; }
+
+void SizeRelaxer::count_work(double steps) { work_ += steps * problem_.start.num_elems(); }
+
 EnergyDerivatives SizeRelaxer::begin(bool is_first) {
+  count_work(is_first ? 1 : step_constants.factors_work);
   EnergyDerivatives at = energy.with_derivatives(moves, is_first);
   problem_.join_twins(at.gradient);
   if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);
@@ -170,7 +179,8 @@ void SizeRelaxer::run() {
   set_sizes();
   int slow = 0, kept = 0;
   EnergyDerivatives at = begin(true);
-  for (int sweep = 0; sweep < options_.sweeps && slow < step_constants.slow_sweeps; ++sweep, ++kept) {
+  for (int sweep = 0; sweep < options_.sweeps && slow < step_constants.slow_sweeps && !is_exhausted();
+       ++sweep, ++kept) {
     const bool is_first = sweep < step_constants.first_sweeps;
     if (sweep == step_constants.first_sweeps) inverse_.forget();
     if (kept == (is_first ? step_constants.blocks_kept : step_constants.factors_kept) ||

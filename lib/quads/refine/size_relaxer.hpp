@@ -48,6 +48,9 @@ class SizeRelaxer {
   /// Shortens the size of an element along a side.
   void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
 
+  /// Whether the work of all runs, in elements moved, is as much as is spent on one mesh: no run goes on.
+  bool is_exhausted() const;
+
   SizeEnergy energy;
   VertexMoves moves;
   double value = 0;
@@ -58,6 +61,7 @@ class SizeRelaxer {
   EnergyDerivatives begin(bool is_first);
   double longest_step(const VertexMoves& direction) const;
   bool step(EnergyDerivatives& at);
+  void count_work(double steps);
 
   const RelaxProblem& problem_;
   const SizeRelaxation& options_;
@@ -68,6 +72,7 @@ class SizeRelaxer {
   std::vector<Vec2> counts_;   ///< by element: of those along s and t for which it stands
   std::optional<VertexSymmetry> symmetry_;
   InverseHessian inverse_;
+  double work_ = 0;  ///< elements, each as often as it was moved
 };
 
 }  // namespace quadrille::refine
