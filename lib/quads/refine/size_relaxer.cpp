@@ -22,7 +22,6 @@ struct StepConstants {
   double least_slope = 1e-9;  ///< least decrease that the linear model promises, of the energy
   double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
   int max_halvings = 20;      ///< of a step
-  double most_work = 2e7;     ///< elements, each as often as it is moved: some ten seconds
   double factors_work = 100;  ///< steps that take as long as factors of the Hessian, of 40,000 elements
   int joint_steps = 8;        ///< in which vertices slide to joints
   double shape_first = 20;    ///< factor of the weight of shapes where elements keep their lengths
@@ -157,8 +156,6 @@ bool SizeRelaxer::begin_again() {
   moves = held_;
   return std::isfinite(energy.value(moves));
 }
-
-bool SizeRelaxer::is_exhausted() const { return work_ > step_constants.most_work; }
 
 void SizeRelaxer::count_work(double steps) { work_ += steps * problem_.start.num_elems(); }
 

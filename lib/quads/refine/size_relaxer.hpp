@@ -27,6 +27,9 @@ struct SizeRelaxation {
   std::vector<Vec2> greatest_lengths = {};
   /// Elements are to be as long and wide as they are, whatever the sizes, and none becomes worse than the worst one is.
   bool keeps_lengths = false;
+  /// Elements, each as often as it is moved: some ten seconds. Where that is not enough to keep the tolerance, no
+  /// vertex is moved.
+  double most_work = 2e7;
   double least_progress = 1e-5;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
 };
 
@@ -48,8 +51,8 @@ class SizeRelaxer {
   /// Shortens the size of an element along a side.
   void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
 
-  /// Whether the work of all runs, in elements moved, is as much as is spent on one mesh: no run goes on.
-  bool is_exhausted() const;
+  /// Whether the work of all runs is SizeRelaxation::most_work: no run goes on.
+  bool is_exhausted() const { return work_ > options_.most_work; }
 
   SizeEnergy energy;
   VertexMoves moves;

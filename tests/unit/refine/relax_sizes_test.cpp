@@ -60,6 +60,21 @@ TEST(RelaxSizes, VeryThinElementsBecomeEvenInAFewSteps) {
   EXPECT_LT(relaxed.sweeps, 120);
 }
 
+TEST(RelaxSizes, WorkIsBounded) {
+  QuadMesh mesh = mesh_of(hand_made::unit_square(), 1.0 / 24, 1);
+  for (Vec2& x : mesh.nodes) x = {std::pow(x.x, 5), std::pow(x.y, 3)};
+  measure_elements(mesh);
+  const sizing::SizeField sizes(0.1);
+  const double num_elems = mesh.num_elems();
+  const auto sweeps = [&](double steps) {
+    return relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3, .most_work = steps * num_elems}).sweeps;
+  };
+  EXPECT_GT(sweeps(1e4), 60);
+  EXPECT_LE(sweeps(40), 40);
+  EXPECT_GT(sweeps(40), 5);
+  EXPECT_EQ(sweeps(0), 0);
+}
+
 TEST(RelaxSizes, EqualSquaresStayBitForBit) {
   const sizing::SizeField sizes(0.3);
   const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 3);
