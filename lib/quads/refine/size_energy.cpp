@@ -264,21 +264,6 @@ std::array<Vec2, 4> SizeEnergy::by_corners(int elem, const Tangents& by) const {
   return corners;
 }
 
-/// Adds the diagonal blocks of the Hessian without what may be negative.
-void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
-  const Rule& of = rule(elem);
-  const auto& v = problem_.follow.elem_vertices()[elem];
-  for (int k = 0; k < of.size; ++k) {
-    const PointBends bends(at.a[k], at.b[k], shape_weights[elem]);
-    const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
-    for (int c = 0; c < 4; ++c) {
-      const std::array<double, 3> block =
-          bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
-      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += multiplicities[elem] * of.weight[k] * block[i];
-    }
-  }
-}
-
 /// The derivatives by the shifts of the points of a side.
 SizeEnergy::SidePoints SizeEnergy::by_shifts(const Sides& sides, int side, const Tangents& by) const {
   const Blend& blended = blend(sides, side);

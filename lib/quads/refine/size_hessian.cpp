@@ -7,6 +7,21 @@
 
 namespace quadrille::refine {
 
+/// Adds the diagonal blocks of the Hessian without what may be negative.
+void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
+  const Rule& of = rule(elem);
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  for (int k = 0; k < of.size; ++k) {
+    const PointBends bends(at.a[k], at.b[k], shape_weights[elem]);
+    const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
+    for (int c = 0; c < 4; ++c) {
+      const std::array<double, 3> block =
+          bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
+      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += multiplicities[elem] * of.weight[k] * block[i];
+    }
+  }
+}
+
 /// Into sides_, of a side whose points slide with its ends, else -1.
 int SizeEnergy::sliding_side(int elem, int side) const {
   const int k = elem_sides_[elem] < 0 ? -1 : curved_[elem_sides_[elem]].side[side];
