@@ -121,8 +121,8 @@ struct PhaseSolver::Parts {
 
 /// The solution for one set of nodes.
 struct PhaseSolver::State {
-  PhaseForm form;        ///< without s
-  Eigen::VectorXd dofs;  ///< of s, including the hole winding
+  PhaseForm form;                  ///< without s
+  Eigen::VectorXd dofs;            ///< of s, including the hole winding
   double remainder_energy = 0;     ///< a(s, s) / 2
   Eigen::VectorXd hole_reactions;  ///< a(s, w_j)
   Eigen::VectorXd best_winding;    ///< m* of lib/method.md §8.6
