@@ -22,7 +22,7 @@ struct StepConstants {
   double least_slope = 1e-9;  ///< least decrease that the linear model promises, of the energy
   double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
   int max_halvings = 20;      ///< of a step
-  double factors_work = 100;  ///< steps that take as long as factors of the Hessian, of 40,000 elements
+  double factors_work = 0.5;  ///< steps that take as long as factors of the Hessian, over the root of the elements
   int joint_steps = 8;        ///< in which vertices slide to joints
   double shape_first = 20;    ///< factor of the weight of shapes where elements keep their lengths
 };
@@ -160,7 +160,7 @@ bool SizeRelaxer::begin_again() {
 void SizeRelaxer::count_work(double steps) { work_ += steps * problem_.start.num_elems(); }
 
 EnergyDerivatives SizeRelaxer::begin(bool is_first) {
-  count_work(is_first ? 1 : step_constants.factors_work);
+  count_work(is_first ? 1 : step_constants.factors_work * std::sqrt(problem_.start.num_elems()));
   EnergyDerivatives at = energy.with_derivatives(moves, is_first);
   problem_.join_twins(at.gradient);
   if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);

@@ -27,9 +27,9 @@ struct SizeRelaxation {
   std::vector<Vec2> greatest_lengths = {};
   /// Elements are to be as long and wide as they are, whatever the sizes, and none becomes worse than the worst one is.
   bool keeps_lengths = false;
-  /// Elements, each as often as it is moved: some ten seconds. Where that is not enough to keep the tolerance, no
+  /// Elements, each as often as it is moved: some seconds. Where that is not enough to keep the tolerance, no
   /// vertex is moved.
-  double most_work = 2e7;
+  double most_work = 1e7;
   double least_progress = 1e-5;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
 };
 
