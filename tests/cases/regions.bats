@@ -23,7 +23,7 @@ has() {
   mesh_of "${@:3}"
   run -0 jq -r ".least_scaled_jacobian >= ([$2 - 0.1, 0.65] | min) and .valid" report.json
   assert_output true
-  run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" "work/$3.quad.h5" --area-tolerance 1e-8
+  run -0 /usr/bin/python3 "$ROOT/tests/check_regions.py" "work/$3.quad.h5" --area-tolerance 3e-8
   refute_output --partial FAULT
   stagecheck -q work/*.h5 work/*.json
 }
