@@ -83,11 +83,11 @@ void ContinuousSystem::set_orders(const std::vector<int>& elem_order, Stopwatch&
   watch.lap("factorisation");
 }
 
-Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch& watch) {
+Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch& watch, double negligible) {
   const Eigen::MatrixXd rhs = right_hand_side(*map_, elements_, given);
   watch.lap("data");
   Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
-  dofs << solver_->solve(rhs), given;
+  dofs << solver_->solve(rhs, negligible), given;
   watch.lap("substitution");
   return dofs;
 }
@@ -95,12 +95,6 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
 double ContinuousSystem::residual(const Eigen::MatrixXd& dofs) const {
   const Eigen::MatrixXd given = dofs.bottomRows(map_->num_dofs - map_->num_unknowns);
   return relative_residual(*map_, elements_, right_hand_side(*map_, elements_, given), dofs);
-}
-
-Eigen::MatrixXd ContinuousSystem::solution(const Eigen::MatrixXd& given, double negligible) {
-  Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
-  dofs << solver_->solve(right_hand_side(*map_, elements_, given), negligible), given;
-  return dofs;
 }
 
 // Of f = (x, given) with A x = b: the energy is that of (0, given) less b^T A^-1 b.

@@ -68,10 +68,9 @@ class ContinuousSystem {
   /// The dof numbers. This and all members below require set_orders().
   const DofMap& map() const { return *map_; }
   const std::vector<int>& elem_order() const { return elem_order_; }
-  /// All dofs (num_dofs rows) from the values of the given ones, [num_unknowns, num_dofs).
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& given, Stopwatch& watch);
-  /// The same, where it is not `negligible` (SparseSolver::solve).
-  Eigen::MatrixXd solution(const Eigen::MatrixXd& given, double negligible);
+  /// All dofs (num_dofs rows) from the values of the given ones, [num_unknowns, num_dofs), where they are not
+  /// `negligible` (SparseSolver::solve).
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& given, Stopwatch& watch, double negligible = 0);
   /// Energy products of the solutions for many given values that are sparse, without the solutions.
   Eigen::MatrixXd energy_products(const SparseColumns& given) const;
   /// Residual of a solution, relative to the right-hand side of its given dofs.

@@ -166,7 +166,7 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
       given.middleCols(2 * (i - first), 2) =
           DirichletData(parts_->points, data[i].values).values(parts_->context.topology, system.map());
     }
-    const Eigen::MatrixXd dofs = system.solution(given, negligible_dof * negligible);
+    const Eigen::MatrixXd dofs = system.solve(given, parts_->watch, negligible_dof * negligible);
     for (int e = 0; e < std::ssize(parts_->elem_order); ++e) {
       if (element_dofs(system.map(), e, dofs).cwiseAbs().maxCoeff() < negligible_dof * negligible) continue;
       const Eigen::MatrixXd coefs = system.coefs(e, dofs);
