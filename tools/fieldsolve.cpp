@@ -3,6 +3,7 @@
 #include "stage/fieldsolve.hpp"
 
 #include "cli/tool_main.hpp"
+#include "io/alignment_io.hpp"
 #include "io/order_map_io.hpp"
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
@@ -53,6 +54,12 @@ int main(int argc, char** argv) {
       const io::InputFile nodes_file = io::read_input(options.nodes_file);
       points = io::read_stage<CriticalPoints>(nodes_file);
       from.nodes.emplace(points, nodes_file);
+    }
+    AlignmentRequest alignment;
+    if (!options.align_file.empty()) {
+      const io::InputFile align_file = io::read_input(options.align_file);
+      alignment = io::read_alignment(align_file, mesh.face.origin, stage::usual_feature_width(mesh.face));
+      from.alignment.emplace(alignment, align_file);
     }
     io::write_stage(output, stage::fieldsolve(from, options, s));
   };

@@ -102,6 +102,7 @@ Field part_of_field(const Field& field, TriMesh mesh, int region) {
   part.elem_sensor = part_of(field.elem_sensor, elems);
   part.elem_error = part_of(field.elem_error, elems);
   for (const AdaptStep& step : field.adapt_steps) part.adapt_steps.push_back(part_of_step(step, elems, region));
+  part.alignment = field.alignment;
   return part;
 }
 
@@ -308,6 +309,7 @@ Field join(const TriMesh& whole, std::vector<Field> parts) {
   field.mesh = whole;
   field.kind = parts.front().kind;
   field.method = parts.front().method;
+  field.alignment = parts.front().alignment;
   field.coef_offsets.push_back(0);
   std::size_t num_rounds = 0;
   for (std::size_t r = 0; r < parts.size(); ++r) {

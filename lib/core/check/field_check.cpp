@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "check/rules.hpp"
@@ -127,6 +128,19 @@ void errors_are_sound(const Field& field, Findings& findings) {
 
 constexpr int max_turns = 1000000;  // of a term or round a hole; more would use up the digits of the phase
 
+void alignment_is_sound(const Field& field, Findings& findings) {
+  for (std::size_t k = 0; k < field.alignment.size(); ++k) {
+    const AlignmentPoint& point = field.alignment[k];
+    const bool is_finite = std::isfinite(point.position.x) && std::isfinite(point.position.y) &&
+                           std::isfinite(point.width) && std::isfinite(point.rate) && std::isfinite(point.angle);
+    if (!is_finite || !(point.width > 0) || !(point.rate >= 0))
+      findings.add("point {} of the alignment has a width that is not positive, a negative rate or no finite numbers",
+                   k);
+  }
+  if (!field.alignment.empty() && field.method != FieldMethod::cg)
+    findings.add("only fields of continuous elements (cg) are aligned");
+}
+
 bool is_bounded(int turns) { return turns >= -max_turns && turns <= max_turns; }
 
 void turns_are_sound(const std::vector<PhaseTurn>& turns, const char* name, Findings& findings) {
@@ -237,6 +251,7 @@ constexpr Rule<Field> rules[] = {
     {"FLD-R05", RuleKind::quick, kinds_are_known},       {"FLD-R06", RuleKind::quick, liftings_fit},
     {"FLD-R07", RuleKind::quick, adapt_steps_are_sound}, {"FLD-R08", RuleKind::quick, errors_are_sound},
     {"FLD-R09", RuleKind::quick, phases_are_sound},      {"FLD-R10", RuleKind::quick, terms_are_prescribed},
+    {"FLD-R11", RuleKind::quick, alignment_is_sound},
 };
 
 }  // namespace

@@ -10,12 +10,15 @@
 // A field of kind "phase" (lib/method.md §8) is a unit field with exactly the prescribed irregular nodes:
 //
 //   v(x) = e^(i phi),   phi(x) = explicit part (model/phase_nodes.hpp) + s(x),   s(x) = sum_n s_n phi_n(xi)
+//
+// Both are harmonic, v and s, unless the field is aligned with prescribed directions (model/alignment.hpp).
 
 #include <array>
 #include <vector>
 
 #include "base/enum_names.hpp"
 #include "base/vec2.hpp"
+#include "model/alignment.hpp"
 #include "model/phase_nodes.hpp"
 #include "model/provenance.hpp"
 #include "model/tri_mesh.hpp"
@@ -84,6 +87,7 @@ struct Field {
   std::vector<double> elem_sensor;       ///< last sensor of each element; empty before padapt
   std::vector<double> elem_error;  ///< estimated |v - v_h| on each element (field/error_estimate); empty: not estimated
   std::vector<AdaptStep> adapt_steps;
+  Alignment alignment;  ///< with which v, or the phase, was solved for; empty: none
 };
 
 }  // namespace quadrille

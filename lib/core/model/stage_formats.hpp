@@ -31,7 +31,7 @@ struct StageFormat {
 /// The formats of the alternatives of StageModel.
 constexpr auto stage_formats = std::to_array<StageFormat>({
     {"tri-mesh", 1, 4, Storage::hdf5},
-    {"field", 2, 2, Storage::hdf5},
+    {"field", 2, 3, Storage::hdf5},
     {"critical-points", 2, 2, Storage::json},
     {"separatrix-graph", 2, 4, Storage::json},
     {"block-layout", 2, 0, Storage::hdf5},
@@ -92,6 +92,7 @@ constexpr auto optional_inputs = std::to_array<OptionalInput>({
     {"fieldsolve", "--nodes", "critical-points", "crit.json"},
     {"fieldsolve", "--orders", "field", "orders.h5"},
     {"fieldsolve", "--orders", "order-map", "orders.json"},
+    {"fieldsolve", "--align", "alignment", "align.json"},
     {"blocksplit", "--block-names", "block-names", "block-names"},
     {"quadrefine", "--size-field", "size-field", "size-field"},
 });

@@ -36,7 +36,8 @@ struct Solver {
 
 Solver solver_of(const Field& start, int num_threads) {
   if (start.kind == FieldKind::phase) {
-    const auto solver = std::make_shared<galerkin::PhaseSolver>(start.mesh, start.elem_order, num_threads);
+    const auto solver =
+        std::make_shared<galerkin::PhaseSolver>(start.mesh, start.elem_order, num_threads, start.alignment);
     return {[=, &start](const std::vector<int>& orders, Report& report) {
               solver->set_orders(orders);
               return solver->solve(start.phase.prescribed, start.phase.hole_winding_offsets, report);

@@ -102,6 +102,12 @@ double lifting_angle(const Lifting& lifting, Vec2 x) {
   return std::atan2(cross(b, a), dot(b, a));
 }
 
+Vec2 lifting_sum(const std::vector<Lifting>& liftings, Vec2 x) {
+  Vec2 sum;
+  for (const Lifting& lifting : liftings) sum += lifting_angle(lifting, x) * lifting.jump;
+  return sum;
+}
+
 Vec2 lifting_gradient(const Lifting& lifting, Vec2 x) {
   const Vec2 a = x - lifting.apex, b = x - lifting.pole;
   return left_of(a) / norm2(a) - left_of(b) / norm2(b);

@@ -11,7 +11,9 @@ namespace quadrille::field {
 
 /// theta_c at x; x must not be c.
 double lifting_angle(const Lifting& lifting, Vec2 x);
-/// Its gradient.
+/// What liftings add to the field at x, which must not be an apex.
+Vec2 lifting_sum(const std::vector<Lifting>& liftings, Vec2 x);
+/// The gradient of theta_c.
 Vec2 lifting_gradient(const Lifting& lifting, Vec2 x);
 /// The limit of theta_c as x -> c along the unit vector d, which points from c into the closed domain.
 double lifting_angle_at_apex(const Lifting& lifting, Vec2 d);

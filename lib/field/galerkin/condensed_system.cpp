@@ -163,10 +163,11 @@ Eigen::MatrixXd reactions(const DofMap& map, const CondensedElements& elements, 
 }
 
 double relative_residual(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& rhs,
-                         const Eigen::MatrixXd& dofs) {
+                         const Eigen::MatrixXd& dofs, const Eigen::MatrixXd& load) {
   // Applies the matrix to all dofs: the reactions of the given ones form the right-hand side.
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(map.num_unknowns, dofs.cols());
   add_product(map, elements, dofs, 0, false, residual);
+  if (load.size() > 0) residual -= load;
   const double scale = rhs.norm();
   return scale > 0 ? residual.norm() / scale : residual.norm();
 }

@@ -63,8 +63,9 @@ Eigen::MatrixXd element_dofs(const DofMap& map, int elem, const Eigen::MatrixXd&
 /// the energy product a(f, g) of two columns is (given part of f) . (reaction of g).
 Eigen::MatrixXd reactions(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& dofs);
 
-/// |rhs - K x| / |rhs|; |rhs - K x| if the right-hand side is 0. `dofs` contains all dofs: x, then the given ones.
+/// |rhs - K x| / |rhs|; |rhs - K x| if the right-hand side is 0. `rhs`: of the given dofs, and `load` if there is any;
+/// `dofs`: all, x, then the given ones.
 double relative_residual(const DofMap& map, const CondensedElements& elements, const Eigen::MatrixXd& rhs,
-                         const Eigen::MatrixXd& dofs);
+                         const Eigen::MatrixXd& dofs, const Eigen::MatrixXd& load = {});
 
 }  // namespace quadrille::galerkin

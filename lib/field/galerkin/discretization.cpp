@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "mesh/tri_topology.hpp"
+#include "spectral/modified_basis.hpp"
 #include "stiffness/condensed_element.hpp"
 
 namespace quadrille::galerkin {
@@ -27,13 +29,47 @@ std::string MeshContext::describe(int elem) const {
   return fmt::format("element {} near {}", elem, position_text(x));
 }
 
-ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, std::size_t kept_numbers)
+ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, std::size_t kept_numbers,
+                                   const field::AlignmentTerm* term)
     : context_(&context),
       num_threads_(num_threads),
       kept_numbers_(kept_numbers),
+      term_(term),
+      is_reactive_(context.maps.size(), false),
+      reactive_(context.maps.size()),
       elem2shape_(stiffness::first_of_shape(context.maps)),
       elem_order_(context.maps.size(), 0),
-      elements_(context.maps.size()) {}
+      elements_(context.maps.size()) {
+  if (term) find_reactive_elements();
+}
+
+// The matrix of an element with the term depends on its place: it is the only one of its shape.
+void ContinuousSystem::find_reactive_elements() {
+  std::map<int, int> first_without;  // by first of the shape
+  for (int e = 0; e < static_cast<int>(elem2shape_.size()); ++e) {
+    const spectral::TriMap& map = context_->maps[e];
+    const Vec2 centre = map.position({-1.0 / 3, -1.0 / 3});
+    double radius = 0;
+    for (const Vec2 xi : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{0, -1}, Vec2{0, 0}, Vec2{-1, 0}})
+      radius = std::max(radius, distance(centre, map.position(xi)));
+    is_reactive_[e] = term_->acts_in(centre, radius);
+    elem2shape_[e] = is_reactive_[e] ? e : first_without.try_emplace(elem2shape_[e], e).first->second;
+  }
+}
+
+std::vector<Vec2> ContinuousSystem::points_of(int elem) const {
+  return stiffness::reaction_points(context_->maps[elem], elem_order_[elem]);
+}
+
+std::shared_ptr<const CondensedElement> ContinuousSystem::made_element(int elem, int order) {
+  const spectral::TriMap& map = context_->maps[elem];
+  if (!is_reactive_[elem]) return std::make_shared<CondensedElement>(stiffness::condensed_element(map, order));
+  const std::vector<Vec2> points = stiffness::reaction_points(map, order);
+  Eigen::VectorXd rate(std::ssize(points));
+  for (std::size_t q = 0; q < points.size(); ++q) rate[static_cast<Eigen::Index>(q)] = term_->at(points[q]).rate;
+  reactive_[elem] = std::make_shared<stiffness::ReactiveElement>(stiffness::reactive_element(map, order, rate));
+  return {reactive_[elem], &reactive_[elem]->element};
+}
 
 // The matrices of a shape and an order are those of the first element of that shape, whatever its own order is, so that
 // they do not depend on the orders solved for before.
@@ -55,10 +91,10 @@ void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
     part.advance();
     const auto [elem, order] = made[i]->first;
     try {
-      CondensedElement element = stiffness::condensed_element(context_->maps[elem], order);
-      const std::size_t size = stiffness::size_of_interior(element);
-      if (kept.fetch_add(size) + size > kept_numbers_) element = {std::move(element.schur), {}, {}};
-      made[i]->second = std::make_shared<CondensedElement>(std::move(element));
+      std::shared_ptr<const CondensedElement>& element = made[i]->second = made_element(elem, order);
+      const std::size_t size = stiffness::size_of_interior(*element);
+      if (kept.fetch_add(size) + size > kept_numbers_ && !is_reactive_[elem])
+        element = std::make_shared<CondensedElement>(CondensedElement{element->schur, {}, {}});
     } catch (const ComputeError& error) {
       throw ComputeError(fmt::format("{}: {}", context_->describe(elem), error.what()));
     }
@@ -83,8 +119,10 @@ void ContinuousSystem::set_orders(const std::vector<int>& elem_order, Stopwatch&
   watch.lap("factorisation");
 }
 
-Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch& watch, double negligible) {
-  const Eigen::MatrixXd rhs = right_hand_side(*map_, elements_, given);
+Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch& watch, double negligible,
+                                        const Loads& loads) {
+  Eigen::MatrixXd rhs = right_hand_side(*map_, elements_, given);
+  add_loads(loads, rhs);
   watch.lap("data");
   Eigen::MatrixXd dofs(map_->num_dofs, given.cols());
   dofs << solver_->solve(rhs, negligible), given;
@@ -92,9 +130,31 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
   return dofs;
 }
 
-double ContinuousSystem::residual(const Eigen::MatrixXd& dofs) const {
+Loads ContinuousSystem::loads(const ValuesInElement& f) const {
+  Loads loads(elements_.size());
+  parallel_for(static_cast<int>(elements_.size()), num_threads_, [&](int e) {
+    if (is_reactive_[e]) loads[e] = stiffness::element_load(elem_order_[e], *reactive_[e], f(e, points_of(e)));
+  });
+  return loads;
+}
+
+void ContinuousSystem::add_loads(const Loads& loads, Eigen::MatrixXd& rhs) const {
+  for (std::size_t e = 0; e < loads.size(); ++e) {
+    const int offset = map_->elem2offset[e];
+    for (Eigen::Index i = 0; i < loads[e].boundary.rows(); ++i) {
+      const int dof = map_->elem2dofs[offset + i];
+      if (dof >= 0 && dof < map_->num_unknowns) rhs.row(dof) += map_->elem2signs[offset + i] * loads[e].boundary.row(i);
+    }
+  }
+}
+
+double ContinuousSystem::residual(const Eigen::MatrixXd& dofs, const Loads& loads) const {
   const Eigen::MatrixXd given = dofs.bottomRows(map_->num_dofs - map_->num_unknowns);
-  return relative_residual(*map_, elements_, right_hand_side(*map_, elements_, given), dofs);
+  const Eigen::MatrixXd of_given = right_hand_side(*map_, elements_, given);
+  if (loads.empty()) return relative_residual(*map_, elements_, of_given, dofs);
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(map_->num_unknowns, dofs.cols());
+  add_loads(loads, load);
+  return relative_residual(*map_, elements_, of_given + load, dofs, load);
 }
 
 // Of f = (x, given) with A x = b: the energy is that of (0, given) less b^T A^-1 b.
@@ -113,7 +173,23 @@ Eigen::MatrixXd ContinuousSystem::coefs(int elem, const Eigen::MatrixXd& dofs, c
                                   element_dofs(*map_, elem, dofs));
 }
 
-Eigen::MatrixXd ContinuousSystem::coefs(int elem, const Eigen::MatrixXd& dofs) const {
+Eigen::MatrixXd ContinuousSystem::modes_of(int elem, const Eigen::MatrixXd& dofs, const Loads& loads) const {
+  return stiffness::all_modes(*reactive_[elem], loads.at(elem), element_dofs(*map_, elem, dofs));
+}
+
+Eigen::MatrixXd ContinuousSystem::values_at_points(int elem, const Eigen::MatrixXd& dofs, const Loads& loads) const {
+  return stiffness::values_at_points(elem_order_[elem], modes_of(elem, dofs, loads));
+}
+
+Eigen::MatrixXd ContinuousSystem::values_of(int elem, const Eigen::MatrixXd& coefs) const {
+  const int order = elem_order_[elem];
+  return stiffness::values_at_points(order,
+                                     spectral::modified_to_orthogonal(order).transpose().partialPivLu().solve(coefs));
+}
+
+Eigen::MatrixXd ContinuousSystem::coefs(int elem, const Eigen::MatrixXd& dofs, const Loads& loads) const {
+  if (is_reactive_[elem])
+    return spectral::modified_to_orthogonal(elem_order_[elem]).transpose() * modes_of(elem, dofs, loads);
   const CondensedElement& kept = *elements_[elem];
   return kept.has_interior() ? coefs(elem, dofs, kept) : coefs(elem, dofs, computed_element(elem));
 }
@@ -122,7 +198,7 @@ CondensedElement ContinuousSystem::computed_element(int elem) const {
   return stiffness::condensed_element(context_->maps[elem2shape_[elem]], elem_order_[elem]);
 }
 
-std::vector<Eigen::MatrixXd> ContinuousSystem::all_coefs(const Eigen::MatrixXd& dofs) const {
+std::vector<Eigen::MatrixXd> ContinuousSystem::all_coefs(const Eigen::MatrixXd& dofs, const Loads& loads) const {
   std::map<std::pair<int, int>, std::vector<int>> elems_by_matrices;  // by shape and order, as they share matrices
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
     elems_by_matrices[{elem2shape_[e], elem_order_[e]}].push_back(e);
@@ -133,23 +209,28 @@ std::vector<Eigen::MatrixXd> ContinuousSystem::all_coefs(const Eigen::MatrixXd& 
     const int first = groups[i]->front();
     std::optional<CondensedElement> computed;
     if (!elements_[first]->has_interior()) computed = computed_element(first);
-    for (const int e : *groups[i]) all[e] = coefs(e, dofs, computed ? *computed : *elements_[e]);
+    for (const int e : *groups[i]) all[e] = computed ? coefs(e, dofs, *computed) : coefs(e, dofs, loads);
   });
   return all;
 }
 
-ContinuousGalerkin::ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads)
-    : context_(&context), system_(context, num_threads), dirichlet_(*context.mesh, std::move(data)) {}
+ContinuousGalerkin::ContinuousGalerkin(const MeshContext& context, BoundaryData data, int num_threads,
+                                       const field::AlignmentTerm* term, ValuesInElement f)
+    : context_(&context),
+      system_(context, num_threads, ContinuousSystem::default_kept_numbers, term),
+      dirichlet_(*context.mesh, std::move(data)),
+      f_(std::move(f)) {}
 
 Solution ContinuousGalerkin::solve(const std::vector<int>& elem_order) {
   Stopwatch watch;
   system_.set_orders(elem_order, watch);
-  const Eigen::MatrixXd dofs = system_.solve(dirichlet_.values(context_->topology, system_.map()), watch);
+  const Loads loads = f_ ? system_.loads(f_) : Loads();
+  const Eigen::MatrixXd dofs = system_.solve(dirichlet_.values(context_->topology, system_.map()), watch, 0, loads);
   Solution solution;
   solution.num_unknowns = system_.map().num_unknowns;
-  solution.residual = system_.residual(dofs);
+  solution.residual = system_.residual(dofs, loads);
   watch.lap("residual");
-  solution.elem_coefs = system_.all_coefs(dofs);
+  solution.elem_coefs = system_.all_coefs(dofs, loads);
   watch.lap("coefficients");
   solution.laps = watch.laps();
   return solution;

@@ -10,6 +10,7 @@
 #include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "field/boundary_values.hpp"
+#include "galerkin/aligned_field.hpp"
 #include "galerkin/discretization.hpp"
 #include "galerkin/hybridised.hpp"
 
@@ -18,9 +19,11 @@ namespace quadrille::galerkin {
 namespace {
 
 std::unique_ptr<Discretization> make_discretization(FieldMethod method, const MeshContext& context, BoundaryData data,
-                                                    int num_threads) {
+                                                    int num_threads, const field::AlignmentTerm* term = nullptr,
+                                                    ValuesInElement f = {}) {
+  if (method == FieldMethod::dg && term) throw UsageError("crosses can be aligned with continuous elements only");
   if (method == FieldMethod::dg) return std::make_unique<HybridisedGalerkin>(context, std::move(data), num_threads);
-  return std::make_unique<ContinuousGalerkin>(context, std::move(data), num_threads);
+  return std::make_unique<ContinuousGalerkin>(context, std::move(data), num_threads, term, std::move(f));
 }
 
 // The solution is correct, but its zeros form curves and determine no layout.
@@ -51,13 +54,19 @@ LaplaceSolver::LaplaceSolver(const TriMesh& mesh, BoundaryData data, FieldMethod
 LaplaceSolver::LaplaceSolver(const TriMesh& mesh, const LaplaceOptions& options)
     : context_(std::make_unique<MeshContext>(mesh)),
       method_(options.method),
-      liftings_(field::corner_liftings(mesh.face)) {
+      liftings_(field::corner_liftings(mesh.face)),
+      alignment_(options.alignment) {
   if (options.corners == CornerData::dg) {
     if (options.method == FieldMethod::cg) require_no_jump(mesh.face, liftings_);
     liftings_.clear();
   }
-  discretization_ =
-      make_discretization(method_, *context_, field::BoundaryValues(mesh, liftings_), options.num_threads);
+  ValuesInElement f;
+  if (!alignment_.empty()) {
+    term_ = std::make_unique<const field::AlignmentTerm>(alignment_);
+    f = right_side_beside(*term_, {&liftings_}, true);
+  }
+  discretization_ = make_discretization(method_, *context_, field::BoundaryValues(mesh, liftings_), options.num_threads,
+                                        term_.get(), std::move(f));
 }
 
 Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
@@ -74,6 +83,7 @@ Field LaplaceSolver::solve(const std::vector<int>& elem_order, Report& report) {
   field.method = method_;
   field.elem_order = elem_order;
   field.liftings = liftings_;
+  field.alignment = alignment_;
   field.coef_offsets.push_back(0);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const Eigen::MatrixXd& coefs = solution.elem_coefs[e];
@@ -106,6 +116,7 @@ Field solve_laplace(const TriMesh& mesh, const std::vector<int>& elem_order, Rep
 LaplaceOptions options_of(const Field& field) {
   LaplaceOptions options;
   options.method = field.method;
+  options.alignment = field.alignment;
   if (field.liftings.empty() && !field::corner_liftings(field.mesh.face).empty()) options.corners = CornerData::dg;
   return options;
 }

@@ -9,9 +9,10 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/tolerance.hpp"
 #include "field/explicit_value.hpp"
+#include "galerkin/aligned_field.hpp"
 #include "galerkin/discretization.hpp"
+#include "galerkin/hole_winding.hpp"
 #include "galerkin/phase_energy.hpp"
 #include "mesh/locate.hpp"
 
@@ -53,33 +54,6 @@ struct HoleMeasures {
 
 }  // namespace
 
-std::vector<int> nearest_hole_winding(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target) {
-  Eigen::VectorXd m = (target.array() - 0.5 - tolerance::tied).ceil();
-  Eigen::VectorXd slope = gram * (m - target);
-  const auto size = m.size();
-  // Takes the step a e_i + b e_j (b = 0: in one entry only) if it reduces |m - target| in the norm of the Gram matrix.
-  const auto take = [&](Eigen::Index i, double a, Eigen::Index j, double b) {
-    const double own = a * a * gram(i, i) + b * b * gram(j, j) + 2 * a * b * gram(i, j);
-    if (2 * (a * slope[i] + b * slope[j]) + own >= -tolerance::tied * own) return false;
-    m[i] += a;
-    m[j] += b;
-    slope += a * gram.col(i) + b * gram.col(j);
-    return true;
-  };
-  // All steps in a fixed order, until none reduces the norm.
-  for (bool is_improved = true; is_improved;) {
-    is_improved = false;
-    for (Eigen::Index i = 0; i < size; ++i)
-      for (const double a : {1.0, -1.0}) {
-        is_improved |= take(i, a, i, 0);
-        for (Eigen::Index j = i + 1; j < size; ++j)
-          for (const double b : {1.0, -1.0}) is_improved |= take(i, a, j, b);
-      }
-  }
-  const Eigen::VectorXi winding = m.cast<int>();
-  return {winding.begin(), winding.end()};
-}
-
 /// The boundary data of one set of nodes, and their projections for the orders of the last solution.
 struct PhaseSolver::Given {
   Given(const TriMesh& mesh, std::shared_ptr<BoundaryPoints> points, const PhaseNodes& nodes,
@@ -102,16 +76,26 @@ struct PhaseSolver::KnownEnergy {
 
 /// Data computed once: for the mesh, then for the order map, then for the nodes.
 struct PhaseSolver::Parts {
-  Parts(const TriMesh& mesh, int num_threads)
-      : context(mesh), system(context, num_threads), points(std::make_shared<BoundaryPoints>(mesh)) {}
+  Parts(const TriMesh& mesh, int threads, Alignment prescribed)
+      : context(mesh),
+        num_threads(threads),
+        system(context, threads),
+        points(std::make_shared<BoundaryPoints>(mesh)),
+        alignment(std::move(prescribed)),
+        term(alignment) {}
 
   MeshContext context;
+  int num_threads;
   ContinuousSystem system;
   std::shared_ptr<BoundaryPoints> points;
   std::unique_ptr<mesh::Locator> locator;  ///< constructed by the first call of energy()
 
+  Alignment alignment;
+  field::AlignmentTerm term;
+  std::unique_ptr<ContinuousSystem> aligned;  ///< with the term; made by the first use
+
   std::vector<int> elem_order;
-  bool is_factored = false, has_measures = false;
+  bool is_factored = false, is_aligned_factored = false, has_measures = false;
   HoleMeasures holes;
   std::shared_ptr<field::SharedCorners> corners;  ///< of the valences of the last nodes
   std::unique_ptr<Given> given;
@@ -128,8 +112,8 @@ struct PhaseSolver::State {
   Eigen::VectorXd best_winding;    ///< m* of lib/method.md §8.6
 };
 
-PhaseSolver::PhaseSolver(const TriMesh& mesh, std::vector<int> elem_order, int num_threads)
-    : parts_(std::make_unique<Parts>(mesh, num_threads)) {
+PhaseSolver::PhaseSolver(const TriMesh& mesh, std::vector<int> elem_order, int num_threads, Alignment alignment)
+    : parts_(std::make_unique<Parts>(mesh, num_threads, std::move(alignment))) {
   set_orders(std::move(elem_order));
 }
 PhaseSolver::~PhaseSolver() = default;
@@ -139,7 +123,7 @@ void PhaseSolver::set_orders(std::vector<int> elem_order) {
   if (elem_order.size() != parts_->context.maps.size()) throw Defect("the order map does not fit the mesh");
   if (elem_order == parts_->elem_order) return;
   parts_->elem_order = std::move(elem_order);
-  parts_->is_factored = parts_->has_measures = false;
+  parts_->is_factored = parts_->is_aligned_factored = parts_->has_measures = false;
   parts_->known_energy.reset();
 }
 
@@ -153,10 +137,20 @@ void PhaseSolver::factor() {
   parts_->is_factored = true;
 }
 
+ContinuousSystem& PhaseSolver::aligned_system() {
+  if (!parts_->aligned)
+    parts_->aligned = std::make_unique<ContinuousSystem>(parts_->context, parts_->num_threads,
+                                                         ContinuousSystem::default_kept_numbers, &parts_->term);
+  if (!parts_->is_aligned_factored) parts_->aligned->set_orders(parts_->elem_order, parts_->watch);
+  parts_->is_aligned_factored = true;
+  return *parts_->aligned;
+}
+
 std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<field::LiftedData>& data,
                                                              double negligible) {
-  factor();
-  ContinuousSystem& system = parts_->system;
+  const bool is_aligned = !parts_->alignment.empty();
+  if (!is_aligned) factor();
+  ContinuousSystem& system = is_aligned ? aligned_system() : parts_->system;
   std::vector<field::HarmonicPart> parts(data.size());
   for (std::size_t first = 0; first < data.size(); first += batch) {
     const std::size_t last = std::min(first + batch, data.size());
@@ -166,10 +160,14 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
       given.middleCols(2 * (i - first), 2) =
           DirichletData(parts_->points, data[i].values).values(parts_->context.topology, system.map());
     }
-    const Eigen::MatrixXd dofs = system.solve(given, parts_->watch, negligible_dof * negligible);
+    std::vector<const std::vector<Lifting>*> liftings;
+    for (std::size_t k = first; k < last; ++k) liftings.push_back(&data[k].liftings);
+    const Loads loads = is_aligned ? system.loads(right_side_beside(parts_->term, liftings, false)) : Loads();
+    const Eigen::MatrixXd dofs =
+        system.solve(given, parts_->watch, is_aligned ? 0 : negligible_dof * negligible, loads);
     for (int e = 0; e < std::ssize(parts_->elem_order); ++e) {
       if (element_dofs(system.map(), e, dofs).cwiseAbs().maxCoeff() < negligible_dof * negligible) continue;
-      const Eigen::MatrixXd coefs = system.coefs(e, dofs);
+      const Eigen::MatrixXd coefs = system.coefs(e, dofs, loads);
       for (std::size_t i = first; i < last; ++i)
         add_element(e, coefs.middleCols(2 * (i - first), 2), negligible, parts[i]);
     }
@@ -278,7 +276,10 @@ Field PhaseSolver::solve(const PhaseNodes& asked, const std::vector<int>& windin
   field.elem_order = parts_->elem_order;
   field.phase = std::move(state.form);
   field.coef_offsets.push_back(0);
-  const std::vector<Eigen::MatrixXd> all_coefs = parts_->system.all_coefs(state.dofs);
+  std::vector<Eigen::MatrixXd> all_coefs = parts_->system.all_coefs(state.dofs);
+  if (!parts_->alignment.empty())
+    align_phase(parts_->context, aligned_system(), parts_->term, field.phase.terms, parts_->watch, all_coefs);
+  field.alignment = parts_->alignment;
   std::vector<double>& s = field.phase.s;
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const Eigen::MatrixXd& coefs = all_coefs[e];

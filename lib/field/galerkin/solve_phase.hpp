@@ -14,11 +14,7 @@
 
 namespace quadrille::galerkin {
 
-/// The hole winding m_j (lib/method.md §8.6): an integer vector m of small (m - target)^T gram (m - target): rounding,
-/// then steps of +-1 in one or two entries as long as one of them reduces the norm. For a single entry m is optimal.
-/// Halves within 1e-6 are rounded down, and steps whose relative gain is below 1e-6 are rejected, so that rounding
-/// errors do not affect the result.
-std::vector<int> nearest_hole_winding(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target);
+class ContinuousSystem;
 
 /// W and dW / da_k for each node k (galerkin/phase_energy.hpp).
 struct PhaseEnergy {
@@ -32,8 +28,10 @@ struct PhaseEnergy {
 /// (loops 1, 2, ...); empty: all 0. With a non-zero offset, streamlines spiral around the hole.
 class PhaseSolver {
  public:
-  /// Order elem_order[e] on element e. `mesh` must outlive the solver. The system is factored at first use.
-  PhaseSolver(const TriMesh& mesh, std::vector<int> elem_order, int num_threads = 1);
+  /// Order elem_order[e] on element e. `mesh` must outlive the solver. The system is factored at first use. With an
+  /// `alignment`, solve() and harmonic_parts() are those of -Δv + mu v = f; energies and the winding of holes, which
+  /// follows from them, are those without it.
+  PhaseSolver(const TriMesh& mesh, std::vector<int> elem_order, int num_threads = 1, Alignment alignment = {});
   ~PhaseSolver();
   PhaseSolver(PhaseSolver&&) noexcept;
   /// Elements whose order does not change keep their matrices.
@@ -51,9 +49,9 @@ class PhaseSolver {
   /// The energy W of the field and its gradient. Throws as solve(), and ComputeError if a node lies outside the mesh
   /// (between a curve and its elements).
   PhaseEnergy energy(const PhaseNodes& asked, const std::vector<int>& winding_offsets = {});
-  /// Harmonic functions with these boundary data, to be added to a field on this mesh with this order map. Smaller
-  /// coefficients than `negligible` are omitted; what those below 1e-13 add up to is far below the error of any field.
-  /// Throws ComputeError if the factorisation breaks down.
+  /// Harmonic functions (or those of -Δv + mu v = 0) with these boundary data, to be added to a field on this mesh with
+  /// this order map. Smaller coefficients than `negligible` are omitted; what those below 1e-13 add up to is far below
+  /// the error of any field. Throws ComputeError if the factorisation breaks down.
   std::vector<field::HarmonicPart> harmonic_parts(const std::vector<field::LiftedData>& data,
                                                   double negligible = 1e-13);
   /// Size of the condensed system for this order map.
@@ -66,6 +64,7 @@ class PhaseSolver {
   struct State;
   void factor();
   void measure_holes();
+  ContinuousSystem& aligned_system();
   State state(const PhaseNodes& asked, const std::vector<int>& winding_offsets);
   void solve_for_winding(const Eigen::MatrixXd& data, State& state);
   Eigen::VectorXd nearest_winding(const State& state) const;

@@ -94,6 +94,12 @@ void describe(Archive& archive, Field& field) {
     a.later_field("elem_order", step.elem_order, {"", "orders of the round's solution"});
     a.later_field("elem_sensor", step.elem_sensor, {"1", "their sensors"});
   });
+  archive.nonempty_field("alignment", field.alignment, [](Archive& a, AlignmentPoint& point) {
+    a.field("position", point.position, {"length", "middle of a Gaussian"});
+    a.field("width", point.width, {"length", "at which it is 1 / e"});
+    a.field("rate", point.rate, {"1/length2", "its greatest mu"});
+    a.field("angle", point.angle, {"radian", "of one direction of the cross"});
+  });
   if (archive.is_reading()) field.mesh.provenance = field.provenance;
 }
 

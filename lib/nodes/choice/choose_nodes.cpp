@@ -32,7 +32,8 @@ class SharedSolver {
  public:
   SharedSolver(const Field& field, int num_threads) : field_(field), num_threads_(num_threads) {}
   const std::shared_ptr<galerkin::PhaseSolver>& get() {
-    if (!solver_) solver_ = std::make_shared<galerkin::PhaseSolver>(field_.mesh, field_.elem_order, num_threads_);
+    if (!solver_)
+      solver_ = std::make_shared<galerkin::PhaseSolver>(field_.mesh, field_.elem_order, num_threads_, field_.alignment);
     return solver_;
   }
 
@@ -179,7 +180,8 @@ bool has_natural_corners(const CadFace& face, const curve::SymmetryLine& line) {
 /// There their positions have the least energy, unless corners of the whole attract them.
 CriticalPoints nodes_beside_line(const Field& field, const curve::SymmetryLine& line, NodeOptions options,
                                  int num_threads, Report& report, const PartBegins& begin_part) {
-  if (has_natural_corners(field.mesh.face, line)) options.place = placement::PlaceRule::energy;
+  if (field.alignment.empty() && has_natural_corners(field.mesh.face, line))
+    options.place = placement::PlaceRule::energy;
   options.placement.symmetry = options.symmetry;
   return nodes_of_face(field, options, num_threads, report, begin_part);
 }

@@ -33,6 +33,9 @@ Field HalfModel::field_of_whole(int num_threads) const {
   orders.insert(orders.end(), half_.elem_order.begin(), half_.elem_order.end());
   galerkin::LaplaceOptions options = galerkin::options_of(half_);
   options.num_threads = num_threads;
+  const double along = angle_of(line_.direction);
+  for (const AlignmentPoint& point : half_.alignment)
+    options.alignment.push_back({line_(point.position), point.width, point.rate, 2 * along - point.angle});
   Report not_of_critpoints;
   Field whole = galerkin::LaplaceSolver(mesh, options).solve(orders, not_of_critpoints);
   whole.elem_error = field::error_estimate(whole);

@@ -7,6 +7,7 @@
 #include "base/message_text.hpp"
 #include "chain/end_of_run.hpp"
 #include "cli/messages.hpp"
+#include "io/alignment_io.hpp"
 #include "io/name_rules_io.hpp"
 #include "io/size_field_io.hpp"
 #include "io/whole_file.hpp"
@@ -129,6 +130,12 @@ PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face) {
   PrescribedSizes sizes{io::read_size_field(file, face.origin), file};
   if (sizes.content.is_table) triangulate::add_size_triangles(sizes.content);
   return sizes;
+}
+
+Directions directions_to_align_with(const ChainState& chain, const CadFace& face) {
+  if (chain.values.fieldsolve.align_file.empty()) return {};
+  const io::InputFile file = read_input(chain, chain.values.fieldsolve.align_file);
+  return {io::read_alignment(file, face.origin, stage::usual_feature_width(face)), file};
 }
 
 }  // namespace quadrille::chain

@@ -27,12 +27,16 @@ struct Prescribed {
 
 using Names = Prescribed<std::vector<NameRule>>;
 using PrescribedSizes = Prescribed<SizeSources>;
+using Directions = Prescribed<AlignmentRequest>;
 
 /// The files that the options name, "-" standard input. All throw FormatError.
 Names boundary_names(const ChainState& chain);
 Names block_names(const ChainState& chain);
 /// With positions relative to face.origin, those of a table joined by triangles.
 PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face);
+
+/// With positions relative to face.origin.
+Directions directions_to_align_with(const ChainState& chain, const CadFace& face);
 
 /// A file, or what was read from standard input before.
 io::InputFile read_input(const ChainState& chain, const std::string& path);

@@ -11,6 +11,7 @@
 #include "cli/outcome.hpp"
 #include "cli/run_files.hpp"
 #include "cli/stage_words.hpp"
+#include "io/alignment_io.hpp"
 
 namespace quadrille::chain {
 
@@ -152,10 +153,11 @@ void check_inputs(const ChainState& chain) {
   if (!options.nodes_file.empty() && options.nodes_file != "-" && !fs::exists(options.nodes_file, ignored))
     throw FormatError(
         fmt::format("--nodes {}: no such file; the rules are none, fewest, field and auto", options.nodes_file));
-  for (const std::string& path :
-       {values.cad2tri.names_file, values.blocksplit.names_file, options.nodes_file, values.quadrefine.size_field_file})
+  for (const std::string& path : {values.cad2tri.names_file, values.fieldsolve.align_file, values.blocksplit.names_file,
+                                  options.nodes_file, values.quadrefine.size_field_file})
     require_input(path);
   if (is_file(values.cad2tri.names_file)) boundary_names(chain);
+  if (is_file(values.fieldsolve.align_file)) io::read_alignment(io::read_input(values.fieldsolve.align_file), {}, 1);
   if (is_file(values.blocksplit.names_file)) block_names(chain);
   if (is_file(values.quadrefine.size_field_file)) prescribed_sizes(chain, {});
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));

@@ -19,7 +19,8 @@ bool solve_phase(ChainState& chain, NodeFiles& files) {
   StageFile<Field>& field = chain.files.field;
   const auto solve = [&](Run& run) {
     const OrderMap orders{field.model().elem_order, field.model().kind == FieldKind::harmonic};
-    stage::FieldsolveInput input{triangles.input(), {}, "field", {}};
+    const Directions directions = directions_to_align_with(chain, triangles.model().face);
+    stage::FieldsolveInput input{triangles.input(), {}, "field", {}, directions.input()};
     input.orders.emplace(orders, field.input().file);
     input.nodes.emplace(files.nodes.input());
     return stage::fieldsolve(input, chain.values.fieldsolve, run);

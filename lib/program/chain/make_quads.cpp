@@ -14,7 +14,8 @@ namespace {
 bool solve_field(ChainState& chain) {
   ChainFiles& files = chain.files;
   const auto solve = [&](Run& run) {
-    return stage::fieldsolve({files.triangles.input(), {}, {}, {}}, chain.values.fieldsolve, run);
+    const Directions directions = directions_to_align_with(chain, files.triangles.model().face);
+    return stage::fieldsolve({files.triangles.input(), {}, {}, {}, directions.input()}, chain.values.fieldsolve, run);
   };
   const auto adapt = [&](Run& run) { return stage::padapt(files.solve.input(), chain.values.padapt, run); };
   const bool is_solved = make_file(chain, {ChainStage::fieldsolve}, files.solve, solve, files.triangles) &&

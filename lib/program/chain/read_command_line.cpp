@@ -56,6 +56,7 @@ std::map<std::string, SharedOption> shared_options() {
     for (const cli::OptionName& name : cli::option_names([&](Options& o) { declare(o, stage, values); }))
       all[name.flag].tools.push_back(enum_name(stage)), all[name.flag].takes_value = name.takes_value;
   all["--symmetry"].tools.push_back("cad2tri");
+  for (const char* flag : {"--align", "--align-strength"}) all[flag].tools.push_back("fieldsolve");
   return all;
 }
 

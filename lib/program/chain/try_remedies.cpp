@@ -149,10 +149,10 @@ bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const 
 bool may_try_nodes(const ChainState& chain) {
   const ChainOptions& options = chain.options;
   return !chain.has_fixed_nodes && !options.is_dry_run && chain.has_other_way && chain.remedy.empty() &&
-         options.programs.empty() && chain.values.quadrefine.walls.empty() && chain.num_nodes > 0 &&
-         chain.num_nodes <= trial_limits.nodes && chain.is_due(ChainStage::critpoints) &&
-         chain.is_due(ChainStage::blocksplit) && !options.has("critpoints", "--place") &&
-         !options.has("critpoints", "--nodes");
+         options.programs.empty() && chain.values.quadrefine.walls.empty() &&
+         chain.values.fieldsolve.align_file.empty() && chain.num_nodes > 0 && chain.num_nodes <= trial_limits.nodes &&
+         chain.is_due(ChainStage::critpoints) && chain.is_due(ChainStage::blocksplit) &&
+         !options.has("critpoints", "--place") && !options.has("critpoints", "--nodes");
 }
 
 bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {

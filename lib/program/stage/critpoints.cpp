@@ -161,6 +161,8 @@ CriticalPoints critpoints(const Input<Field>& input, const CritpointsOptions& op
   if (field.kind != FieldKind::harmonic)
     throw FormatError(input.file.name +
                       ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");
+  if (!field.alignment.empty() && choosing.place == placement::PlaceRule::energy)
+    throw UsageError("--place energy knows nothing of the directions of --align: the zeros of the field follow them");
   choosing.symmetry = checked_symmetry(field.mesh.face, options.symmetry, run.report());
   choosing.walls = placement::wall_clearances(field.mesh.face, named_clearances(options));
   CriticalPoints points = chosen(field, choosing, run);

@@ -12,6 +12,7 @@
 #include "base/options.hpp"
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
+#include "field/alignment_term.hpp"
 #include "field/error_estimate.hpp"
 #include "galerkin/phase_request.hpp"
 #include "galerkin/solve_phase.hpp"
@@ -60,7 +61,8 @@ std::vector<SolvedRegion> solved(const TriMesh& mesh, const std::vector<TriMesh>
         const PhaseNodes phase_nodes = phase_nodes_of(nodes[region]);
         result.phase = std::make_unique<galerkin::PhaseSolver>(
             meshes[region],
-            orders.of_harmonic_field ? galerkin::phase_orders(meshes[region], part_orders) : part_orders, threads);
+            orders.of_harmonic_field ? galerkin::phase_orders(meshes[region], part_orders) : part_orders, threads,
+            options.alignment);
         galerkin::require_possible(*result.phase, meshes[region].face, phase_nodes, prescribed->file.name);
         result.field = result.phase->solve(phase_nodes, nodes[region].hole_winding_offsets, part_report);
         return result;
@@ -100,10 +102,13 @@ std::size_t num_liftings(const Field& field) {
 
 }  // namespace
 
+double usual_feature_width(const CadFace& face) { return face.diameter / 20; }
+
 void FieldsolveOptions::validate() const {
   const int max_order = galerkin::max_field_order(solve.method);
   if (!nodes_file.empty() && (solve.method != FieldMethod::cg || solve.corners != galerkin::CornerData::lift))
     throw UsageError("--nodes needs --method cg and --corners lift");
+  if (!align_file.empty() && solve.method != FieldMethod::cg) throw UsageError("--align needs --method cg");
   if (order > max_order) throw UsageError(fmt::format("--field-order is at most {} with --method dg", max_order));
 }
 
@@ -118,6 +123,13 @@ void declare(Options& o, FieldsolveOptions& fieldsolve) {
       "--nodes", fieldsolve.nodes_file, "CRIT",
       "critical points (x.crit.json) that prescribe the irregular nodes and corner valences of the field; cg only",
       false);
+  o.input_file(
+      "--align", fieldsolve.align_file, "FILE",
+      "directions that the crosses follow inside the domain: at points, along curves, in boxes (JSON), or those "
+      "of a metric (CSV) (formats/alignment.md); cg only",
+      false);
+  o.number("--align-strength", fieldsolve.align_strength, 0, 1000, "",
+           "how strongly crosses follow these: at 1 the pull of a feature reaches as far as it is wide");
   o.choice("--method", fieldsolve.solve.method, "continuous or discontinuous (hybridised) elements");
   o.choice("--corners", fieldsolve.solve.corners, "tangent discontinuities: lifted exactly, or left in the data");
 }
@@ -131,11 +143,14 @@ Field fieldsolve(const FieldsolveInput& input, const FieldsolveOptions& options,
   std::vector<InputDigest> inputs{input.mesh.file.digest("tri-mesh")};
   if (input.orders) inputs.push_back(input.orders->file.digest(input.orders_format));
   if (input.nodes) inputs.push_back(input.nodes->file.digest("critical-points"));
+  if (input.alignment) inputs.push_back(input.alignment->file.digest("alignment"));
   const OrderMap orders =
       input.orders ? input.orders->model : OrderMap{std::vector<int>(mesh.num_elems(), options.order)};
   run.begin_phase("solve");
   galerkin::LaplaceOptions solving = options.solve;
   solving.num_threads = run.threads();
+  if (input.alignment)
+    solving.alignment = field::make_alignment(input.alignment->model, options.align_strength, mesh.face.diameter);
   const std::vector<TriMesh> meshes = regions::split(mesh);
   std::vector<SolvedRegion> regions = solved(mesh, meshes, orders, input.nodes, solving, run.report());
   if (input.nodes)

@@ -17,6 +17,8 @@ struct FieldsolveOptions {
   int order = 8;                   ///< of every element, without an order map
   std::string orders_file;         ///< path of an order map or field, which the caller reads
   std::string nodes_file;          ///< path of critical points, which the caller reads
+  std::string align_file;          ///< path of directions to align with, which the caller reads
+  double align_strength = 1;       ///< over that of each feature of the file, >= 0
   galerkin::LaplaceOptions solve;  ///< its number of threads is that of the run
 
   /// No option of the command: whether the error of each element is estimated, which padapt does again.
@@ -29,10 +31,14 @@ void declare(Options& options, FieldsolveOptions& fieldsolve);
 /// What the fields are made from.
 struct FieldsolveInput {
   Input<TriMesh> mesh;
-  std::optional<Input<OrderMap>> orders;       ///< replaces FieldsolveOptions::order
-  std::string orders_format;                   ///< "order-map" or "field"
-  std::optional<Input<CriticalPoints>> nodes;  ///< then the field is the phase form that has exactly these
+  std::optional<Input<OrderMap>> orders;                  ///< replaces FieldsolveOptions::order
+  std::string orders_format;                              ///< "order-map" or "field"
+  std::optional<Input<CriticalPoints>> nodes;             ///< then the field is the phase form that has exactly these
+  std::optional<Input<AlignmentRequest>> alignment = {};  ///< -Δv + mu v = f in place of Laplace's equation
 };
+
+/// The width of features in files that do not give one: D / 20.
+double usual_feature_width(const CadFace& face);
 
 /// The field with the estimated error of each element. The nodes may be from a field on another mesh of the face, or
 /// have been moved: their element numbers are not used. Throws FormatError if the mesh or the nodes break a rule or do

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "galerkin/solve_phase.hpp"
+#include "galerkin/hole_winding.hpp"
 
 namespace quadrille::galerkin {
 namespace {

@@ -1,0 +1,13 @@
+#pragma once
+// Directions to align crosses with: points, curves and boxes, or a metric (formats/alignment.md).
+
+#include "io/whole_file.hpp"
+#include "model/alignment.hpp"
+
+namespace quadrille::io {
+
+/// Positions become relative to `origin` (of the face; the file's include it), angles radians. `usual_width`: of
+/// features without one. Throws FormatError, with the position in the file, for anything that is no alignment.
+AlignmentRequest read_alignment(const InputFile& file, Vec2 origin, double usual_width);
+
+}  // namespace quadrille::io
