@@ -32,7 +32,7 @@ void add(Alignment& all, const AlignmentPoint& point) {
 }
 
 int num_pieces(double length, double width) {
-  return std::max(1, static_cast<int>(std::ceil(std::min(length / (spacing * width), 1.0 * max_points))));
+  return std::max(1, static_cast<int>(std::ceil(std::min(length / (spacing * width), max_points + 1.0))));
 }
 
 /// A curve of straight pieces, by its length.

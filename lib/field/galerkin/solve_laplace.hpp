@@ -22,8 +22,8 @@ constexpr auto enum_names(CornerData) { return std::to_array({"lift", "dg"}); }
 struct LaplaceOptions {
   FieldMethod method = FieldMethod::cg;  ///< orders 1 to max_field_order(method)
   CornerData corners = CornerData::lift;
-  int num_threads = 1;  ///< the result does not depend on it
-  Alignment alignment;  ///< -Δv + mu v = f in place of Laplace's equation; continuous elements only
+  int num_threads = 1;       ///< the result does not depend on it
+  Alignment alignment = {};  ///< -Δv + mu v = f in place of Laplace's equation; continuous elements only
 };
 
 /// The greatest polynomial order of a field.

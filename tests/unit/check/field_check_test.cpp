@@ -76,6 +76,14 @@ TEST(FieldCheck, FldR02CoefficientsOfAPhaseFit) {
 TEST(FieldCheck, FldR04CoefficientsOfAPhaseAreFinite) {
   EXPECT_EQ(broken_phase([](Field& f) { f.phase.s[3] = std::numeric_limits<double>::infinity(); }), Rules{"FLD-R04"});
 }
+TEST(FieldCheck, FldR11TheAlignmentIsSound) {
+  const auto with = [](AlignmentPoint point) { return broken([&](Field& f) { f.alignment = {point}; }); };
+  EXPECT_EQ(with({{0, 0}, 0.1, 5, 1}), Rules{});
+  EXPECT_EQ(with({{0, 0}, 0, 5, 1}), Rules{"FLD-R11"});
+  EXPECT_EQ(with({{0, 0}, 0.1, -5, 1}), Rules{"FLD-R11"});
+  EXPECT_EQ(with({{0, 0}, 0.1, 5, not_a_number}), Rules{"FLD-R11"});
+}
+
 TEST(FieldCheck, FldR09PhaseIsSound) {
   EXPECT_EQ(broken_phase([](Field& f) { f.liftings = {{0, {0, 0}, {-1, -1}, {1, 0}}}; }), Rules{"FLD-R09"});
   EXPECT_EQ(broken_phase([](Field& f) { f.phase.terms.images[0].position.x = not_a_number; }), Rules{"FLD-R09"});

@@ -6,6 +6,7 @@
 #include "../triangulate/faces.hpp"
 #include "check/check.hpp"
 #include "choice/choose_nodes.hpp"
+#include "field/evaluate.hpp"
 
 namespace quadrille::choice {
 namespace {
@@ -57,6 +58,19 @@ TEST(HalfModel, KindsOfGridAndPlacedNodesAreThoseOfTheWhole) {
   NodeOptions half = at_symmetry(), whole;
   for (NodeOptions* options : {&half, &whole}) options->topology = topology::GridKind::h;
   expect_half(half, whole);
+}
+
+TEST(HalfModel, TheWholeIsAlignedOnBothSides) {
+  Field half = adapted_field(half_box());
+  half.alignment = {{{2, 1.5}, 0.5, 20, 0.3}};
+  const curve::SymmetryLine line =
+      curve::symmetry_lines(half.mesh.face, curve::curves_that_fit(half.mesh.face, {"symmetry"})).lines.front();
+  const Field whole = HalfModel(half, at_symmetry(), line).field_of_whole(1);
+  const field::FieldEvaluator evaluator(whole);
+  Vec2 above, below;
+  ASSERT_TRUE(evaluator.value_at({2, 1.5}, above) && evaluator.value_at({2, -1.5}, below));
+  EXPECT_NEAR(distance(below, {above.x, -above.y}), 0, 1e-9);
+  EXPECT_GT(above.y, 0.1);
 }
 
 TEST(HalfModel, PrescribedValencesHoldForTheImageToo) {

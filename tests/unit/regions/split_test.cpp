@@ -82,6 +82,14 @@ TEST(Split, meshes_and_fields_are_those_that_were_joined) {
   }
 }
 
+TEST(Split, all_regions_have_the_alignment) {
+  Field whole = solved(mesh_of(disc_in_square()));
+  whole.alignment = {{{0.5, 0}, 0.2, 3, 0.1}};
+  const std::vector<Field> parts = split(whole);
+  for (const Field& part : parts) EXPECT_EQ(part.alignment, whole.alignment);
+  EXPECT_EQ(join(whole.mesh, parts).alignment, whole.alignment);
+}
+
 TEST(Split, a_history_of_adaptation_returns) {
   const std::vector<Field> starts = split(solved(mesh_of(disc_in_square())));
   Report report;
