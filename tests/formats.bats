@@ -4,7 +4,7 @@ load tools/common
 PAGES="cad-face $(stagecheck --list-formats | jq -r '.formats[].name' | tr '\n' ' ')"
 
 @test "every page has all headings" {
-  for page in $PAGES order-map size-field boundary-names block-names; do
+  for page in $PAGES order-map alignment size-field boundary-names block-names; do
     for heading in Purpose "Who writes and reads it" "A complete small example" Conventions Rules "Reading it" "Version history"; do
       grep -qx "## $heading" "$ROOT/formats/$page.md" || fail "$page.md has no heading '$heading'"
     done
@@ -138,6 +138,25 @@ block() {
     run validates size-field edited.json
     assert_failure
   done
+}
+
+@test "the example on the page of alignments keeps its schema and is read" {
+  sed -n '/^```json$/,/^```$/p' "$ROOT/formats/alignment.md" | sed '1d;$d' > align.json
+  validates alignment align.json
+  cad2tri "$DATA/duct.step" -o duct.tri.h5
+  fieldsolve --align align.json duct.tri.h5 -o a.solve.h5
+  stagecheck a.solve.h5
+  for edit in '.points[0].width = 0' '.version = [2, 0]' 'del(.points, .curves, .boxes)' '.boxes[0].low = [1]' \
+    'del(.points[0].angle)' '.points[0].strength = -1' '.curves[0].positions = [[0, 0]]' \
+    '.points = [] | .curves = [] | .boxes = []'; do
+    jq "$edit" align.json > edited.json
+    run validates alignment edited.json
+    assert_failure
+    run -3 fieldsolve --align edited.json duct.tri.h5 -o b.solve.h5
+  done
+  sed -n '/^## As a table/,/^## Rules/p' "$ROOT/formats/alignment.md" | sed -n '/^```$/,/^```$/p' | sed '1d;$d' > metric.csv
+  fieldsolve --align metric.csv duct.tri.h5 -o b.solve.h5
+  stagecheck b.solve.h5
 }
 
 # validates FORMAT FILE: whether the schema accepts the file.

@@ -94,6 +94,13 @@ void write_phase_field() {
   write_broken(field, "FLD-R10", [](Field& f) { f.phase.prescribed.nodes[0].position.x += 0.125; });
 }
 
+void write_aligned_field() {
+  Field field = samples::field();
+  field.alignment = {{{0.5, 0.375}, 0.25, 16, 0.5}};
+  write_valid("aligned", field);
+  write_broken(field, "FLD-R11", [](Field& f) { f.alignment[0].width = 0; });
+}
+
 /// Several regions, and a slit.
 void write_regions() {
   write_valid("regions", samples::two_regions_mesh());
@@ -135,6 +142,7 @@ int main(int argc, char** argv) {
   write_resolved_points();
   write_wrong_certificates();
   write_phase_field();
+  write_aligned_field();
   write_marked_mesh();
   write_regions();
 }

@@ -128,7 +128,8 @@ AlignmentRequest read_alignment(const InputFile& file, Vec2 origin, double usual
   }
   if (file.bytes.find("<VTKFile") != std::string::npos)
     throw FormatError(fmt::format(
-        "{0}: a VTU file: convert it first, by python3 -m quadrille.vtu_metric {0} -o metric.csv", file.name));
+        "{0}: a VTU file: convert it first, by python3 -m quadrille.vtu_sizes {0} --array metric -o metric.csv",
+        file.name));
   JsonReader reader(file.bytes, file.name);
   Archive& root = reader.root();
   require_header(root, file.name);
