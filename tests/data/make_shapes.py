@@ -48,6 +48,14 @@ def nautilus(sides=96):
     return [("spline", poles, knots), ("line", points[-1], points[0])]
 
 
+def bow_shock():
+    """The flow before a cylinder: a box with half a disc cut out of its right side."""
+    corners = [-2 + 2j, -2 - 2j, -2j, -0.5j, 0.5j, 2j]
+    edges = [("line", a, b) for a, b in zip(corners, corners[1:] + corners[:1])]
+    edges[3] = ("arc", 0j, 0.5, -0.5j, 0.5j, -1)
+    return edges
+
+
 def shapes():
     octagon = [cmath.exp(1j * math.pi * (2 * k + 1) / 8) for k in range(8)]
     return {
@@ -56,6 +64,8 @@ def shapes():
         "geometry_2": [nautilus()],
         "octagon": [polygon(octagon)],
         "plate_chamfered_4": [polygon([0.5, 3.5, 4 + 0.5j, 4 + 2.5j, 3.5 + 3j, 0.5 + 3j, 2.5j, 0.5j])],
+        "bow_shock": [bow_shock()],
+        "duct": [rectangle(0j, 3 + 1j)],
         "cavity_ramp": [polygon([-2, 0, -1j, 2 - 1j, 3, 5, 5 + 1j, -2 + 1j])],
         "filleted_plate": [polygon([-2, 2, 2 + 1j, 1 + 1j, 1 + 2j, -1 + 2j, -1 + 1j, -2 + 1j],
                                    [0.05, 0.05, 0.05, 0.04, 0.05, 0.05, 0.04, 0.05])],
