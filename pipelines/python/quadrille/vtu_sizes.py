@@ -1,7 +1,11 @@
-"""Makes a table of sizes for quadrefine --size-field (formats/size-field.md, "As a table") of a VTU file, as a solver's
-error estimator or ParaView writes it. Needs meshio (Debian: python3-meshio).
+"""Makes a table of sizes for quadrefine --size-field (formats/size-field.md, "As a table"), or of a metric for fieldsolve
+--align (formats/alignment.md), of a VTU file, as a solver's error estimator or ParaView writes it. Needs meshio (Debian:
+python3-meshio).
 
     python3 -m quadrille.vtu_sizes estimate.vtu --array size -o sizes.csv
+    python3 -m quadrille.vtu_sizes estimate.vtu --array metric -o metric.csv
+
+An array of one component has sizes, one of 3 (m11, m12, m22), 4 (2 x 2) or 9 (3 x 3) a metric.
 """
 import argparse
 import os
@@ -10,6 +14,9 @@ import sys
 import numpy as np
 
 USAGE, BAD_INPUT, NOT_WRITTEN = 2, 3, 4
+SIZES, METRIC = ["x", "y", "size"], ["x", "y", "m11", "m12", "m22"]
+# By the number of components: which are m11, m12, m21 and m22.
+COMPONENTS = {3: [0, 1, 1, 2], 4: [0, 1, 2, 3], 9: [0, 1, 3, 4]}
 
 
 class Refused(Exception):
@@ -31,29 +38,47 @@ def read_mesh(path):
         raise Refused(f"{path}: cannot be read as VTU: {str(error) or type(error).__name__}") from None
 
 
-def sized_points(mesh, array):
-    """Rows of x, y and size: at the points, or where the array belongs to cells, in the mean of each cell's points."""
+def values_at_points(mesh, array):
+    """Positions, and one row of the array for each: at the points, or where the array belongs to cells, in the mean of
+    each cell's points."""
     if array in mesh.point_data:
-        positions, sizes = mesh.points, mesh.point_data[array]
+        positions, values = mesh.points, mesh.point_data[array]
     elif array in mesh.cell_data:
         positions = np.concatenate([mesh.points[block.data].mean(axis=1) for block in mesh.cells])
-        sizes = np.concatenate([np.asarray(values) for values in mesh.cell_data[array]])
+        values = np.concatenate([np.asarray(values) for values in mesh.cell_data[array]])
     else:
         known = sorted({*mesh.point_data, *mesh.cell_data})
         raise Refused(f"there is no array '{array}'; there are {', '.join(known) or 'none'}: name one by --array", USAGE)
-    sizes = np.asarray(sizes, float).reshape(len(positions), -1)
-    if sizes.shape[1] != 1:
-        raise Refused(f"array '{array}' has {sizes.shape[1]} components: a size is one number")
-    rows = np.column_stack([np.asarray(positions, float)[:, :2], sizes])
-    wrong = np.flatnonzero(~(np.isfinite(rows).all(axis=1) & (rows[:, 2] > 0)))
+    return np.asarray(positions, float)[:, :2], np.asarray(values, float).reshape(len(positions), -1)
+
+
+def refuse(rows, is_right, what):
+    """Refuses the first row with a number that is not finite, or that is not right."""
+    wrong = np.flatnonzero(~(np.isfinite(rows).all(axis=1) & is_right))
     if len(wrong):
-        x, y, size = rows[wrong[0]]
-        raise Refused(f"the size {size:g} at ({x:g}, {y:g}) must be greater than 0")
-    return rows
+        x, y, *values = rows[wrong[0]]
+        raise Refused(what.format(", ".join(f"{value:g}" for value in values), f"({x:g}, {y:g})"))
 
 
-def write_table(rows, path):
-    text = "x,y,size\n" + "".join(f"{x!r},{y!r},{size!r}\n" for x, y, size in rows.tolist())
+def table_of(mesh, array):
+    """Names of the columns, and rows: of sizes, or of a metric."""
+    positions, values = values_at_points(mesh, array)
+    count = values.shape[1]
+    if count == 1:
+        rows = np.column_stack([positions, values])
+        refuse(rows, rows[:, 2] > 0, "the size {} at {} must be greater than 0")
+        return SIZES, rows
+    if count not in COMPONENTS:
+        raise Refused(f"array '{array}' has {count} components: a size has 1, a metric 3 (m11, m12, m22), 4 or 9")
+    m11, m12, m21, m22 = values[:, COMPONENTS[count]].T
+    mixed = (m12 + m21) / 2
+    rows = np.column_stack([positions, m11, mixed, m22])
+    refuse(rows, (m11 > 0) & (m11 * m22 > mixed * mixed), "the metric {} at {} must be positive definite")
+    return METRIC, rows
+
+
+def write_table(names, rows, path):
+    text = "".join(",".join(map(str, row)) + "\n" for row in [names, *rows.tolist()])
     if path == "-":
         sys.stdout.write(text)
         return
@@ -68,12 +93,12 @@ def write_table(rows, path):
 
 def main(words=None):
     parser = argparse.ArgumentParser(prog="quadrille.vtu_sizes", description=__doc__.partition("\n\n")[0])
-    parser.add_argument("vtu", metavar="VTU", help="unstructured grid with sizes at points or in cells")
-    parser.add_argument("--array", default="size", help="name of the sizes, in the unit of the positions (default: size)")
+    parser.add_argument("vtu", metavar="VTU", help="unstructured grid with sizes, or a metric, at points or in cells")
+    parser.add_argument("--array", default="size", help="name of the sizes, in the unit of the positions, or metric (default: size)")
     parser.add_argument("-o", "--output", default="-", help="table to write (default: -, standard output)")
     options = parser.parse_args(words)
     try:
-        write_table(sized_points(read_mesh(options.vtu), options.array), options.output)
+        write_table(*table_of(read_mesh(options.vtu), options.array), options.output)
     except Refused as refused:
         print(f"quadrille.vtu_sizes: {refused}", file=sys.stderr)
         return refused.code

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from quadrille.vtu_sizes import Refused, main, sized_points
+from quadrille.vtu_sizes import Refused, main, table_of, write_table
 
 
 class Grid:
@@ -19,21 +19,45 @@ class Grid:
         self.point_data, self.cell_data = point_data or {}, cell_data or {}
 
 
-class SizedPointsTest(unittest.TestCase):
+class TableOfTest(unittest.TestCase):
     def test_sizes_at_points_stay_there(self):
-        rows = sized_points(Grid({"size": np.arange(1, 6)}), "size")
+        names, rows = table_of(Grid({"size": np.arange(1, 6)}), "size")
+        self.assertEqual(names, ["x", "y", "size"])
         self.assertEqual(rows.tolist()[4], [2, 0, 5])
 
     def test_sizes_of_cells_lie_in_their_middles(self):
-        rows = sized_points(Grid(cell_data={"h": [np.array([0.5]), np.array([0.25])]}), "h")
+        _, rows = table_of(Grid(cell_data={"h": [np.array([0.5]), np.array([0.25])]}), "h")
         np.testing.assert_allclose(rows, [[4 / 3, 1 / 3, 0.5], [0.5, 0.5, 0.25]])
+
+    def test_metrics_of_3_4_and_9_components_are_the_same_table(self):
+        metric = np.tile([4, 1, 2], (5, 1))
+        for columns in ([0, 1, 2], [0, 1, 1, 2]):
+            names, rows = table_of(Grid({"m": metric[:, columns]}), "m")
+            self.assertEqual(names, ["x", "y", "m11", "m12", "m22"])
+            self.assertEqual(rows[4].tolist(), [2, 0, 4, 1, 2])
+        in_space = np.zeros((5, 3, 3))
+        in_space[:] = [[4, 0.5, 0], [1.5, 2, 0], [0, 0, 7]]
+        for tensors in (in_space, in_space.reshape(5, 9)):
+            self.assertEqual(table_of(Grid({"m": tensors}), "m")[1][4].tolist(), [2, 0, 4, 1, 2])
+
+    def test_metrics_of_cells_lie_in_their_middles(self):
+        _, rows = table_of(Grid(cell_data={"m": [np.array([[2, 0, 1]]), np.array([[1, 0, 3]])]}), "m")
+        np.testing.assert_allclose(rows, [[4 / 3, 1 / 3, 2, 0, 1], [0.5, 0.5, 1, 0, 3]])
+
+    def test_a_table_has_a_heading_and_numbers_with_all_digits(self):
+        with contextlib.redirect_stdout(io.StringIO()) as written:
+            write_table(*table_of(Grid({"m": np.tile([1 / 3, 0, 1e9], (5, 1))}), "m"), "-")
+        self.assertEqual(written.getvalue().splitlines()[:2],
+                         ["x,y,m11,m12,m22", "0.0,0.0,0.3333333333333333,0.0,1000000000.0"])
 
     def test_what_is_no_size_is_refused(self):
         for data, array, words in (({"a": np.ones(5)}, "size", "no array 'size'; there are a"),
                                    ({"size": np.ones((5, 2))}, "size", "2 components"),
-                                   ({"size": np.array([1, 1, 0, 1, 1])}, "size", r"size 0 at \(1, 1\)")):
+                                   ({"size": np.array([1, 1, 0, 1, 1])}, "size", r"size 0 at \(1, 1\)"),
+                                   ({"m": np.tile([1, 2, 3], (5, 1))}, "m", r"metric 1, 2, 3 at \(0, 0\) .* definite"),
+                                   ({"m": np.full((5, 4), np.nan)}, "m", "must be positive definite")):
             with self.assertRaisesRegex(Refused, words):
-                sized_points(Grid(data), array)
+                table_of(Grid(data), array)
 
     def test_files_that_are_no_vtu_end_with_3_and_write_nothing(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as words:
