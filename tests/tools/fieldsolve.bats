@@ -257,3 +257,105 @@ refused() {
   assert_equal "$(jq -r '.warnings[].code' report.json)" W-SOLVE-001
   stagecheck o.solve.h5
 }
+
+# aligned JSON: a.align.json with these members.
+aligned() { echo "{\"format\": \"alignment\", \"version\": [1, 0], $1}" >a.align.json; }
+
+# refuses CODE WORDS FILE: fieldsolve --align FILE on the duct.
+refuses() {
+  run --separate-stderr fieldsolve --align "$3" duct.tri.h5 -o a.solve.h5
+  assert_equal "$status" "$1"
+  assert_regex "$stderr" "^fieldsolve: .*$2"
+  assert_file_not_exists a.solve.h5
+}
+
+@test "--align: crosses follow a shock through a duct, whose field has the directions; |v| stays below 1" {
+  cad2tri "$DATA/duct.step" -o duct.tri.h5
+  for strength in 1 4; do
+    fieldsolve --align "$DATA/alignment/duct.align.json" --align-strength $strength duct.tri.h5 |
+      padapt -q -o $strength.solve.h5
+    stagecheck $strength.solve.h5
+    for name in position width rate angle; do h5dump -H -d /alignment/$name $strength.solve.h5 >/dev/null; done
+  done
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  PYTHONPATH=$ROOT/pipelines/python /usr/bin/python3 -c "
+import numpy, quadrille
+along = numpy.linspace(-0.4, 0.4, 41)[:, None] * [[0.5, 0.75**0.5]] + [1.5, 0.5]
+x, y = numpy.meshgrid(numpy.linspace(0.01, 2.99, 100), numpy.linspace(0.01, 0.99, 40))
+for strength, bar in (1, 8), (4, 1):
+    field = quadrille.read(f'{strength}.solve.h5')
+    u, v = field.value(along).T
+    angles = numpy.angle((u + 1j * v) * numpy.exp(-4j * numpy.pi / 3)) / 4
+    rms = numpy.degrees(numpy.sqrt((angles**2).mean()))
+    assert rms < bar, (strength, rms)
+    assert numpy.hypot(*field.value(numpy.column_stack([x.ravel(), y.ravel()])).T).max() < 1 + 1e-4"
+}
+
+@test "--align: a point, a box and a metric have directions too" {
+  cad2tri "$DATA/duct.step" -o duct.tri.h5
+  aligned '"points": [{"position": [1, 0.5], "angle": 30}], "boxes": [{"low": [2, 0.3], "high": [2.5, 0.7], "angle": -30}]'
+  fieldsolve --align a.align.json --align-strength 5 duct.tri.h5 -o json.solve.h5
+  awk -v OFS=, 'BEGIN { print "x,y,h1,h2,angle"; for (i = 0; i < 900; ++i) print i % 45 / 15, int(i / 45) / 19, 0.1, 0.01, 30 }' >metric.csv
+  fieldsolve --align metric.csv --align-strength 5 duct.tri.h5 -o metric.solve.h5
+  awk -F, 'NR == 1 { print "m12 m11 x m22 y"; next } { a = atan2(0, -1) / 6; c = cos(a); s = sin(a); p = 100; q = 10000
+    print c * s * (p - q), c * c * p + s * s * q, $1, s * s * p + c * c * q, $2 }' metric.csv >tensor.txt
+  fieldsolve --align tensor.txt --align-strength 5 duct.tri.h5 -o tensor.solve.h5
+  for file in json metric tensor; do stagecheck $file.solve.h5; done
+  h5diff -d 1e-4 metric.solve.h5 tensor.solve.h5 /u
+  h5diff -d 1e-4 metric.solve.h5 tensor.solve.h5 /v
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  PYTHONPATH=$ROOT/pipelines/python /usr/bin/python3 -c "
+import numpy, quadrille
+def angle(file, place):
+    (u, v), = quadrille.read(file + '.solve.h5').value(numpy.array([place]))
+    return numpy.degrees(numpy.angle(u + 1j * v) / 4)
+found = [angle('json', [1, 0.5]), -angle('json', [2.25, 0.5]), angle('metric', [1.5, 0.5])]
+assert max(abs(numpy.array(found) - 30)) < 5, found"
+}
+
+@test "--align: each broken rule is an error of the file, with its key or line" {
+  cad2tri "$DATA/duct.step" -o duct.tri.h5
+  while IFS='|' read -r rule members; do
+    aligned "$members"
+    refuses 3 "$rule" a.align.json
+  done <<'END'
+ALN-R01|"points": [{"position": [1, 0.5], "angle": 30, "width": 0}]
+ALN-R01|"points": [{"position": [1, 0.5], "angle": 30, "strength": -1}]
+ALN-R02|"curves": [{"positions": [[1, 0]]}]
+ALN-R02|"boxes": [{"low": [1, 0], "high": [1, 1], "angle": 0}]
+ALN-R04|"points": [], "boxes": []
+angle|"points": [{"position": [1, 0.5]}]
+version|"version": [2, 0]
+END
+  printf '%s\n' 'x,y,h1,h2,angle' '1,0.5,0.1,0,30' >a.csv
+  refuses 3 'a.csv:2: .*ALN-R03' a.csv
+  printf '%s\n' 'x,y,m11,m12,m22' '1,0.5,1,0,1' '1,0.6,1,2,1' >a.csv
+  refuses 3 'a.csv:3: .*ALN-R03' a.csv
+  echo '<VTKFile type="UnstructuredGrid">' >a.vtu
+  refuses 3 'python3 -m quadrille.vtu_sizes a.vtu --array metric' a.vtu
+  refuses 3 'not be "alignment"|must be "alignment"' "$ROOT/formats/size-field.schema.json"
+  aligned '"curves": [{"positions": [[0, 0], [3, 1]], "width": 1e-6}]'
+  refuses 2 '200,000' a.align.json
+}
+
+@test "--align needs continuous elements; at strength 0 the arrays are those without it" {
+  cad2tri "$DATA/duct.step" -o duct.tri.h5
+  run --separate-stderr fieldsolve --align "$DATA/alignment/duct.align.json" --method dg duct.tri.h5 -o a.solve.h5
+  assert_equal "$status" 2
+  assert_regex "$stderr" '^fieldsolve: --align needs --method cg'
+  fieldsolve half_disc.tri.h5 -o a.solve.h5
+  aligned '"points": [{"position": [0, 0.5], "angle": 30}]'
+  fieldsolve --align a.align.json --align-strength 0 half_disc.tri.h5 -o b.solve.h5
+  for name in u v elem_order coef_offsets elem_error liftings; do h5diff a.solve.h5 b.solve.h5 /$name; done
+  h5dump -n b.solve.h5 >names
+  run ! grep -q alignment names
+}
+
+@test "--nodes and --align: the phase follows directions as well" {
+  cad2tri "$DATA/bow_shock.step" -o b.tri.h5
+  fieldsolve b.tri.h5 | padapt | critpoints - -o b.crit.json
+  fieldsolve --align "$DATA/alignment/bow_shock.align.json" --nodes b.crit.json b.tri.h5 -o b.phase.h5
+  stagecheck b.phase.h5
+  padapt b.phase.h5 -o c.phase.h5
+  h5diff b.phase.h5 c.phase.h5 /alignment
+}
