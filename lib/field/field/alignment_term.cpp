@@ -1,5 +1,7 @@
 #include "field/alignment_term.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -26,6 +28,9 @@ double squared(double x) { return x * x; }
 
 void add(Alignment& all, const AlignmentPoint& point) {
   if (point.rate == 0) return;
+  if (!std::isfinite(point.rate))
+    throw UsageError(
+        fmt::format("the features to align with are too strong, or as narrow as {:g}: mu is not finite", point.width));
   if (all.size() >= max_points)
     throw UsageError("the features to align with are too narrow for their extent: more than 200,000 Gaussians");
   all.push_back(point);
