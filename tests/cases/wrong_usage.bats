@@ -101,7 +101,8 @@ table() {
 2 | quadmesh half_disc.step -o out.msh --growth 0.5 | --growth must be greater than 1
 2 | quadmesh half_disc.step -o out.msh --html out.msh.html --report out.msh.html | out.msh.html: would be written twice, by --report and by --html: give two names
 2 | quadmesh half_disc.step -o out.msh --wall curve_0:yplus=1,layers=2 --velocity 3 | y+ needs the flow as well: give --viscosity, --length
-2 | quadplace half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks
+2 | quadplace half_disc.step -o out.msh --goal beauty | --goal: 'beauty' is not one of scaled-jacobian|edge-ratio|blocks|alignment
+2 | quadplace half_disc.step -o out.msh --goal alignment | --goal alignment and --align FILE go together
 3 | quadmesh half_disc.step -o out.msh --size-field edited.json | edited.json: not a size field
 3 | quadmesh half_disc.step -o out.msh --block-names wrong_names.json | wrong_names.json: "*": the new name must be a text
 3 | quadmesh half_disc.step -o out.msh --boundary-names wrong_names.json | wrong_names.json: "*": the new name must be a text

@@ -14,6 +14,7 @@
 #include "check/same_origin.hpp"
 #include "field/alignment_term.hpp"
 #include "field/error_estimate.hpp"
+#include "field/misalignment.hpp"
 #include "galerkin/phase_request.hpp"
 #include "galerkin/solve_phase.hpp"
 #include "regions/region_work.hpp"
@@ -94,6 +95,18 @@ void report_phase(const PhaseForm& phase, Run& run) {
     run.info(fmt::format("energy of integer winding above real winding: {:.3e}", phase.hole_winding_energy));
 }
 
+/// Of the fields of all regions; the strength of the options does not count.
+void report_alignment(const std::vector<SolvedRegion>& regions, const AlignmentRequest& request, double diameter,
+                      Run& run) {
+  const Alignment alignment = field::make_alignment(request, 1, diameter);
+  field::Misalignment sum;
+  for (const SolvedRegion& region : regions) sum += field::misalignment(field::FieldEvaluator(region.field), alignment);
+  run.report().set("align.rms_degrees", sum.rms_degrees());
+  run.report().set("align.mean_cosine_loss", sum.mean_cosine_loss());
+  run.info(
+      fmt::format("crosses are {:.1f} degrees from the prescribed directions (root mean square)", sum.rms_degrees()));
+}
+
 std::size_t num_liftings(const Field& field) {
   std::size_t count = field.liftings.size() + field.phase.terms.corner_angles.size();
   for (const PhaseForm& phase : field.region_phases) count += phase.terms.corner_angles.size();
@@ -155,6 +168,7 @@ Field fieldsolve(const FieldsolveInput& input, const FieldsolveOptions& options,
   std::vector<SolvedRegion> regions = solved(mesh, meshes, orders, input.nodes, solving, run.report());
   if (input.nodes)
     for (const SolvedRegion& region : regions) report_phase(region.field.phase, run);
+  if (input.alignment) report_alignment(regions, input.alignment->model, mesh.face.diameter, run);
   run.begin_phase("estimate");
   std::vector<Field> parts;
   for (SolvedRegion& region : regions) {

@@ -46,4 +46,7 @@ GOALS = {
                        lambda layout: layout.edge_ratio <= 1 + LEAST_GAIN),
     "blocks": Goal("number of blocks", "lowered", lambda layout: layout.num_blocks, has_fewer_blocks,
                    lambda layout: layout.num_blocks == 1),
+    "alignment": Goal("angle between crosses and directions, degrees", "lowered", lambda layout: layout.misalignment,
+                      lambda layout, best: layout.misalignment <= best.misalignment * (1 - LEAST_GAIN),
+                      lambda layout: layout.misalignment <= LEAST_GAIN),
 }

@@ -34,14 +34,15 @@ class StageFailure(Failure):
 
 @dataclass(frozen=True)
 class Layout:
-    """The nodes (the content of x.crit.json), the folder of their files, and of the blocks the least scaled Jacobian, the
-    greatest ratio of sides and the number."""
+    """The nodes (the content of x.crit.json), the folder of their files, of the blocks the least scaled Jacobian, the
+    greatest ratio of sides and the number, and the angle between crosses and the directions of a file, in degrees."""
 
     nodes: dict
     folder: pathlib.Path
     quality: float
     edge_ratio: float = 1.0
     num_blocks: int = 1
+    misalignment: float = 0.0
 
 
 def make_layout(nodes, folder, first, is_trial):
@@ -56,17 +57,30 @@ def make_layout(nodes, folder, first, is_trial):
         raise Failure(1, "with these nodes there are no blocks but divided triangles, which do not depend on them: "
                          "use quadmesh, or give other nodes by --start")
     run_stage("blocksplit", "-q", sep, "-o", blocks, is_trial=is_trial)
-    return Layout(nodes, folder, *block_measures(folder))
+    return Layout(nodes, folder, *block_measures(folder), misalignment(folder if is_phase else first))
 
 
 def make_phase(folder, first, is_trial):
     """A field with the nodes of folder/crit.json."""
     solve, phase = folder / "solve.h5", folder / "phase.h5"
     known = "--nodes", folder / "crit.json", "--orders", first / "field.h5"
-    run_stage("fieldsolve", "-q", *known, first / "tri.h5", "-o", solve, is_trial=is_trial)
+    run_stage("fieldsolve", "-q", *known, *align_words(first, folder), first / "tri.h5", "-o", solve, is_trial=is_trial)
     run_stage("padapt", "-q", solve, "-o", phase, is_trial=is_trial)
     solve.unlink()
     return phase
+
+
+def align_words(first, folder):
+    """Words with which fieldsolve measures the angles between crosses and the directions of a file, and writes them to the
+    folder; the field stays as it is. `first`: the folder with the file, if there is any."""
+    file = first / "align"
+    return ("--align", file, "--align-strength", 0, "--report", folder / "field.json") if file.exists() else ()
+
+
+def misalignment(folder):
+    """Degrees, the root of the mean square; 0 where it was not measured."""
+    report = folder / "field.json"
+    return json.loads(report.read_text())["align"]["rms_degrees"] if report.exists() else 0.0
 
 
 def block_measures(folder):
