@@ -82,6 +82,16 @@ follows() {
     (.[0][1] + .[1][1] | fabs < 1e-7)' a.crit.json
 }
 
+@test "where a strip of blocks contains itself, or the mesh is poor, nodes of the least energy are not tried" {
+  echo '{"format": "alignment", "version": [1, 0], "curves": [{"positions": [[-1.2, -1.2], [0.8, 1.2]]}],
+    "points": [{"position": [1.2, -0.4], "angle": 20}]}' >align.json
+  run -0 --separate-stderr "$quadmesh" "$DATA/stadium.step" -o a.msh --align align.json
+  [[ $stderr != *energy* ]] || fail "$stderr"
+  "$quadmesh" -q "$DATA/stadium.step" --align align.json --workdir . --until padapt
+  run -0 --separate-stderr "$quadmesh" --from critpoints --workdir . -o b.msh
+  [[ $stderr != *energy* ]] || fail "$stderr"
+}
+
 @test "what quadmesh cannot do with directions is refused before any work" {
   echo '{"format": "alignment", "version": [1, 0], "curves": []}' >empty.json
   run -3 --separate-stderr "$quadmesh" "$DATA/bow_shock.step" -o a.msh --align empty.json

@@ -145,14 +145,18 @@ bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const 
   return true;
 }
 
+/// The least energy, which other nodes are compared by, knows nothing of prescribed directions. The field of an earlier
+/// run may have them too.
+bool is_aligned(ChainState& chain) { return !chain.files.field.model().alignment.empty(); }
+
 /// Whether this run finds nodes and blocks, and the user left the choice of nodes to it.
-bool may_try_nodes(const ChainState& chain) {
+bool may_try_nodes(ChainState& chain) {
   const ChainOptions& options = chain.options;
   return !chain.has_fixed_nodes && !options.is_dry_run && chain.has_other_way && chain.remedy.empty() &&
-         options.programs.empty() && chain.values.quadrefine.walls.empty() &&
-         chain.values.fieldsolve.align_file.empty() && chain.num_nodes > 0 && chain.num_nodes <= trial_limits.nodes &&
-         chain.is_due(ChainStage::critpoints) && chain.is_due(ChainStage::blocksplit) &&
-         !options.has("critpoints", "--place") && !options.has("critpoints", "--nodes");
+         options.programs.empty() && chain.values.quadrefine.walls.empty() && chain.num_nodes > 0 &&
+         chain.num_nodes <= trial_limits.nodes && chain.is_due(ChainStage::critpoints) &&
+         chain.is_due(ChainStage::blocksplit) && !options.has("critpoints", "--place") &&
+         !options.has("critpoints", "--nodes") && !is_aligned(chain);
 }
 
 bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
@@ -216,7 +220,7 @@ void try_remedies(ChainState& chain) {
   const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);
   const std::vector<Remedy> remedies = remedies_of(chain.runner.reports()[replaced_run]);
   for (const Remedy& remedy : remedies) {
-    if (chain.options.has("critpoints", remedy.front())) continue;
+    if (chain.options.has("critpoints", remedy.front()) || (remedy.front() == "--place" && is_aligned(chain))) continue;
     inform(chain, fmt::format("no layout with these nodes: trying {}", options_text(remedy)));
     const std::size_t first_run = chain.runner.reports().size();
     NodeFiles files(chain.files.stem + ".remedy");
