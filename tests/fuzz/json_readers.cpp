@@ -1,9 +1,11 @@
-// libFuzzer target: any bytes as a JSON stage file, or one of names, are read and checked, or refused by FormatError.
+// libFuzzer target: any bytes as a JSON stage file, or one of names or directions, are read and checked, or refused by
+// FormatError.
 
 #include <cstdint>
 
 #include "base/error.hpp"
 #include "check/check.hpp"
+#include "io/alignment_io.hpp"
 #include "io/name_rules_io.hpp"
 #include "io/stage_files.hpp"
 
@@ -21,5 +23,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   attempt([&] { std::visit([](const auto& model) { check_stage(model, CheckDepth::full); }, read_any_stage(file)); });
   attempt([&] { read_boundary_names(file); });
   attempt([&] { read_block_names(file); });
+  attempt([&] { read_alignment(file, {}, 1); });
   return 0;
 }

@@ -335,9 +335,9 @@ END
   refuses 3 'python3 -m quadrille.vtu_sizes a.vtu --array metric' a.vtu
   refuses 3 'not be "alignment"|must be "alignment"' "$ROOT/formats/size-field.schema.json"
   aligned '"curves": [{"positions": [[0, 0], [3, 1]], "width": 1e-6}]'
-  refuses 2 '200,000' a.align.json
+  refuses 3 '200,000' a.align.json
   aligned '"points": [{"position": [1, 0.5], "angle": 30, "width": 1e-200}]'
-  refuses 2 'mu is not finite' a.align.json
+  refuses 3 'mu is not finite' a.align.json
 }
 
 @test "--align needs continuous elements; at strength 0 the arrays are those without it" {

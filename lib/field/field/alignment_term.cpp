@@ -29,10 +29,10 @@ double squared(double x) { return x * x; }
 void add(Alignment& all, const AlignmentPoint& point) {
   if (point.rate == 0) return;
   if (!std::isfinite(point.rate))
-    throw UsageError(
-        fmt::format("the features to align with are too strong, or as narrow as {:g}: mu is not finite", point.width));
+    throw FormatError(
+        fmt::format("--align: a feature is too strong or too narrow ({:g}): mu is not finite", point.width));
   if (all.size() >= max_points)
-    throw UsageError("the features to align with are too narrow for their extent: more than 200,000 Gaussians");
+    throw FormatError("--align: the features are too narrow for their extent: more than 200,000 Gaussians");
   all.push_back(point);
 }
 

@@ -14,7 +14,7 @@ namespace quadrille::field {
 ///
 /// A curve is a row of Gaussians of its width, a box a grid of them. Of a metric, the logarithms of the tensors are
 /// averaged over a few samples, and with r the ratio of its lengths, at most 10, mu = (strength / l)^2 ((r - 1) / (r +
-/// 1))^2, l that distance.
+/// 1))^2, l that distance. Throws FormatError for more than 200,000 Gaussians, or where mu is not finite.
 Alignment make_alignment(const AlignmentRequest& request, double strength, double diameter);
 
 /// Evaluates the sums. Cost at a point: linear in the Gaussians that are not negligible there.

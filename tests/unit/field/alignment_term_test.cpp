@@ -103,7 +103,7 @@ TEST(AlignmentTerm, WithoutStrengthThereIsNone) {
 }
 
 TEST(AlignmentTerm, FeaturesThatAreTooNarrowAreRefused) {
-  EXPECT_THROW(make_alignment(along({{0, 0}, {1, 0}}, 1e-7), 1, 1), UsageError);
+  EXPECT_THROW(make_alignment(along({{0, 0}, {1, 0}}, 1e-7), 1, 1), FormatError);
 }
 
 }  // namespace
