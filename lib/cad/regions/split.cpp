@@ -318,14 +318,12 @@ Field join(const TriMesh& whole, std::vector<Field> parts) {
     append(field.elem_order, part.elem_order);
     for (std::size_t e = 1; e < part.coef_offsets.size(); ++e)
       field.coef_offsets.push_back(first_coef + part.coef_offsets[e]);
-    append(field.u, part.u);
-    append(field.v, part.v);
     for (Lifting lifting : part.liftings) {
       lifting.joint += first_curve;
       field.liftings.push_back(lifting);
     }
-    append(field.elem_sensor, part.elem_sensor);
-    append(field.elem_error, part.elem_error);
+    for (const auto reals : {&Field::u, &Field::v, &Field::elem_sensor, &Field::elem_error})
+      append(field.*reals, part.*reals);
     num_rounds = std::max(num_rounds, part.adapt_steps.size());
     if (field.kind == FieldKind::phase) field.region_phases.push_back(part.phase);
   }
