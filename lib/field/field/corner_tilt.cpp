@@ -76,9 +76,10 @@ LiftedData tilt_data(const TriMesh& mesh, const std::vector<int>& joints, TiltPa
   LiftedData data;
   for (const int joint : joints) {
     const int before = face.previous_in_loop(joint);
-    if (!are_enclosed[joint])
-      data.liftings.push_back(lifting_at(face, joint, tilts->value(before, face.curves[before].end()),
-                                         tilts->value(joint, face.curves[joint].begin())));
+    const Vec2 v_in = tilts->value(before, face.curves[before].end()),
+               v_out = tilts->value(joint, face.curves[joint].begin());
+    if (norm(v_in - v_out) > jump_tol && !are_enclosed[joint])
+      data.liftings.push_back(lifting_at(face, joint, v_in, v_out));
   }
   const auto lifted = [&face, tilts, liftings = data.liftings](int curve, double t) {
     return tilts->value(curve, t) - liftings_on_boundary(face, liftings, curve, t);

@@ -30,7 +30,9 @@ struct LiftedData {
 
 enum class TiltPart { even, odd };
 
-/// The sum of one part of the tilts at these joints of the mesh's face. `mesh` must outlive the result.
+/// The sum of one part of the tilts at these joints of the mesh's face. `mesh` must outlive the result. Jumps have
+/// liftings (field/boundary_values, jump_tol): the odd part at the angle of a tie itself has none, and decays like what
+/// a few boundary values cause.
 LiftedData tilt_data(const TriMesh& mesh, const std::vector<int>& joints, TiltPart part);
 
 /// A harmonic function that may be added to a field, on the mesh and with the orders of that field: coefficients of the
