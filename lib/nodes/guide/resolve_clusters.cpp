@@ -208,10 +208,13 @@ std::vector<std::vector<NodeMark>> nodes_of_clusters(const CadFace& face, const 
 }
 
 void resolve_clusters(const CadFace& face, int max_valence, CriticalPoints& points) {
-  if (points.clusters.empty()) return;
+  if (!points.clusters.empty()) resolve_clusters(face, curve::symmetries(face), max_valence, points);
+}
+
+void resolve_clusters(const CadFace& face, const std::vector<curve::Isometry>& group, int max_valence,
+                      CriticalPoints& points) {
   const auto others = [&](std::size_t i) { return other_positions(points, i); };
-  const std::vector<std::vector<NodeMark>> nodes =
-      nodes_of_clusters(face, curve::symmetries(face), max_valence, points.clusters, others);
+  const std::vector<std::vector<NodeMark>> nodes = nodes_of_clusters(face, group, max_valence, points.clusters, others);
   std::vector<placement::NodeEdit> edits;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Cluster& cluster = points.clusters[i];

@@ -51,7 +51,9 @@ std::vector<std::vector<NodeMark>> nodes_of_clusters(const CadFace& face, const 
 /// it, and clusters in one symmetry orbit are resolved alike. Nodes get the source `cluster`, or `cancel` if the
 /// cluster is far from the boundary: these are never moved, because polygons of one size and orientation in all places
 /// of a pattern make a regular layout, which the least energy does not. Changes have the same kinds; those of index 0
-/// are of the kind `cancel`. No elements are set.
+/// are of the kind `cancel`. No elements are set. `group`: the isometries of the face.
+void resolve_clusters(const CadFace& face, const std::vector<curve::Isometry>& group, int max_valence,
+                      CriticalPoints& points);
 void resolve_clusters(const CadFace& face, int max_valence, CriticalPoints& points);
 
 }  // namespace quadrille::guide

@@ -23,6 +23,18 @@ zeros::SearchResult ChoiceSearch::zeros_of(const Choice& choice) {
   return search_->take();
 }
 
+zeros::SearchResult ChoiceSearch::likely_zeros_of(const Choice& choice) {
+  renew(choice);
+  for (int elem = 0; elem < std::ssize(known_); ++elem) {
+    const Known& known = known_[elem];
+    if (known.change > known.rest)
+      search_->follow(elem, known.found.zeros);
+    else
+      search_->add(known.found);
+  }
+  return search_->take();
+}
+
 void ChoiceSearch::renew(const Choice& choice) {
   evaluator_ = &tilted_.with(choice);
   last_.clear();

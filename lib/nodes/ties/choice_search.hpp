@@ -20,6 +20,9 @@ class ChoiceSearch {
   /// All zeros for a choice. Throws ComputeError if the search cannot decide.
   zeros::SearchResult zeros_of(const Choice& choice);
 
+  /// Those that Newton's method finds (ZeroSearch::follow): mostly all, at a fraction of the cost.
+  zeros::SearchResult likely_zeros_of(const Choice& choice);
+
   /// Compares those that follow with the last choice.
   void keep_last();
 

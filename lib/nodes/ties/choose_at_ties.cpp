@@ -27,6 +27,7 @@ class Trials {
   Trials(const field::FieldEvaluator& field, const TieOrbits& ties, const PartSolver& solve, const TieOptions& options,
          Progress* progress)
       : face_(field.field().mesh.face),
+        group_(curve::symmetries(face_)),
         ties_(ties),
         options_(options),
         tilted_(field.field(), ties, solve),
@@ -34,8 +35,9 @@ class Trials {
         measure_(field, ties),
         part_(progress, "choices") {}
 
-  /// Null if the choice leads to no admissible set of nodes. With many orbits, if the least that it can cost is no
-  /// better than `best`, that is the result: the choice is not followed.
+  /// Null if the choice leads to no admissible set of nodes. With many orbits the result is what is no better than
+  /// `best`, if that is the least that the choice can cost, or what the nodes cost that Newton's method finds: then
+  /// they are enough for the index sum, and a search can find no other than pairs of opposite index.
   const Cost* of(const Choice& choice, const Cost* best = nullptr) {
     const auto known = costs_.find(choice);
     if (known != costs_.end()) return known->second ? &*known->second : nullptr;
@@ -43,13 +45,12 @@ class Trials {
     if (best && are_many()) {
       cost = least(choice);
       if (!is_better(*cost, *best)) return &*cost;
-      cost.reset();
+      part_.advance();
+      cost = cost_of(choice, &ChoiceSearch::likely_zeros_of);
+      if (cost && !is_better(*cost, *best)) return &*cost;
     }
     ++num_searches_;
-    try {
-      cost = attempt(choice);
-    } catch (const ComputeError&) {
-    }
+    cost = cost_of(choice, &ChoiceSearch::zeros_of);
     part_.advance();
     return cost ? &*cost : nullptr;
   }
@@ -75,7 +76,7 @@ class Trials {
     const Field field = tilted_.solved(choice);
     CriticalPoints points =
         guide::find_critical_points(field::FieldEvaluator(field), options_.search, valences(choice), report);
-    guide::resolve_clusters(face_, options_.max_valence, points);
+    guide::resolve_clusters(face_, group_, options_.max_valence, points);
     return points;
   }
 
@@ -102,17 +103,23 @@ class Trials {
     return measure_.least(choice, 4 * face_.euler_characteristic() - index_sum_of(points), options_.max_valence);
   }
 
-  std::optional<Cost> attempt(const Choice& choice) {
-    Report of_this_choice;
-    const zeros::SearchResult found = search_.zeros_of(choice);
-    CriticalPoints points =
-        guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), found, of_this_choice);
-    guide::resolve_clusters(face_, options_.max_valence, points);
-    if (points.index_sum != points.index_sum_expected) return {};
-    return measure_(choice, points);
+  /// Nothing if the zeros make no admissible set of nodes, or are not found.
+  std::optional<Cost> cost_of(const Choice& choice, zeros::SearchResult (ChoiceSearch::*zeros_of)(const Choice&)) {
+    try {
+      Report of_this_choice;
+      const zeros::SearchResult found = (search_.*zeros_of)(choice);
+      CriticalPoints points =
+          guide::find_critical_points(tilted_.with(choice), options_.search, valences(choice), found, of_this_choice);
+      guide::resolve_clusters(face_, group_, options_.max_valence, points);
+      if (points.index_sum != points.index_sum_expected) return {};
+      return measure_(choice, points);
+    } catch (const ComputeError&) {
+      return {};
+    }
   }
 
   const CadFace& face_;
+  std::vector<curve::Isometry> group_;
   const TieOrbits& ties_;
   TieOptions options_;
   TiltedField tilted_;

@@ -112,10 +112,10 @@ void bisect(const Cell& cell, Cell& first, Cell& second) {
   }
 }
 
-bool polish_zero(const field::FieldEvaluator& evaluator, int elem, Vec2& xi) {
+bool polish_zero(const std::function<field::FieldSample(Vec2 xi)>& sample, Vec2& xi) {
   double last = 1;
   for (int iteration = 0; iteration < 20; ++iteration) {
-    const field::FieldSample s = evaluator.sample(elem, xi);
+    const field::FieldSample s = sample(xi);
     const Mat2 dv_dxi = s.dv_dx * s.dx_dxi;
     if (!(std::abs(det(dv_dxi)) > 0)) return false;
     const Vec2 step = inverse(dv_dxi) * s.value;
@@ -146,7 +146,8 @@ bool find_cell_zero(const field::FieldEvaluator& evaluator, const Cell& cell, co
   // If the fixed point lies on the cell's edge, the zero of the extended polynomial lies beyond it.
   if (norm(step) > 1e-5 + 10 * noise) return false;
   xi = cell.xi_at(lambda);
-  return polish_zero(evaluator, cell.elem, xi) && outside(local_coordinates(cell, xi)) <= reach;
+  const auto sample = [&](Vec2 at) { return evaluator.sample(cell.elem, at); };
+  return polish_zero(sample, xi) && outside(local_coordinates(cell, xi)) <= reach;
 }
 
 }  // namespace quadrille::zeros

@@ -6,6 +6,7 @@
 // degree, so that curved elements are not a special case.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "field/evaluate.hpp"
@@ -57,8 +58,8 @@ inline constexpr double inside_tol = 1e-8;
 bool find_cell_zero(const field::FieldEvaluator& evaluator, const Cell& cell, const Mat2& inverse_jacobian,
                     double contraction, double value_noise, Vec2& xi);
 
-/// Newton's method for v = 0 on the polynomial of `elem`, from xi; the result may lie outside `elem`. False if it
-/// diverges.
-bool polish_zero(const field::FieldEvaluator& evaluator, int elem, Vec2& xi);
+/// Newton's method for v = 0 on the polynomial of an element, from xi; the result may lie outside the element. False if
+/// it diverges, or takes a step of half an element.
+bool polish_zero(const std::function<field::FieldSample(Vec2 xi)>& sample, Vec2& xi);
 
 }  // namespace quadrille::zeros

@@ -6,6 +6,7 @@
 
 #include "curve/pole_box.hpp"
 #include "field/explicit_value.hpp"
+#include "spectral/orthogonal_basis.hpp"
 
 namespace quadrille::zeros {
 namespace {
@@ -29,6 +30,12 @@ bool is_far(const Lifting& lifting, Vec2 centre, double radius) {
   const double length2 = norm2(along);
   const double f = length2 > 0 ? std::clamp(dot(centre - lifting.apex, along) / length2, 0.0, 1.0) : 0.0;
   return distance(lifting.apex + f * along, centre) >= least_distance * radius;
+}
+
+std::vector<Vec2> jumps_of(const Field& field) {
+  std::vector<Vec2> jumps;
+  for (const Lifting& lifting : field.liftings) jumps.push_back(lifting.jump);
+  return jumps;
 }
 
 void add_series(Vec2 d, Vec2 jump, LiftingGroup& group) {
@@ -72,7 +79,8 @@ FarLiftings::FarLiftings(const field::FieldEvaluator& evaluator) : evaluator_(&e
     elem2group_.assign(evaluator.maps().size(), 0);
   }
   group2jumps_.resize(groups_.size());
-  renew();
+  is_current_.assign(groups_.size(), false);
+  jumps_ = jumps_of(evaluator.field());
 }
 
 void FarLiftings::group_elements() {
@@ -120,13 +128,37 @@ void FarLiftings::update(LiftingGroup& group, std::vector<Vec2>& jumps) const {
   }
 }
 
-void FarLiftings::renew() { is_current_.assign(groups_.size(), false); }
+void FarLiftings::renew() {
+  std::vector<Vec2> jumps = jumps_of(evaluator_->field());
+  if (jumps != jumps_) is_current_.assign(groups_.size(), false);
+  jumps_ = std::move(jumps);
+}
 
 const LiftingGroup& FarLiftings::of(int elem) {
   const int g = elem2group_[elem];
   if (!is_current_[g]) update(groups_[g], group2jumps_[g]);
   is_current_[g] = true;
   return groups_[g];
+}
+
+field::FieldSample FarLiftings::sample(int elem, Vec2 xi) {
+  const Field& field = evaluator_->field();
+  const LiftingGroup& group = of(elem);
+  field::FieldSample s;
+  evaluator_->maps()[elem].evaluate(xi, s.x, s.dx_dxi);
+  const int offset = field.coef_offsets[elem];
+  Mat2 dv_dxi;
+  s.value = spectral::orthogonal_sum(field.elem_order[elem], &field.u[offset], &field.v[offset], xi, dv_dxi);
+  s.dv_dx = dv_dxi * inverse(s.dx_dxi);
+  if (group.jumps > 0) s.value += group.far_sum(s.x, s.dv_dx);
+  for (const Lifting& lifting : group.near_liftings) {
+    if (s.x == lifting.apex) continue;
+    const Vec2 g = field::lifting_gradient(lifting, s.x), jump = lifting.jump;
+    s.value += field::lifting_angle(lifting, s.x) * jump;
+    s.dv_dx = {s.dv_dx.xx + jump.x * g.x, s.dv_dx.xy + jump.x * g.y, s.dv_dx.yx + jump.y * g.x,
+               s.dv_dx.yy + jump.y * g.y};
+  }
+  return s;
 }
 
 }  // namespace quadrille::zeros

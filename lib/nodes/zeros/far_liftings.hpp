@@ -35,6 +35,8 @@ class FarLiftings {
   /// `evaluator` must outlive it. When jumps of its field's liftings have changed, renew() must follow.
   explicit FarLiftings(const field::FieldEvaluator& evaluator);
   const LiftingGroup& of(int elem);
+  /// As FieldEvaluator::sample, by the group of the element.
+  field::FieldSample sample(int elem, Vec2 xi);
   void renew();
 
  private:
@@ -44,7 +46,8 @@ class FarLiftings {
   const field::FieldEvaluator* evaluator_;
   std::vector<int> elem2group_;
   std::vector<LiftingGroup> groups_;
-  std::vector<std::vector<Vec2>> group2jumps_;  ///< of each lifting, those that the group has
+  std::vector<Vec2> jumps_;                     ///< of each lifting
+  std::vector<std::vector<Vec2>> group2jumps_;  ///< those that the group has
   std::vector<bool> is_current_;
 };
 

@@ -43,6 +43,11 @@ constexpr long long max_cells = 50000;  // in one element; a simple zero needs s
 
 std::array<Vec2, 3> vertices(const Cell& cell) { return {cell.vertex(0), cell.vertex(1), cell.vertex(2)}; }
 
+std::array<Vec2, 3> vertices(const spectral::TriMap& map) {
+  return {map.position(reference_vertices[0]), map.position(reference_vertices[1]),
+          map.position(reference_vertices[2])};
+}
+
 bool touches_vertex(const Cell& cell, int k) {
   return std::find(cell.xi.begin(), cell.xi.end(), reference_vertices[k]) != cell.xi.end();
 }
@@ -97,6 +102,24 @@ void ZeroSearch::search(int elem, double change, KnownCells& known) {
   now_.clear();
   visit(element_cell(*evaluator_, elem), 0, 0);
   known.assign(now_.begin(), now_.end());
+}
+
+void ZeroSearch::follow(int elem, const std::vector<FoundZero>& before) {
+  constexpr double same = 1e-6;  // in reference coordinates
+  std::vector<Vec2> starts{field::centroid};
+  for (const Vec2 vertex : reference_vertices) starts.push_back(0.5 * (vertex + field::centroid));
+  for (const FoundZero& zero : before) starts.push_back(zero.xi);
+  const std::array<Vec2, 3> cell = vertices(evaluator_->maps()[elem]);
+  const double radius = distance(cell[0], cell[1]);
+  const auto first = std::ssize(found_.zeros);
+  for (Vec2 xi : starts) {
+    if (!polish_zero([&](Vec2 at) { return liftings_.sample(elem, at); }, xi)) continue;
+    if (mesh::outside_reference(xi) > inside_tol) continue;
+    const auto is_here = [&](const FoundZero& zero) { return distance(zero.xi, xi) < same; };
+    if (std::any_of(found_.zeros.begin() + first, found_.zeros.end(), is_here)) continue;
+    const field::FieldSample s = liftings_.sample(elem, xi);
+    found_.zeros.push_back({elem, xi, s.x, det(s.dv_dx) > 0 ? 1 : -1, radius, 0, cell});
+  }
 }
 
 void ZeroSearch::add(const SearchResult& found) {

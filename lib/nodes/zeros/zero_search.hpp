@@ -83,6 +83,9 @@ class ZeroSearch {
   /// The same with what is known from a field that differs by at most `change` on the element: only cells in which that
   /// may lead to a zero are examined. `known` becomes what is known of this field.
   void search(int elem, double change, KnownCells& known);
+  /// Adds the zeros of an element to which Newton's method leads from its middle, from places near its vertices and
+  /// from `before`, where zeros were. They are zeros, but others may exist: it costs a few values of the field.
+  void follow(int elem, const std::vector<FoundZero>& before);
   /// Begins anew, because the field has changed.
   void renew();
 

@@ -38,6 +38,7 @@ TEST(ChoiceSearch, zeros_of_later_choices_are_those_of_a_search_of_all_elements)
     const field::FieldEvaluator& evaluator = tilted.with(choice);
     const auto found = zeros::distinct_zeros(evaluator, search.zeros_of(choice).zeros);
     const auto expected = zeros_by_full_search(evaluator);
+    EXPECT_EQ(zeros::distinct_zeros(evaluator, search.likely_zeros_of(choice).zeros).size(), expected.size()) << u;
     ASSERT_EQ(found.size(), expected.size()) << u;
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(found[i].index, expected[i].index);

@@ -115,6 +115,23 @@ TEST(ChooseAtTies, many_chamfers_are_decided_one_after_the_other) {
     EXPECT_EQ(points.corners[2 * chamfer].valence + points.corners[2 * chamfer + 1].valence, 3);
 }
 
+TEST(ChooseAtTies, choices_whose_nodes_cost_too_much_are_not_searched) {
+  // Octagonal holes: most choices of two corners make a pair of nodes that no other choice needs.
+  std::vector<Loop> loops{polygon({{0, 0}, {12, 0}, {12, 4}, {0, 4}})};
+  for (int i = 0; i < 3; ++i) {
+    std::vector<Vec2> corners;
+    for (int k = 0; k < 8; ++k) corners.push_back(Vec2{4 * i + 2.0, 2} + (0.9 + 0.07 * i) * unit(0.3 * i - k * pi / 4));
+    loops.push_back(polygon(corners));
+  }
+  Report report;
+  const CriticalPoints points = chosen(make_face(loops), report);
+  EXPECT_LT(points.critical_points.size(), 4u);
+  const auto& entries = report.entries();
+  const auto searches =
+      std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.first == "ties.searches"; });
+  EXPECT_LT(std::get<long long>(searches->second), 30);
+}
+
 TEST(ChooseAtTies, each_tie_is_recorded_with_its_reason) {
   const CriticalPoints points = chosen(plate(10, 6, {0, 0, 1, 0}));
   ASSERT_EQ(points.changes.size(), 2u);

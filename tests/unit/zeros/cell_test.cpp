@@ -151,11 +151,12 @@ TEST(PolishZero, MayLeaveTheElementAndStopsWhereTheJacobianVanishes) {
   const field::FieldEvaluator evaluator(field);
   Vec2 xi;
   evaluator.maps()[0].invert({0.45, 0.42}, xi);  // beside the zero, in element 0; the zero itself is in element 1
-  ASSERT_TRUE(polish_zero(evaluator, 0, xi));
+  ASSERT_TRUE(polish_zero([&](Vec2 at) { return evaluator.sample(0, at); }, xi));
   EXPECT_NEAR(distance(evaluator.sample(0, xi).x, {0.4, 0.5}), 0, 1e-14);
   EXPECT_GT(mesh::outside_reference(xi), 0);
   const Field constant = interpolated_field(square_mesh({0, 0}, 1, 1), 1, [](Vec2) { return Vec2{1, 0}; });
-  EXPECT_FALSE(polish_zero(field::FieldEvaluator(constant), 0, xi));
+  const field::FieldEvaluator flat(constant);
+  EXPECT_FALSE(polish_zero([&](Vec2 at) { return flat.sample(0, at); }, xi));
 }
 
 }  // namespace

@@ -61,6 +61,24 @@ TEST(FarLiftings, a_search_with_series_finds_the_index_sum) {
   EXPECT_EQ(sum, 4);
 }
 
+TEST(FarLiftings, samples_are_those_of_the_evaluator_after_jumps_have_changed_too) {
+  Field field = star_field(80);
+  const field::FieldEvaluator evaluator(field);
+  FarLiftings groups(evaluator);
+  const Vec2 xi{-0.4, -0.3};
+  const auto inverse_slope = [](const field::FieldSample& s) { return frobenius_norm(inverse(s.dv_dx)); };
+  for (const double factor : {1.0, -2.0}) {
+    for (Lifting& lifting : field.liftings) lifting.jump *= factor;
+    groups.renew();
+    for (int e = 0; e < field.mesh.num_elems(); e += 11) {
+      const field::FieldSample here = groups.sample(e, xi), expected = evaluator.sample(e, xi);
+      EXPECT_LT(distance(here.value, expected.value), 1e-12);
+      EXPECT_LT(distance(here.x, expected.x), 1e-15);
+      EXPECT_NEAR(inverse_slope(here), inverse_slope(expected), 1e-8 * inverse_slope(expected));
+    }
+  }
+}
+
 TEST(FarLiftings, few_liftings_are_all_near) {
   const Field field = star_field(10);
   const field::FieldEvaluator evaluator(field);

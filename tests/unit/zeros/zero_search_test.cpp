@@ -51,6 +51,27 @@ TEST(EdgeJumps, AddUpAtAVertexOverHalfTheEdges) {
   EXPECT_NEAR(jumps[elem].vertex[local], 2e-3, 1e-12);  // (2e-3 + 2e-3) / 2
 }
 
+TEST(ZeroSearch, follows_zeros_to_where_they_are_and_finds_new_ones) {
+  const auto product = [](Vec2 a, Vec2 b) { return Vec2{a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; };
+  const Vec2 first{0.3, 0.2}, second{0.62, 0.25};
+  const Field field = interpolated_field(square_mesh({0, 0}, 1, 1), 4, [&](Vec2 x) {
+    const Vec2 conjugate{x.x - second.x, second.y - x.y};
+    return product(x - first, conjugate);
+  });
+  const field::FieldEvaluator evaluator(field);
+  ZeroSearch search(evaluator, {});
+  for (int e = 0; e < field.mesh.num_elems(); ++e) search.follow(e, {});
+  const std::vector<FoundZero> followed = distinct_zeros(evaluator, search.take().zeros);
+  for (int e = 0; e < field.mesh.num_elems(); ++e) search.search(e);
+  const std::vector<FoundZero> found = distinct_zeros(evaluator, search.zeros());
+  ASSERT_EQ(found.size(), 2u);
+  ASSERT_EQ(followed.size(), found.size());
+  for (const FoundZero& zero : found)
+    EXPECT_TRUE(std::any_of(followed.begin(), followed.end(), [&](const FoundZero& other) {
+      return other.index == zero.index && distance(other.x, zero.x) < 1e-12;
+    }));
+}
+
 /// A plate with a slanted left side and a chamfer `excess` radians off 45 degrees: 135 degrees - excess at (2, 0.7).
 CadFace chamfered(double excess) {
   return polygon_face({{0, 0}, {2, 0}, {2, 0.7}, {1.7, 0.7 + 0.3 * std::tan(pi / 4 + excess)}, {0, 1.4}});
