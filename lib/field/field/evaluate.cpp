@@ -156,6 +156,10 @@ FieldEvaluator::FieldEvaluator(const Field& field, FarTerms far_terms)
       locator_(field.mesh, maps_),
       expanded_(far_terms == FarTerms::expanded ? std::make_unique<const ElementTerms>(field, maps_) : nullptr) {}
 
+void FieldEvaluator::renew_terms() {
+  if (expanded_) expanded_ = std::make_unique<const ElementTerms>(*field_, maps_);
+}
+
 Vec2 FieldEvaluator::inward(int elem, Vec2 x) const { return normalized(maps_[elem].position(centroid) - x); }
 
 const DiscTerms* FieldEvaluator::expanded_terms(int elem, Vec2 x) const {

@@ -38,6 +38,13 @@ void add_element(int elem, const Eigen::Ref<const Eigen::MatrixXd>& coefs, doubl
   part.v.insert(part.v.end(), v.begin(), v.end());
 }
 
+double greatest_of_element(const DofMap& map, int elem, const Eigen::VectorXd& dofs) {
+  double greatest = 0;
+  for (int i = map.elem2offset[elem]; i < map.elem2offset[elem + 1]; ++i)
+    if (map.elem2dofs[i] >= 0) greatest = std::max(greatest, dofs[map.elem2dofs[i]]);
+  return greatest;
+}
+
 /// The parts of hundreds of functions are most of the memory.
 void shrink(field::HarmonicPart& part) {
   for (std::vector<double>* values : {&part.u, &part.v}) values->shrink_to_fit();
@@ -165,8 +172,9 @@ std::vector<field::HarmonicPart> PhaseSolver::harmonic_parts(const std::vector<f
     const Loads loads = is_aligned ? system.loads(right_side_beside(parts_->term, liftings, false)) : Loads();
     const Eigen::MatrixXd dofs =
         system.solve(given, parts_->watch, is_aligned ? 0 : negligible_dof * negligible, loads);
+    const Eigen::VectorXd sizes = dofs.rowwise().lpNorm<Eigen::Infinity>();
     for (int e = 0; e < std::ssize(parts_->elem_order); ++e) {
-      if (element_dofs(system.map(), e, dofs).cwiseAbs().maxCoeff() < negligible_dof * negligible) continue;
+      if (greatest_of_element(system.map(), e, sizes) < negligible_dof * negligible) continue;
       const Eigen::MatrixXd coefs = system.coefs(e, dofs, loads);
       for (std::size_t i = first; i < last; ++i)
         add_element(e, coefs.middleCols(2 * (i - first), 2), negligible, parts[i]);

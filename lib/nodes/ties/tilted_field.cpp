@@ -136,7 +136,7 @@ TiltedField::TiltedField(const Field& field, const TieOrbits& ties, PartSolver s
       solve_(std::move(solve)),
       choice_(ties.units.size(), false),
       sum_(shortened(solved(choice_), negligible_part())),
-      evaluator_(sum_) {
+      evaluator_(sum_, field::FarTerms::expanded) {
   std::vector<field::LiftedData> data;
   for (const std::vector<int>& unit : ties.units)
     data.push_back(field::tilt_data(field.mesh, joints_of(ties, unit), field::TiltPart::odd));
@@ -203,11 +203,17 @@ std::vector<TiltedField::Change> TiltedField::changes_by(const field::HarmonicPa
 void TiltedField::forget_parts() {
   odd_.clear();
   odd_.shrink_to_fit();
+  evaluator_.renew_terms();
 }
 
 const field::FieldEvaluator& TiltedField::with(const Choice& choice) {
-  for (std::size_t i = 0; i < odd_.size(); ++i)
-    if (choice[i] != choice_[i]) field::add(odd_[i], choice[i] ? 2 : -2, sum_);
+  bool have_jumps_changed = false;
+  for (std::size_t i = 0; i < odd_.size(); ++i) {
+    if (choice[i] == choice_[i]) continue;
+    field::add(odd_[i], choice[i] ? 2 : -2, sum_);
+    have_jumps_changed |= !odd_[i].liftings.empty();
+  }
+  if (have_jumps_changed) evaluator_.renew_terms();
   choice_ = choice;
   return evaluator_;
 }
