@@ -84,14 +84,26 @@ CriticalPoints found_nodes(const field::FieldEvaluator& evaluator, const NodeOpt
                            Report& report) {
   FoundNodes found{options.search, options.max_valence, options.ties, {}, Report(report.progress())};
   const bool is_shared = options.found != nullptr;
-  if (is_shared && *options.found && **options.found == found) {
-    found = **options.found;
+  if (is_shared && options.found->nodes == found) {
+    found = *options.found->nodes;
   } else {
     found.points = nodes_of(evaluator, options, solver, found.report);
-    if (is_shared) *options.found = found;
+    if (is_shared) options.found->nodes = found;
   }
   add(found.report, report);
   return std::move(found.points);
+}
+
+/// The same for the energy.
+placement::NodeEnergy found_energy(const PhaseNodes& nodes, const std::vector<int>& winding_offsets,
+                                   const NodeOptions& options, SharedSolver& solver) {
+  if (options.found)
+    for (const FoundEnergy& found : options.found->energies)
+      if (found.nodes == nodes && found.hole_winding_offsets == winding_offsets) return found.energy;
+  galerkin::PhaseEnergy computed = solver.get()->energy(nodes, winding_offsets);
+  placement::NodeEnergy energy{computed.value, std::move(computed.gradient)};
+  if (options.found) options.found->energies.push_back({nodes, winding_offsets, energy});
+  return energy;
 }
 
 /// By curve: whether nodes keep a distance from it.
@@ -109,9 +121,8 @@ void place(const Field& field, const NodeOptions& options, bool moves_all, Share
     for (std::size_t i = 0; i < is_free.size(); ++i)
       is_free[i] = points.critical_points[i].source != NodeSource::divide;  // the energy draws these into their corners
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
-  const auto of_points = [&solver = *solver.get(), offsets = points.hole_winding_offsets](const CriticalPoints& at) {
-    galerkin::PhaseEnergy e = solver.energy(phase_nodes_of(at), offsets);
-    return placement::NodeEnergy{e.value, std::move(e.gradient)};
+  const auto of_points = [&, offsets = points.hole_winding_offsets](const CriticalPoints& at) {
+    return found_energy(phase_nodes_of(at), offsets, options, solver);
   };
   placement::place_nodes(field.mesh.face, of_points, is_free, options.placement, points, report);
 }

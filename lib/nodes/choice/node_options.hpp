@@ -30,6 +30,19 @@ struct FoundNodes {
   }
 };
 
+/// The energy of nodes at their positions.
+struct FoundEnergy {
+  PhaseNodes nodes;
+  std::vector<int> hole_winding_offsets;
+  placement::NodeEnergy energy;
+};
+
+/// What choices from one field have found so far.
+struct Found {
+  std::optional<FoundNodes> nodes;    ///< of the last search
+  std::vector<FoundEnergy> energies;  ///< in the order of their computation
+};
+
 /// The defaults are those of critpoints.
 struct NodeOptions {
   guide::SearchOptions search;
@@ -47,8 +60,8 @@ struct NodeOptions {
   /// Patterns of the names of curves on lines at which the face is one half, or a quarter, of a whole: then the nodes
   /// are those of the whole (choice/half_model.hpp). Without effect where curve/symmetry_lines.hpp finds no such lines.
   std::vector<std::string> symmetry;
-  /// Shared by choices from one field, so that what is the same is searched for once. Null: not shared.
-  std::shared_ptr<std::optional<FoundNodes>> found;
+  /// Shared by choices from one field, so that what is the same is computed once. Null: not shared.
+  std::shared_ptr<Found> found;
 };
 
 }  // namespace quadrille::choice

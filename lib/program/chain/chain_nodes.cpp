@@ -58,7 +58,7 @@ bool run_critpoints(ChainState& chain, StageFile<CriticalPoints>& nodes, const s
   StageTask task{ChainStage::critpoints, false, {chain.files.field.path()}};
   task.words.insert(task.words.end(), words.begin(), words.end());
   auto& found = chain.values.critpoints.choose.found;  // in the field, which stays
-  if (!found) found = std::make_shared<std::optional<choice::FoundNodes>>();
+  if (!found) found = std::make_shared<choice::Found>();
   const auto points = [&](Run& run) {
     stage::CritpointsOptions options = chain.values.critpoints;
     cli::set_options([&](Options& o) { declare(o, options); }, words);

@@ -58,14 +58,33 @@ TEST(ChooseNodes, WhatIsFoundIsSharedByChoicesWithTheSameSearch) {
     return points.changes.at(0).reason;
   };
   const std::string alone = reason();
-  options.found = std::make_shared<std::optional<FoundNodes>>();
+  options.found = std::make_shared<Found>();
   EXPECT_EQ(reason(), alone);
-  ASSERT_TRUE(*options.found);
-  (*options.found)->points.changes.at(0).reason = "found before";
+  ASSERT_TRUE(options.found->nodes);
+  options.found->nodes->points.changes.at(0).reason = "found before";
   options.place = placement::PlaceRule::energy;
   EXPECT_EQ(reason(), "found before");
   options.max_valence = 5;
   EXPECT_EQ(reason(), alone);
+}
+
+TEST(ChooseNodes, EnergiesAreSharedByChoicesThatPlaceTheSameNodes) {
+  const Field field = adapted_field(polygon_face({{0, 0}, {10, 0}, {10, 2}, {6, 6}, {0, 6}}));
+  NodeOptions options;
+  options.place = placement::PlaceRule::energy;
+  options.found = std::make_shared<Found>();
+  const auto position = [&] {
+    Report report;
+    return choose_nodes(field, options, 1, report).critical_points.at(0).position;
+  };
+  const Vec2 first = position();
+  const std::size_t computed = options.found->energies.size();
+  EXPECT_GT(computed, 3U);
+  options.nodes = topology::NodeRule::fewest;
+  EXPECT_EQ(distance(position(), first), 0);
+  EXPECT_EQ(options.found->energies.size(), computed);
+  options.placement.weight = 1;
+  EXPECT_GT(distance(position(), first), 1e-6);
 }
 
 }  // namespace
