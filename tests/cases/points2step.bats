@@ -128,6 +128,18 @@ names() { jq -c .names fit.json; }
   has_corners '[3,3]'
 }
 
+@test "smooth curves leave a corner at least half of the polygon's angle" {
+  # At (15.5, 14.5) the polygon has 45 degrees, but turns by 72 degrees the other way at the point before: curves that are
+  # smooth there would leave less than 2 degrees.
+  printf '22.5 16\n20.5 16\n19 14\n17 13\n15.5 14.5\n15.5 14\n13.5 11\n11 12\n10 11.5\n6 0\n26.5 0\n' >points
+  "$points2step" points --corner-angle 80 -o a.step
+  cad2tri a.step -o a.tri.h5
+  fits a.tri.h5 points
+  fieldsolve a.tri.h5 | critpoints -o a.crit.json
+  jq -e '[.corners[] | select(.position[0] < 16 and .position[0] > 15).angle_degrees] | length == 1 and .[0] > 22' \
+    a.crit.json
+}
+
 @test "far fields take the shape out; the face is called fluid, and so is the region of the mesh" {
   naca0012 blunt 20 selig >a.dat
   for far in circle:5:1:78.54 box:5:4:100 cgrid:5:4:89.27; do

@@ -1,4 +1,5 @@
 """Edges of a face: lines, arcs and splines between two points, each with a name."""
+import cmath
 import math
 from dataclasses import dataclass, field, replace
 
@@ -6,6 +7,7 @@ from outline import near_spline, polygons, smoothing, splines
 from outline.fit import Fit
 from outline.simplify import SMALL
 
+LEAST_ANGLE = 30.0  # degrees: corners of the polygon that are sharper may become cusps
 FAR_FIELDS = ("circle", "box", "cgrid")
 
 
@@ -85,9 +87,39 @@ def near_edges(points, names, joints, is_periodic, nearness, ends=(None, None)):
     return smooth_edges(fine, fine_names, [positions[k] for k in joints], is_periodic, ends)
 
 
-def run_edges(points, names, joints, walls, nearness):
+def turn_of_curve(loop, corner, step):
+    """The angle from the polygon's first segment to the curve that starts at a corner, forwards (step 1) or backwards (-1):
+    that of a parabola through three points, 0 of a line."""
+    count = len(loop.points)
+    first, second = (corner + step) % count, (corner + 2 * step) % count
+    segments = (corner, first) if step > 0 else (first, second)
+    if first in loop.corners or any(segment in loop.walls for segment in segments):
+        return 0.0
+    points = [loop.points[corner], loop.points[first], loop.points[second]]
+    start = splines.open_derivatives(splines.chord_lengths(points), points)[0]
+    return cmath.phase(start / (points[1] - points[0]))
+
+
+def is_sharpened(loop, corner):
+    """Whether free curves would take away more than half of the polygon's angle at a corner. Cusps may be meant."""
+    points = loop.points
+    back, out = points[corner - 1] - points[corner], points[(corner + 1) % len(points)] - points[corner]
+    angle = cmath.phase(out / back)
+    turned = math.copysign(1.0, angle) * (turn_of_curve(loop, corner, 1) - turn_of_curve(loop, corner, -1))
+    return abs(angle) > math.radians(LEAST_ANGLE) and abs(angle) + turned < abs(angle) / 2
+
+
+def held_direction(loop, corner, step):
+    """Of the polygon's segment behind (step 1) or before a corner, where a curve must have it; None: nowhere."""
+    if corner not in loop.corners or not is_sharpened(loop, corner):
+        return None
+    along = step * (loop.points[(corner + step) % len(loop.points)] - loop.points[corner])
+    return along / abs(along)
+
+
+def run_edges(points, names, joints, walls, nearness, corner_ends=(None, None)):
     """Edges from corner to corner: lines along walls (as those of a Loop), and curves between, which begin and end in the
-    directions of the walls beside them."""
+    directions of the walls beside them. `corner_ends`: directions at both corners, None where they are free."""
     last = len(points) - 1
     breaks = [0] + [k for k in range(1, last) if walls.get(k) != walls.get(k - 1)] + [last]
 
@@ -102,7 +134,10 @@ def run_edges(points, names, joints, walls, nearness):
             edges.append(Line(points[a], points[b], names[a]))
         else:
             inner = [k - a for k in joints if a < k < b]
-            edges += near_edges(points[a : b + 1], names[a:b], inner, False, nearness, (direction(a - 1), direction(b)))
+            begin = corner_ends[0] if a == 0 else None
+            end = corner_ends[1] if b == last else None
+            ends = begin or direction(a - 1), end or direction(b)
+            edges += near_edges(points[a : b + 1], names[a:b], inner, False, nearness, ends)
     return edges
 
 
@@ -126,7 +161,8 @@ def loop_edges(loop, nearness=None):
         # Without corners, the wall at the beginning is also the one behind the end.
         walls = {k: loop.walls[i] for k, i in enumerate(run[:-1] if loop.corners else run) if i in loop.walls}
         if walls or loop.corners:
-            edges += run_edges(points, names, joints, walls, nearness)
+            corner_ends = held_direction(loop, run[0], 1), held_direction(loop, run[-1], -1)
+            edges += run_edges(points, names, joints, walls, nearness, corner_ends)
         else:
             edges += near_edges(points, names, joints, True, nearness)
     return edges
