@@ -153,11 +153,12 @@ FieldEvaluator::FieldEvaluator(const Field& field, FarTerms far_terms)
       is_phase_(field.kind == FieldKind::phase),
       maps_(mesh::tri_maps(field.mesh)),
       topology_(mesh::tri_topology(field.mesh)),
-      locator_(field.mesh, maps_),
-      expanded_(far_terms == FarTerms::expanded ? std::make_unique<const ElementTerms>(field, maps_) : nullptr) {}
+      locator_(field.mesh, maps_) {
+  set_far_terms(far_terms);
+}
 
-void FieldEvaluator::renew_terms() {
-  if (expanded_) expanded_ = std::make_unique<const ElementTerms>(*field_, maps_);
+void FieldEvaluator::set_far_terms(FarTerms far_terms) {
+  expanded_ = far_terms == FarTerms::expanded ? std::make_unique<const ElementTerms>(*field_, maps_) : nullptr;
 }
 
 Vec2 FieldEvaluator::inward(int elem, Vec2 x) const { return normalized(maps_[elem].position(centroid) - x); }

@@ -109,8 +109,8 @@ class FieldEvaluator {
   explicit FieldEvaluator(const Field& field, FarTerms far_terms = FarTerms::summed);
   FieldEvaluator(const FieldEvaluator&) = delete;  // the locator refers to the maps
   FieldEvaluator& operator=(const FieldEvaluator&) = delete;
-  /// Must follow when jumps of liftings have changed, if far terms are expanded.
-  void renew_terms();
+  /// Jumps of liftings must not change while far terms are expanded.
+  void set_far_terms(FarTerms far_terms);
 
   /// Value, position and element map derivative, as a streamline integrator needs them. At a corner with a lifting the
   /// value depends on the direction of approach: the limit from the element's centroid is returned. Cost: linear in

@@ -136,12 +136,14 @@ TiltedField::TiltedField(const Field& field, const TieOrbits& ties, PartSolver s
       solve_(std::move(solve)),
       choice_(ties.units.size(), false),
       sum_(shortened(solved(choice_), negligible_part())),
-      evaluator_(sum_, field::FarTerms::expanded) {
+      evaluator_(sum_) {
   std::vector<field::LiftedData> data;
   for (const std::vector<int>& unit : ties.units)
     data.push_back(field::tilt_data(field.mesh, joints_of(ties, unit), field::TiltPart::odd));
   odd_ = solve_(data, sum_.elem_order, negligible_part());
   for (const field::HarmonicPart& part : odd_) changes_.push_back(changes_by(part));
+  const auto is_lifted = [](const field::HarmonicPart& part) { return !part.liftings.empty(); };
+  if (std::none_of(odd_.begin(), odd_.end(), is_lifted)) evaluator_.set_far_terms(field::FarTerms::expanded);
 }
 
 double TiltedField::negligible_part() const {
@@ -203,17 +205,12 @@ std::vector<TiltedField::Change> TiltedField::changes_by(const field::HarmonicPa
 void TiltedField::forget_parts() {
   odd_.clear();
   odd_.shrink_to_fit();
-  evaluator_.renew_terms();
+  evaluator_.set_far_terms(field::FarTerms::summed);
 }
 
 const field::FieldEvaluator& TiltedField::with(const Choice& choice) {
-  bool have_jumps_changed = false;
-  for (std::size_t i = 0; i < odd_.size(); ++i) {
-    if (choice[i] == choice_[i]) continue;
-    field::add(odd_[i], choice[i] ? 2 : -2, sum_);
-    have_jumps_changed |= !odd_[i].liftings.empty();
-  }
-  if (have_jumps_changed) evaluator_.renew_terms();
+  for (std::size_t i = 0; i < odd_.size(); ++i)
+    if (choice[i] != choice_[i]) field::add(odd_[i], choice[i] ? 2 : -2, sum_);
   choice_ = choice;
   return evaluator_;
 }
