@@ -191,65 +191,68 @@ constexpr int extra_points = 5;  // R to about 1e-4 in curved elements
 
 /// From the nodes of an element of order N to the Gauss points of each direction.
 struct GaussTable {
-  Eigen::VectorXd weights;
+  Eigen::MatrixXd weights;         ///< points x points
   Eigen::MatrixXd values, slopes;  ///< points x nodes; slopes with respect to [0, 1]
 
   explicit GaussTable(int order) {
     const spectral::Quadrature rule = spectral::gauss_legendre(order + extra_points);
     const std::vector<double>& nodes = spectral::gll_points(order);
-    weights = Eigen::Map<const Eigen::VectorXd>(rule.weights.data(), std::ssize(rule.weights)) / 2;
+    const Eigen::Map<const Eigen::VectorXd> along(rule.weights.data(), std::ssize(rule.weights));
+    weights = along * along.transpose() / 4;
     values = spectral::interpolation_matrix(nodes, rule.points);
     slopes = 2 * values * spectral::differentiation_matrix(nodes);
   }
 };
 
-Eigen::ArrayXXd fourth_power(const Eigen::ArrayXXd& square) { return square.square().square(); }
+/// Of one element: not on the heap.
+constexpr int most_points = 20 + extra_points;
+using Nodes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
+using Values = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
 
-constexpr Vec2 no_limits{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-
-/// Of one element, lengths in units of `length`, or of `greatest` along xi1 and xi2 where these are less.
-struct Sums {
-  std::array<double, 2> powers{};  ///< E of each direction
-  double area = 0;
-};
-
-Sums sums_of(const QuadMesh& mesh, int elem, double length, Vec2 greatest) {
+/// Of one element, lengths in units of `length`.
+ElementPowers powers_of(const QuadMesh& mesh, int elem, double length) {
   const GaussTable& table = spectral::table_per_order<GaussTable>(mesh.order);
   const int width = mesh.order + 1;
-  Eigen::MatrixXd x(width, width), y(width, width);  // xi1 x xi2
+  Nodes x(width, width), y(width, width);  // xi1 x xi2
   for (int k = 0; k < width * width; ++k) {
     const Vec2 node = mesh.nodes[mesh.elem_nodes[elem * width * width + k]] / length;
     x(k % width, k / width) = node.x;
     y(k % width, k / width) = node.y;
   }
-  const auto along = [](const Eigen::MatrixXd& of1, const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& of2) {
-    return Eigen::ArrayXXd(of1 * nodes * of2.transpose());
+  const auto along = [](const Eigen::MatrixXd& of1, const Nodes& nodes, const Eigen::MatrixXd& of2) {
+    const Nodes half = of1.lazyProduct(nodes);
+    return Values(half.lazyProduct(of2.transpose()));
   };
-  const Eigen::ArrayXXd x1 = along(table.slopes, x, table.values), y1 = along(table.slopes, y, table.values),
-                        x2 = along(table.values, x, table.slopes), y2 = along(table.values, y, table.slopes);
-  const Eigen::ArrayXXd area = (x1 * y2 - y1 * x2).abs() * (table.weights * table.weights.transpose()).array();
-  const Vec2 unit{std::min(1.0, greatest.x / length), std::min(1.0, greatest.y / length)};
-  const double unit_area = unit.x * unit.y;
-  const auto power = [&](const Eigen::ArrayXXd& square, double own) {
-    return (fourth_power(square / (own * own)) * area).sum() / unit_area;
+  const Values x1 = along(table.slopes, x, table.values), y1 = along(table.slopes, y, table.values),
+               x2 = along(table.values, x, table.slopes), y2 = along(table.values, y, table.slopes);
+  const Values area = (x1 * y2 - y1 * x2).abs() * table.weights.array();
+  const auto power = [&](const Values& a, const Values& b) {
+    return ((a.square() + b.square()).square().square() * area).sum();
   };
-  return {{power(x1.square() + y1.square(), unit.x), power(x2.square() + y2.square(), unit.y)}, area.sum() / unit_area};
+  return {{power(x1, y1), power(x2, y2)}, area.sum()};
 }
 
 }  // namespace
 
-Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths) {
-  const bool is_prescribed = !mesh.elem_prescribed_length.empty();
+double resolution_length(const QuadMesh& mesh, int elem) {
+  return mesh.elem_prescribed_length.empty() ? mesh.face.diameter : mesh.elem_prescribed_length[elem];
+}
+
+Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths,
+                      const std::vector<ElementPowers>& powers) {
   Resolution result{1, std::vector<std::array<double, 2>>(mesh.num_elems())};
   double total = 0, area = 0;
   int num = 0;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const double length = is_prescribed ? mesh.elem_prescribed_length[elem] : mesh.face.diameter;
+    const double length = resolution_length(mesh, elem);
     if (!(length > 0)) continue;
-    const Sums sums = sums_of(mesh, elem, length, greatest_lengths.empty() ? no_limits : greatest_lengths[elem]);
-    result.parts[elem] = sums.powers;
-    total += sums.powers[0] + sums.powers[1];
-    area += sums.area;
+    const Vec2 greatest = greatest_lengths.empty() ? Vec2{length, length} : greatest_lengths[elem];
+    const double x = std::min(1.0, greatest.x / length), y = std::min(1.0, greatest.y / length);
+    const auto& [along, own_area] = powers[elem];
+    result.parts[elem] = {along[0] / (std::pow(x, 2 * resolution_power) * x * y),
+                          along[1] / (std::pow(y, 2 * resolution_power) * x * y)};
+    total += result.parts[elem][0] + result.parts[elem][1];
+    area += own_area / (x * y);
     ++num;
   }
   if (!(total > 0)) return result;
@@ -259,11 +262,18 @@ Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_le
   return result;
 }
 
+Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths) {
+  std::vector<ElementPowers> powers(mesh.num_elems());
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    if (const double length = resolution_length(mesh, elem); length > 0) powers[elem] = powers_of(mesh, elem, length);
+  return resolution(mesh, greatest_lengths, powers);
+}
+
 std::vector<double> relative_sizes(const QuadMesh& mesh) {
   std::vector<double> sizes;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const double length = mesh.elem_prescribed_length[elem];
-    sizes.push_back(length > 0 ? std::sqrt(sums_of(mesh, elem, length, no_limits).area) : 1);
+    sizes.push_back(length > 0 ? std::sqrt(powers_of(mesh, elem, length).area) : 1);
   }
   return sizes;
 }

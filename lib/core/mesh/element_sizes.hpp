@@ -58,6 +58,19 @@ struct Resolution {
 /// own and areas in those of their product; empty: none. O(N^3) for each element of order N.
 Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths = {});
 
+/// The parts of one element in E and A, h the same in both directions.
+struct ElementPowers {
+  std::array<double, 2> along{};  ///< of E, by direction
+  double area = 0;
+};
+
+/// The same from the parts of all elements, however they were integrated: of those that count.
+Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths,
+                      const std::vector<ElementPowers>& powers);
+
+/// The prescribed length h of an element; 0: it does not count.
+double resolution_length(const QuadMesh& mesh, int elem);
+
 /// By element: the square root of its area over the prescribed length; 1 where wall layers prescribe it. Prescribed
 /// lengths must be stored.
 std::vector<double> relative_sizes(const QuadMesh& mesh);
