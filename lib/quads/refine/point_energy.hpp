@@ -8,29 +8,21 @@
 
 namespace quadrille::refine {
 
-/// `Real`: double, or an array of the values at several points.
-template <class Real>
-struct PointVector {
-  Real x, y;
-};
-
 /// The energy for a = x_s / h and b = x_t / h, and its derivatives by these, where det J is positive.
-template <class Real>
 struct PointEnergy {
-  PointEnergy(const PointVector<Real>& a, const PointVector<Real>& b, double weight);
-  Real det, value;
-  PointVector<Real> by_a, by_b;
+  PointEnergy(Vec2 a, Vec2 b, double weight);
+  double det, value;
+  Vec2 by_a, by_b;
 };
 
-template <class Real>
-PointEnergy<Real>::PointEnergy(const PointVector<Real>& a, const PointVector<Real>& b, double weight)
-    : det(a.x * b.y - a.y * b.x) {
-  const Real aa = a.x * a.x + a.y * a.y, bb = b.x * b.x + b.y * b.y, mu = 0.5 * (aa + bb) / det;
-  const Real aaaa = aa * aa, bbbb = bb * bb, size = 0.5 * (aaaa * aa + bbbb * bb), mu_mu = weight * mu * mu;
+/// In the header, so that loops over points are compiled for several at once.
+inline PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) : det(a.x * b.y - a.y * b.x) {
+  const double aa = a.x * a.x + a.y * a.y, bb = b.x * b.x + b.y * b.y, mu = 0.5 * (aa + bb) / det;
+  const double aaaa = aa * aa, bbbb = bb * bb, size = 0.5 * (aaaa * aa + bbbb * bb), mu_mu = weight * mu * mu;
   value = size * det + mu_mu * mu;
   // mu grows by (a - mu det_a) / det with a, det_a = (b_y, -b_x), and with b alike, det_b = (-a_y, a_x).
-  const Real mu_slope = 3.0 * mu_mu / det, by_det = size - mu_slope * mu;
-  const Real along_a = 3.0 * aaaa * det + mu_slope, along_b = 3.0 * bbbb * det + mu_slope;
+  const double mu_slope = 3.0 * mu_mu / det, by_det = size - mu_slope * mu;
+  const double along_a = 3.0 * aaaa * det + mu_slope, along_b = 3.0 * bbbb * det + mu_slope;
   by_a = {along_a * a.x + by_det * b.y, along_a * a.y - by_det * b.x};
   by_b = {along_b * b.x - by_det * a.y, along_b * b.y + by_det * a.x};
 }

@@ -16,6 +16,7 @@ namespace {
 constexpr double first_shape_weight = 2;  ///< w
 constexpr double sharp_sine = 0.5;        ///< of the angle of a corner between curves
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 SizeEnergy::Rule::Rule(int count) : size(count * count) {
@@ -160,23 +161,23 @@ void SizeEnergy::with_size(const Rule& rule, const Visit& visit) {
     visit(std::integral_constant<int, points * points>{});
 }
 
-SizeEnergy::Tangents SizeEnergy::tangents(int elem) const {
+/// `at`: that of the element, or one with more points for a bilinear one.
+SizeEnergy::Tangents SizeEnergy::tangents(int elem, const Rule& at) const {
   const auto& v = problem_.follow.elem_vertices()[elem];
   const Vec2 scale = inverse_size_[elem];
   const Vec2 bottom = scale.x * (position_[v[1]] - position_[v[0]]),
              top = scale.x * (position_[v[2]] - position_[v[3]]);
   const Vec2 left = scale.y * (position_[v[3]] - position_[v[0]]),
              right = scale.y * (position_[v[2]] - position_[v[1]]);
-  const Rule& at = rule(elem);
-  const auto between = [&](const auto& t, double low, double high) { return low + t * (high - low); };
   Tangents tangents;
-  const auto place = [&](auto n) {
-    tangents.a.x.head<n>() = between(at.t.head<n>(), bottom.x, top.x);
-    tangents.a.y.head<n>() = between(at.t.head<n>(), bottom.y, top.y);
-    tangents.b.x.head<n>() = between(at.s.head<n>(), left.x, right.x);
-    tangents.b.y.head<n>() = between(at.s.head<n>(), left.y, right.y);
-  };
-  with_size(at, place);
+  with_size(at, [&](auto n) {
+    for (int k = 0; k < n; ++k) {
+      tangents.a.x[k] = bottom.x + at.t[k] * (top.x - bottom.x);
+      tangents.a.y[k] = bottom.y + at.t[k] * (top.y - bottom.y);
+      tangents.b.x[k] = left.x + at.s[k] * (right.x - left.x);
+      tangents.b.y[k] = left.y + at.s[k] * (right.y - left.y);
+    }
+  });
   if (elem_sides_[elem] >= 0) add_shifts(elem, tangents);
   return tangents;
 }
@@ -220,17 +221,18 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
 double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
   const Rule& of = rule(elem);
   const Vec2 scale = inverse_size_[elem];
+  const double shape = shape_weights[elem], multiplicity = multiplicities[elem];
+  std::array<double, points * points> det, value;
   double sum = 0;
   with_size(of, [&](auto n) {
-    using Some = Eigen::Array<double, n, 1>;
-    const PointEnergy<Some> e({at.a.x.head<n>(), at.a.y.head<n>()}, {at.b.x.head<n>(), at.b.y.head<n>()},
-                              shape_weights[elem]);
-    const Some weight = multiplicities[elem] * of.weight.head<n>();
-    sum = e.det.minCoeff() > 0 ? (weight * e.value).sum() : infinity;
-    by.a.x.head<n>() = scale.x * weight * e.by_a.x;
-    by.a.y.head<n>() = scale.x * weight * e.by_a.y;
-    by.b.x.head<n>() = scale.y * weight * e.by_b.x;
-    by.b.y.head<n>() = scale.y * weight * e.by_b.y;
+    for (int k = 0; k < n; ++k) {
+      const PointEnergy e(at.a[k], at.b[k], shape);
+      const double weight = multiplicity * of.weight[k], by_s = scale.x * weight, by_t = scale.y * weight;
+      det[k] = e.det, value[k] = weight * e.value;
+      by.a.x[k] = by_s * e.by_a.x, by.a.y[k] = by_s * e.by_a.y;
+      by.b.x[k] = by_t * e.by_b.x, by.b.y[k] = by_t * e.by_b.y;
+    }
+    for (int k = 0; k < n; ++k) sum += det[k] > 0 ? value[k] : infinity;
   });
   return sum;
 }
@@ -249,19 +251,15 @@ void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
 /// The derivatives by the corners, from those by x_s and x_t.
 std::array<Vec2, 4> SizeEnergy::by_corners(int elem, const Tangents& by) const {
   const Rule& of = rule(elem);
-  std::array<Vec2, 4> corners;
+  Vec2 by_a, high_a, by_b, high_b;
   with_size(of, [&](auto n) {
-    constexpr int count = n;
-    const auto sums = [](const Values& place, const Vectors& v) {
-      const auto x = v.x.head<count>(), y = v.y.head<count>(), part = place.head<count>();
-      const Vec2 all{x.sum(), y.sum()}, high{(part * x).sum(), (part * y).sum()};
-      return std::array{all - high, high};
-    };
-    const auto [bottom, top] = sums(of.t, by.a);
-    const auto [left, right] = sums(of.s, by.b);
-    corners = {-(bottom + left), bottom - right, top + right, left - top};
+    for (int k = 0; k < n; ++k) {
+      by_a += by.a[k], high_a += of.t[k] * by.a[k];
+      by_b += by.b[k], high_b += of.s[k] * by.b[k];
+    }
   });
-  return corners;
+  const Vec2 bottom = by_a - high_a, top = high_a, left = by_b - high_b, right = high_b;
+  return {-(bottom + left), bottom - right, top + right, left - top};
 }
 
 /// The derivatives by the shifts of the points of a side.

@@ -17,6 +17,7 @@
 #include <array>
 #include <vector>
 
+#include "mesh/element_sizes.hpp"
 #include "refine/relax_problem.hpp"
 #include "refine/sampled_loops.hpp"
 
@@ -51,8 +52,11 @@ class SizeEnergy {
   std::vector<ElementHessian> hessians() const;
   /// Of the vertices, where the energy was computed last.
   const std::vector<Vec2>& positions() const { return position_; }
+  const std::vector<Vec2>& positions(const VertexMoves& moves) { return place(moves), position_; }
   /// Of the curves at the vertices that slide, where the energy was computed last.
   const std::vector<Vec2>& curve_tangents() const { return tangent_; }
+  /// Of each element, with its length h or 0, where the energy was computed last (mesh/element_sizes).
+  std::vector<mesh::ElementPowers> powers(const std::vector<double>& lengths) const;
   /// Middle of each element's vertices.
   std::vector<Vec2> middles(const VertexMoves& moves);
   bool is_free(int elem) const { return is_free_[elem]; }
@@ -71,7 +75,7 @@ class SizeEnergy {
     std::array<int, 4> side{-1, -1, -1, -1};  ///< into sides_, in the side's own direction
     std::array<bool, 2> is_linear{};          ///< of sides 0 and 2, 1 and 3: both are curved
   };
-  using Values = Eigen::Array<double, points * points, 1>;  ///< at the points of the element's rule; s fastest
+  using Values = std::array<double, points * points>;  ///< at the points of the element's rule; s fastest
   struct Vectors {
     Values x, y;
 
@@ -95,7 +99,8 @@ class SizeEnergy {
   void add_curved_sides(const QuadMesh& shaped);
   void place(const VertexMoves& moves);
   void place_side(CurvedSide& side, const VertexMoves& moves) const;
-  Tangents tangents(int elem) const;
+  Tangents tangents(int elem) const { return tangents(elem, rule(elem)); }
+  Tangents tangents(int elem, const Rule& at) const;
   void add_shifts(int elem, Tangents& at) const;
   double slopes(int elem, const Tangents& at, Tangents& by) const;
   std::array<Vec2, 4> by_corners(int elem, const Tangents& by) const;

@@ -1,23 +1,27 @@
-// The second derivatives of SizeEnergy.
+// The second derivatives of SizeEnergy, and the parts of elements in the resolution ratio.
 
 #include <algorithm>
+#include <cmath>
 
 #include "refine/point_energy.hpp"
 #include "refine/size_energy.hpp"
 
 namespace quadrille::refine {
 
-/// Adds the diagonal blocks of the Hessian without what may be negative.
+/// Adds the diagonal blocks of the Hessian without what may be negative, from the corners alone.
 void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
   const Rule& of = rule(elem);
+  const int last = of.size - 1, along = of.size == 4 ? 1 : points - 1;
   const auto& v = problem_.follow.elem_vertices()[elem];
-  for (int k = 0; k < of.size; ++k) {
+  const double weight = multiplicities[elem] / 4;
+  for (const int k : {0, along, last - along, last}) {
     const PointBends bends(at.a[k], at.b[k], shape_weights[elem]);
     const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
     for (int c = 0; c < 4; ++c) {
+      if (slopes[c] == Vec2{}) continue;
       const std::array<double, 3> block =
           bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
-      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += multiplicities[elem] * of.weight[k] * block[i];
+      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * block[i];
     }
   }
 }
@@ -126,6 +130,23 @@ std::vector<ElementHessian> SizeEnergy::hessians() const {
   for (std::size_t elem = 0; elem < is_free_.size(); ++elem)
     if (is_free_[elem]) hessians[elem] = hessian(static_cast<int>(elem));
   return hessians;
+}
+
+std::vector<mesh::ElementPowers> SizeEnergy::powers(const std::vector<double>& lengths) const {
+  std::vector<mesh::ElementPowers> powers(lengths.size());
+  for (std::size_t elem = 0; elem < lengths.size(); ++elem) {
+    if (!(lengths[elem] > 0)) continue;
+    const Tangents at = tangents(static_cast<int>(elem), curved_rule_);
+    const Vec2 scale = lengths[elem] * inverse_size_[elem];
+    for (int k = 0; k < curved_rule_.size; ++k) {
+      const Vec2 a = at.a[k] / scale.x, b = at.b[k] / scale.y;
+      const double area = curved_rule_.weight[k] * std::abs(cross(a, b)), aa = norm2(a), bb = norm2(b);
+      powers[elem].along[0] += area * aa * aa * aa * aa;
+      powers[elem].along[1] += area * bb * bb * bb * bb;
+      powers[elem].area += area;
+    }
+  }
+  return powers;
 }
 
 }  // namespace quadrille::refine

@@ -52,6 +52,22 @@ TEST(SizeEnergy, ElementsInSharpCornersAreLighter) {
   EXPECT_NEAR(std::ranges::min(energy.shape_weights), 2 * std::pow(sine / 0.5, 3), 1e-12);
 }
 
+TEST(SizeEnergy, PartsOfTheResolutionRatioAreThoseOfTheMesh) {
+  for (const SeparatrixGraph& graph : {hand_made::cut_annulus(3), hand_made::l_shape()}) {
+    QuadMesh mesh = mesh_of(graph, 0.3, 4);
+    const RelaxProblem problem(mesh, {});
+    SizeEnergy energy(problem, mesh);
+    energy.set_sizes(equal_sizes(mesh, 0.1));
+    energy.positions(VertexMoves(problem.num_vertices()));
+    std::vector<double> lengths;
+    for (int elem = 0; elem < mesh.num_elems(); ++elem) lengths.push_back(mesh::resolution_length(mesh, elem));
+    const mesh::Resolution of_mesh = mesh::resolution(mesh), here = mesh::resolution(mesh, {}, energy.powers(lengths));
+    EXPECT_NEAR(here.ratio, of_mesh.ratio, 1e-2 * of_mesh.ratio);
+    for (int elem = 0; elem < mesh.num_elems(); ++elem)
+      EXPECT_NEAR(here.parts[elem][0], of_mesh.parts[elem][0], 2e-2 * of_mesh.parts[elem][0]);
+  }
+}
+
 TEST(SizeEnergy, OfAFoldedMeshIsInfinite) {
   const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.5, 2);
   const RelaxProblem problem(mesh, {});
