@@ -130,29 +130,37 @@ std::vector<bool> elements_that_keep_lengths(const SplitRequest& request, const 
   return keeps;
 }
 
-/// Returns whether vertices were moved; not if the mesh would exceed what is allowed by more. Edges are relaxed again
-/// with a stricter tolerance if they miss it between the samples of that time.
-bool relax_sizes(const SplitRequest& request, SplitMesh& result) {
-  SizeRelaxation relaxation = size_relaxation(request, result);
-  SizeRelaxed relaxed = relax_to_sizes(result.mesh, relaxation);
+/// Returns whether the relaxed mesh is taken: not if no vertex was moved, or it would exceed what is allowed by more.
+/// Edges are relaxed further with a stricter tolerance if they miss it between the samples of that time.
+bool take_relaxed(const SplitRequest& request, double least_progress, SizeRelaxed relaxed, SplitMesh& result) {
   if (relaxed.sweeps == 0) return false;
+  mesh::BoundaryDistance distance = mesh::boundary_distance(relaxed.mesh);
   for (int round = 0; round < max_corrections; ++round) {
-    const mesh::BoundaryDistance distance = mesh::boundary_distance(relaxed.mesh);
     if (distance.is_within(std::max(request.limits.distance, result.distance.worst().distance))) break;
-    relaxation.tolerance *= stricter * request.limits.distance / distance.worst().distance;
-    relaxed = relax_to_sizes(result.mesh, relaxation);
+    relaxed.relaxation->tighten(stricter * request.limits.distance / distance.worst().distance);
+    if (!relaxed.relaxation->run(least_progress, relaxed)) break;
+    distance = mesh::boundary_distance(relaxed.mesh);
   }
   SplitMesh next = result;
   next.mesh = std::move(relaxed.mesh);
-  next.distance = mesh::boundary_distance(next.mesh);
+  next.distance = std::move(distance);
+  next.relaxation = relaxed.relaxation;
   set_score(request, next);
   const mesh::MeshScore &before = result.score, &after = next.score;
   if (after.unproved > before.unproved || mesh::exceeds(after.distance, before.distance) ||
       mesh::exceeds(after.elongation, before.elongation) || (result.walls && mesh::is_better(before, after)))
     return false;
-  report_relaxation(request.report, result.mesh, relaxed);
+  report_relaxation(request.report, relaxed.relaxation->before(), relaxed);
   result = std::move(next);
   return true;
+}
+
+/// Returns whether vertices were moved.
+bool relax_sizes(const SplitRequest& request, double least_progress, SplitMesh& result) {
+  SizeRelaxation relaxation = size_relaxation(request, result);
+  relaxation.least_progress = least_progress;
+  if (result.vertices) relaxation.start = &*result.vertices;
+  return take_relaxed(request, least_progress, relax_to_sizes(result.mesh, relaxation), result);
 }
 
 }  // namespace
@@ -194,17 +202,24 @@ BestSplit best_split(const SplitRequest& request) {
   return best;
 }
 
-void place_vertices(const SplitRequest& request, SplitMesh& result) {
+void place_vertices(const SplitRequest& request, SplitMesh& result, double least_progress) {
   if (result.growth) {
     straighten_lines(request, result);
     for (int i = 0; i < max_corrections && correct_lines(request, result); ++i) {
     }
   }
   const RefineOptions& options = request.options;
-  if (options.relax == Relax::none || !options.blocks.empty() || !relax_sizes(request, result))
-    shape_inner_edges(result.mesh, options.inner_edges, elements_on_layered_chords(request.equal.blocks(), result));
+  if (options.relax != Relax::none && options.blocks.empty() && relax_sizes(request, least_progress, result)) return;
+  shape_inner_edges(result.mesh, options.inner_edges, elements_on_layered_chords(request.equal.blocks(), result));
   result.distance = mesh::boundary_distance(result.mesh);
   set_score(request, result);
+}
+
+void place_further(const SplitRequest& request, SplitMesh& result, double least_progress) {
+  if (!result.relaxation || result.relaxation->least_progress() <= least_progress) return;
+  SizeRelaxed relaxed{{}, 0, 0, 0, 0, result.relaxation};
+  if (result.relaxation->run(least_progress, relaxed))
+    take_relaxed(request, least_progress, std::move(relaxed), result);
 }
 
 }  // namespace quadrille::refine

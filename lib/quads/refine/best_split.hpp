@@ -48,6 +48,10 @@ SizeRelaxation size_relaxation(const SplitRequest& request, const SplitMesh& spl
 ///
 /// 1 and 2 are kept if they improve the score of the mesh, 3 if it does not make it worse; shapes never lower its least
 /// scaled Jacobian, straight edges not below 0.6. The elements and the score of the mesh are measured again.
-void place_vertices(const SplitRequest& request, SplitMesh& result);
+/// `least_progress`: of relaxation (SizeRelaxation), which begins at result.vertices, if there are any.
+void place_vertices(const SplitRequest& request, SplitMesh& result, double least_progress = fine_progress);
+
+/// Relaxes vertices further that were placed with a greater least progress.
+void place_further(const SplitRequest& request, SplitMesh& result, double least_progress);
 
 }  // namespace quadrille::refine

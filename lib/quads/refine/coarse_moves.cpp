@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+
+#include "refine/placed_vertices.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -50,32 +53,12 @@ std::vector<Between> between(const std::vector<int>& lines, const std::vector<in
 }  // namespace
 
 CoarseMoves::CoarseMoves(const RelaxProblem& problem) : problem_(problem) {
-  std::vector<BlockGrid> grids = block_grids();
+  std::vector<BlockGrid> grids;
+  for (VertexGrid& of : block_vertices(problem))
+    grids.push_back({std::move(of.vertices), of.columns + 1, all_lines(of.columns + 1), all_lines(of.rows + 1)});
   do {
     add_level(grids);
   } while (!levels_.back().followers.empty());
-}
-
-/// Elements of a block come row by row; neighbours in a row share a side.
-std::vector<CoarseMoves::BlockGrid> CoarseMoves::block_grids() const {
-  std::vector<BlockGrid> grids;
-  const auto& vertices = problem_.follow.elem_vertices();
-  const std::vector<int>& block = problem_.start.elem_block;
-  const int count = static_cast<int>(block.size());
-  for (int first = 0, end = 0; first < count; first = end) {
-    while (end < count && block[end] == block[first]) ++end;
-    int columns = 1;
-    while (first + columns < end && vertices[first + columns][0] == vertices[first + columns - 1][1]) ++columns;
-    const int rows = (end - first) / columns;
-    BlockGrid grid{{}, columns + 1, all_lines(columns + 1), all_lines(rows + 1)};
-    for (int j = 0; j <= rows; ++j)
-      for (int i = 0; i <= columns; ++i) {
-        const auto& corners = vertices[first + std::min(j, rows - 1) * columns + std::min(i, columns - 1)];
-        grid.vertices.push_back(corners[j < rows ? (i < columns ? 0 : 1) : (i < columns ? 3 : 2)]);
-      }
-    grids.push_back(std::move(grid));
-  }
-  return grids;
 }
 
 void CoarseMoves::add_level(std::vector<BlockGrid>& grids) {

@@ -43,7 +43,6 @@ class CoarseMoves {
     std::vector<int> columns, rows;  ///< lines of the present level
   };
 
-  std::vector<BlockGrid> block_grids() const;
   void add_level(std::vector<BlockGrid>& grids);
 
   const RelaxProblem& problem_;

@@ -9,10 +9,8 @@
 namespace quadrille::refine {
 namespace {
 
-constexpr double least_progress = 1e-3;  ///< of the energy: R is then true to about 1 %
-
 SizeRelaxation coarsely(SizeRelaxation options) {
-  options.least_progress = least_progress;
+  options.least_progress = coarse_progress;
   return options;
 }
 
@@ -39,6 +37,16 @@ double corner_jacobian(const QuadMesh& mesh, int elem) {
   return least;
 }
 
+/// The elements with straight sides; vertices are nodes.
+QuadMesh straight(const RelaxProblem& problem, const QuadMesh& mesh) {
+  QuadMesh result = mesh;
+  result.order = 1;
+  result.elem_nodes.clear();
+  for (const auto& [a, b, c, d] : problem.follow.elem_vertices())
+    for (const int vertex : {a, b, d, c}) result.elem_nodes.push_back(vertex);
+  return result;
+}
+
 }  // namespace
 
 CountRelaxer::CountRelaxer(const QuadMesh& mesh, SizeRelaxation options)
@@ -46,7 +54,7 @@ CountRelaxer::CountRelaxer(const QuadMesh& mesh, SizeRelaxation options)
       problem_(mesh, options_.frozen_elems, options_.slides_off),
       relaxer_(problem_, mesh, options_),
       kept_(relaxer_.moves),
-      mesh_(mesh) {
+      mesh_(straight(problem_, mesh)) {
   fix_at_joints(problem_);
 }
 
@@ -54,9 +62,15 @@ const QuadMesh& CountRelaxer::moved(std::vector<Vec2> counts) {
   relaxer_.moves = kept_;
   relaxer_.set_counts(std::move(counts));
   relaxer_.run();
-  mesh_.nodes = problem_.follow.nodes(relaxer_.moves);
+  mesh_.nodes = relaxer_.energy.positions(relaxer_.moves);
   for (int elem = 0; elem < mesh_.num_elems(); ++elem) mesh_.elem_scaled_jacobian[elem] = corner_jacobian(mesh_, elem);
   return mesh_;
+}
+
+mesh::Resolution CountRelaxer::resolution(const std::vector<Vec2>& greatest_lengths) const {
+  std::vector<double> lengths;
+  for (int elem = 0; elem < mesh_.num_elems(); ++elem) lengths.push_back(mesh::resolution_length(mesh_, elem));
+  return mesh::resolution(mesh_, greatest_lengths, relaxer_.energy.powers(lengths));
 }
 
 }  // namespace quadrille::refine

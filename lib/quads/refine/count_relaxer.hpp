@@ -14,12 +14,15 @@ class CountRelaxer {
   /// `mesh`: relaxed, its edges inside shaped. Its vertices at joints that vertices may slide off stay.
   CountRelaxer(const QuadMesh& mesh, SizeRelaxation options);
 
-  /// The mesh with its vertices moved, from where they were kept last. `counts`, by element: k and l. Of scaled
-  /// Jacobians it has those at corners, as if elements had straight sides.
+  /// The mesh with its vertices moved, from where they were kept last, and straight sides: of order 1. `counts`, by
+  /// element: k and l. Of scaled Jacobians it has those at corners.
   const QuadMesh& moved(std::vector<Vec2> counts);
   const QuadMesh& mesh() const { return mesh_; }
+  /// Of the mesh that was moved last; sides on curves are curved.
+  mesh::Resolution resolution(const std::vector<Vec2>& greatest_lengths) const;
   /// Vertices begin the next move where the last one ended.
   void keep() { kept_ = relaxer_.moves; }
+  PlacedVertices kept() const { return {problem_, kept_}; }
 
  private:
   const SizeRelaxation options_;

@@ -21,7 +21,6 @@
 namespace quadrille::refine {
 namespace {
 
-constexpr double good_resolution = 1.5;   ///< a quarter more error than equal squares at most
 constexpr int max_rounds = 2;             ///< meshes that are made
 constexpr double worthwhile = 0.95;       ///< of the resolution ratio: less is not worth another round
 constexpr int max_moved = 60'000;         ///< elements of all counts that are tried in a round
@@ -35,8 +34,8 @@ double shape_cost(double before, double after) {
   return shape_weight * std::max(0.0, std::log(std::min(0.95 * before, 0.7) / std::max(after, tolerance::tied)));
 }
 
-mesh::Resolution resolution_of(const SplitRequest& request, const QuadMesh& mesh) {
-  return mesh::resolution(mesh, sizing::ring_lengths(mesh, request.rings));
+double resolution_ratio(const SplitRequest& request, const QuadMesh& mesh) {
+  return mesh::resolution(mesh, sizing::ring_lengths(mesh, request.rings)).ratio;
 }
 
 /// The counts that chords get where others are asked for, found by dividing their arcs; those of the mesh stay.
@@ -90,7 +89,10 @@ class AchievedCounts {
 class CountTrials {
  public:
   CountTrials(const SplitRequest& request, const SplitMesh& split, const std::vector<int>& counts)
-      : request_(request), counts_(counts), relaxer_(split.mesh, size_relaxation(request, split)) {}
+      : request_(request),
+        counts_(counts),
+        ring_lengths_(sizing::ring_lengths(split.mesh, request.rings)),
+        relaxer_(split.mesh, size_relaxation(request, split)) {}
 
   struct Trial {
     sizing::ErrorParts of;
@@ -99,10 +101,12 @@ class CountTrials {
   Trial at(const std::vector<int>& counts);
   /// The next ones begin from there.
   void keep() { relaxer_.keep(); }
+  PlacedVertices kept() const { return relaxer_.kept(); }
 
  private:
   const SplitRequest& request_;
   std::vector<int> counts_;  ///< of the mesh
+  std::vector<Vec2> ring_lengths_;
   CountRelaxer relaxer_;
   double first_jacobian_ = 0;  ///< least scaled Jacobian of the first trial
 };
@@ -118,7 +122,7 @@ CountTrials::Trial CountTrials::at(const std::vector<int>& counts) {
     factors.push_back({factor(0), factor(1)});
   }
   const QuadMesh& mesh = relaxer_.moved(factors);
-  mesh::Resolution resolution = resolution_of(request_, mesh);
+  mesh::Resolution resolution = relaxer_.resolution(ring_lengths_);
   double sum = 0;
   for (std::size_t elem = 0; elem < factors.size(); ++elem) {
     auto& [along_s, along_t] = resolution.parts[elem];
@@ -168,6 +172,8 @@ class CountSearch {
 
   /// What chords that get another count are asked for.
   std::vector<sizing::ChordCount> best();
+  /// With the best counts.
+  PlacedVertices vertices() const { return trials_.kept(); }
 
  private:
   /// Of a chord, and its direction.
@@ -233,15 +239,13 @@ void CountSearch::descend(double part) {
   }
 }
 
-/// The same mesh with other counts, placed; no value if it would have too many elements.
+/// The same mesh with other counts; no value if it would have too many elements.
 std::optional<SplitMesh> split_again(const SplitRequest& request, const SplitMesh& split,
                                      const std::vector<sizing::ChordCount>& counts) {
   SplitSettings settings = split.settings;
   settings.counts.insert(settings.counts.end(), counts.begin(), counts.end());
   try {
     SplitMesh next = refine::split(request, settings, &split);
-    place_vertices(request, next);
-    set_prescribed_lengths(request, next);
     next.settings.counts = split.settings.counts;
     return next;
   } catch (const sizing::TooManyElements&) {
@@ -249,39 +253,77 @@ std::optional<SplitMesh> split_again(const SplitRequest& request, const SplitMes
   }
 }
 
+SplitMesh nearly_placed(const SplitRequest& request, SplitMesh mesh) {
+  place_vertices(request, mesh, coarse_progress);
+  set_prescribed_lengths(request, mesh);
+  return mesh;
+}
+
+/// Whether `next` exceeds anything more than `split`.
+bool exceeds_more(const SplitMesh& next, const SplitMesh& split) {
+  const mesh::MeshScore &before = split.score, &after = next.score;
+  return joints_inside_edges(next.mesh).size() > joints_inside_edges(split.mesh).size() ||
+         after.unproved > before.unproved || mesh::exceeds(after.distance, before.distance) ||
+         mesh::exceeds(after.elongation, before.elongation) || after.growth > before.growth;
+}
+
 /// `resolution`: the ratio of `next` over that of `split`.
 bool is_better(const SplitMesh& next, const SplitMesh& split, double resolution) {
-  const mesh::MeshScore &before = split.score, &after = next.score;
   const double shape = shape_cost(least_scaled_jacobian(split.mesh), least_scaled_jacobian(next.mesh));
-  return joints_inside_edges(next.mesh).size() <= joints_inside_edges(split.mesh).size() &&
-         after.unproved <= before.unproved && !mesh::exceeds(after.distance, before.distance) &&
-         !mesh::exceeds(after.elongation, before.elongation) && after.growth <= before.growth &&
-         std::log(resolution) + after.skewness - before.skewness + shape < 0;
+  return !exceeds_more(next, split) && std::log(resolution) + next.score.skewness - split.score.skewness + shape < 0;
+}
+
+/// A mesh, and the same with its vertices nearly in place.
+struct Draft {
+  Draft(const SplitRequest& request, SplitMesh mesh)
+      : unplaced(std::move(mesh)), near(nearly_placed(request, unplaced)) {}
+
+  SplitMesh unplaced, near;
+};
+
+/// With better counts than the first ones, if there are any.
+std::optional<Draft> better_draft(const SplitRequest& request, const Draft& first) {
+  std::optional<Draft> best;
+  double num_elems = 0;  // of the first mesh, that sizes and breaks mean
+  std::vector<sizing::ChordCount> counts;
+  double ratio = resolution_ratio(request, first.near.mesh);
+  for (int round = 0; round < max_rounds && ratio > request.options.good_resolution; ++round) {
+    const Draft& now = best ? *best : first;
+    CountSearch search(request, now.near, num_elems);
+    num_elems = search.num_elems();
+    const std::vector<sizing::ChordCount> changed = search.best();
+    if (changed.empty()) break;
+    for (const sizing::ChordCount& change : changed) {
+      std::erase_if(counts, [&](const sizing::ChordCount& c) { return c.chord == change.chord; });
+      counts.push_back(change);
+    }
+    std::optional<SplitMesh> mesh = split_again(request, now.unplaced, counts);
+    if (!mesh) break;
+    mesh->vertices = search.vertices();
+    Draft next(request, std::move(*mesh));
+    const double factor = resolution_ratio(request, next.near.mesh) / ratio;
+    if (!is_better(next.near, now.near, factor)) break;
+    best = std::move(next);
+    ratio *= factor;
+    if (factor > worthwhile) break;
+  }
+  return best;
 }
 
 }  // namespace
 
 void lower_error(const SplitRequest& request, SplitMesh& result) {
-  double num_elems = 0;  // of the first mesh, that sizes and breaks mean
-  std::vector<sizing::ChordCount> counts;
-  double ratio = resolution_of(request, result.mesh).ratio;
-  for (int round = 0; round < max_rounds && ratio > good_resolution; ++round) {
-    CountSearch search(request, result, num_elems);
-    num_elems = search.num_elems();
-    const std::vector<sizing::ChordCount> changed = search.best();
-    if (changed.empty()) return;
-    for (const sizing::ChordCount& change : changed) {
-      std::erase_if(counts, [&](const sizing::ChordCount& c) { return c.chord == change.chord; });
-      counts.push_back(change);
-    }
-    std::optional<SplitMesh> next = split_again(request, result, counts);
-    if (!next) return;
-    const double factor = resolution_of(request, next->mesh).ratio / ratio;
-    if (!is_better(*next, result, factor)) return;
-    result = std::move(*next);
-    ratio *= factor;
-    if (factor > worthwhile) return;
+  Draft first(request, std::move(result));
+  const auto placed = [&](SplitMesh near) {
+    place_further(request, near, request.options.least_progress);
+    set_prescribed_lengths(request, near);
+    return near;
+  };
+  if (std::optional<Draft> better = better_draft(request, first)) {
+    result = placed(std::move(better->near));
+    if (!exceeds_more(result, first.near)) return;
   }
+  result = placed(std::move(first.near));
 }
 
 }  // namespace quadrille::refine

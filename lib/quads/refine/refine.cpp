@@ -106,9 +106,12 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts,
                                                    layered, options.end_gradings, options.end_growth);
   SplitMesh split = best_split(request).split;
-  place_vertices(request, split);
-  set_prescribed_lengths(request, split);
-  if (options.size_rule == sizing::SizeRule::error && options.blocks.empty()) lower_error(request, split);
+  if (options.size_rule == sizing::SizeRule::error && options.blocks.empty()) {
+    lower_error(request, split);
+  } else {
+    place_vertices(request, split, options.least_progress);
+    set_prescribed_lengths(request, split);
+  }
   warn_of_joints(split.mesh, report);
   refine_nested(split.mesh, options, report);
   report_split(request, split);

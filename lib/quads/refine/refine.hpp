@@ -18,8 +18,8 @@
 //      (refine/best_split).
 //   5. Place its vertices better: straight lines along walls, corrected lines, relaxation (refine/best_split); make
 //      edges inside straight where elements allow it (refine/inner_edges).
-//   6. By the size rule `error`, move elements from chord to chord, as long as 3 to 5 then make a mesh of less error
-//      (refine/lower_error).
+//   6. By the size rule `error`, move elements from chord to chord, as long as 3 to 5 then make a mesh of less error,
+//      with vertices nearly in place until counts are settled (refine/lower_error).
 //   7. Split every element into equal parts of its own map (mesh/nested_quads).
 //   8. Report, and refuse a mesh that is not valid or misses a prescribed quality (refine/validity).
 

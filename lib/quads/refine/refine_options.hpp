@@ -41,6 +41,10 @@ enum class Rings {
 };
 constexpr auto enum_names(Rings) { return std::to_array({"auto", "none"}); }
 
+/// The least progress of a sweep, of the energy, where vertices are put in place, and where they only have to be near
+/// that: the resolution ratio is then true to about 1 %.
+inline constexpr double fine_progress = 1e-5, coarse_progress = 1e-3;
+
 struct RefineOptions {
   double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
   int order = 4;               ///< shape order N, 1..20
@@ -49,6 +53,7 @@ struct RefineOptions {
   std::optional<sizing::SizeField> size_field =
       {};  ///< prescribed edge lengths, in place of `size` (sizing/make_size_field)
   sizing::SizeRule size_rule = sizing::SizeRule::error;
+  double good_resolution = 1.5;  ///< no counts are sought that lower the error if the resolution ratio is not above it
   std::vector<sizing::ChordCount> counts = {};  ///< prescribed counts of single chords, in place of their sizes
   std::vector<prescribe::BoundaryCount> boundary_counts = {};  ///< and along boundaries (prescribe/boundary_counts)
   std::vector<prescribe::EndGrading> end_gradings = {};  ///< lengths at the ends of boundaries (prescribe/end_grading)
@@ -68,6 +73,7 @@ struct RefineOptions {
   Relax relax = Relax::size;
   Rings rings = Rings::automatic;
   int relax_sweeps = 200;  ///< greatest number, 0..1000
+  double least_progress = fine_progress;
   std::vector<std::string> symmetry =
       {};                 ///< patterns of the names of curves at lines of symmetry (sizing/halved_blocks)
   int levels = 0;         ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10

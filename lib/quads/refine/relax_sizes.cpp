@@ -153,44 +153,65 @@ void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, con
   mesh = shaped;
 }
 
-/// `result`: the mesh with its edges inside shaped. Returns whether it is relaxed; with joints that vertices slide off,
-/// it may be impossible to have vertices at all of them again.
-bool relax_vertices(const QuadMesh& mesh, const SizeRelaxation& options, SlidesOff slides_off, SizeRelaxed& result) {
-  const QuadMesh shaped = result.mesh;
-  RelaxProblem problem(mesh, options.frozen_elems, slides_off);
-  SizeRelaxer relaxer(problem, shaped, options);
-  if (!std::isfinite(relaxer.value)) return true;
-  const double num_free = std::max(1.0, static_cast<double>(mesh.num_elems()));
-  SizeRelaxed relaxed{shaped, 0, relaxer.value / num_free};
-  const bool passes_joints = !problem.boundary.free_joints().empty();
-  if (passes_joints) {
-    relax_across_joints(options, problem, relaxer);
-    if (!relaxer.hold_joints(problem)) return relaxer.is_exhausted();
-  }
-  for (int round = 0; round <= size_constants.rounds; ++round) {
-    if (!relax_within_tolerance(options, problem, relaxer)) return relaxer.is_exhausted();
-    relaxed.mesh = moved_mesh(problem, options, relaxer.moves);
-    if (round == 0) relaxed.energy_after = relaxer.value / num_free;
-    const bool is_last = round == size_constants.rounds || relaxer.is_exhausted();
+}  // namespace
+
+VertexRelaxation::VertexRelaxation(const QuadMesh& mesh, const QuadMesh& shaped, const SizeRelaxation& options,
+                                   SlidesOff slides_off)
+    : options_(options),
+      shaped_(shaped),
+      problem_(mesh, options_.frozen_elems, slides_off),
+      relaxer_(problem_, shaped_, options_),
+      passes_joints_(!problem_.boundary.free_joints().empty()),
+      energy_before_(relaxer_.value / std::max(1, mesh.num_elems())) {}
+
+bool VertexRelaxation::begin() {
+  is_begun_ = true;
+  if (options_.start) relaxer_.begin_at(*options_.start);
+  // What edges and elements need is settled while vertices are nearly in place; at last they are put there.
+  relaxer_.least_progress = coarse_progress;
+  if (!passes_joints_) return true;
+  relax_across_joints(options_, problem_, relaxer_);
+  return relaxer_.hold_joints(problem_);
+}
+
+bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
+  if (!std::isfinite(energy_before_)) return true;
+  if (is_begun_)
+    relaxer_.least_progress = std::min(relaxer_.least_progress, least_progress);
+  else if (!begin())
+    return relaxer_.is_exhausted();
+  SizeRelaxed relaxed{shaped_, 0, energy_before_};
+  while (true) {
+    if (!relax_within_tolerance(options_, problem_, relaxer_)) return relaxer_.is_exhausted();
+    relaxed.mesh = moved_mesh(problem_, options_, relaxer_.moves);
+    if (round_ == 0) energy_after_ = relaxer_.value / std::max(1, shaped_.num_elems());
+    const bool is_last = round_ == size_constants.rounds || relaxer_.is_exhausted();
     const double good =
-        is_last && passes_joints ? size_constants.fair_scaled_jacobian : size_constants.good_scaled_jacobian;
-    const std::vector<bool> is_skew = skew_elements(options, shaped, relaxed.mesh, relaxer.energy, good);
-    if (std::ranges::count(is_skew, true) == 0) break;
-    if (is_last && passes_joints) return relaxer.is_exhausted();
+        is_last && passes_joints_ ? size_constants.fair_scaled_jacobian : size_constants.good_scaled_jacobian;
+    const std::vector<bool> is_skew = skew_elements(options_, shaped_, relaxed.mesh, relaxer_.energy, good);
+    const bool is_any_skew = std::ranges::count(is_skew, true) > 0;
+    const double needed = is_any_skew ? std::min(fine_progress, least_progress) : least_progress;
+    if (relaxer_.least_progress > needed) {
+      relaxer_.least_progress = needed;
+      continue;
+    }
+    if (!is_any_skew) break;
+    if (is_last && passes_joints_) return relaxer_.is_exhausted();
     if (is_last) {
-      halve_moves(problem, options, shaped, relaxer, relaxed.mesh);
+      halve_moves(problem_, options_, shaped_, relaxer_, relaxed.mesh);
       break;
     }
     for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
-      if (is_skew[elem]) relaxer.energy.shape_weights[elem] *= size_constants.heavier;
+      if (is_skew[elem]) relaxer_.energy.shape_weights[elem] *= size_constants.heavier;
+    ++round_;
   }
-  relaxed.sweeps = relaxer.num_sweeps;
-  for (const Vec2 move : relaxer.moves) relaxed.largest_move = std::max(relaxed.largest_move, norm(move));
+  relaxed.energy_after = energy_after_;
+  relaxed.sweeps = relaxer_.num_sweeps;
+  for (const Vec2 move : relaxer_.moves) relaxed.largest_move = std::max(relaxed.largest_move, norm(move));
+  relaxed.relaxation = std::move(result.relaxation);
   result = std::move(relaxed);
   return true;
 }
-
-}  // namespace
 
 void report_relaxation(Report& report, const QuadMesh& before, const SizeRelaxed& relaxed) {
   report.set("relax.least_scaled_jacobian_before", least_scaled_jacobian(before));
@@ -205,9 +226,11 @@ SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) 
   SizeRelaxed result{mesh};
   shape_inner_edges(result.mesh, options.inner_edges, options.kept_elems);
   if (!result.mesh.is_valid) return result;
-  if (options.slides_off == SlidesOff::joints && relax_vertices(mesh, options, SlidesOff::joints, result))
-    return result;
-  relax_vertices(mesh, options, SlidesOff::breaks, result);
+  for (const SlidesOff slides_off : {SlidesOff::joints, SlidesOff::breaks}) {
+    if (slides_off == SlidesOff::joints && options.slides_off == SlidesOff::breaks) continue;
+    result.relaxation = std::make_shared<VertexRelaxation>(mesh, result.mesh, options, slides_off);
+    if (result.relaxation->run(options.least_progress, result)) break;
+  }
   return result;
 }
 

@@ -10,16 +10,54 @@
 // slide across smooth joints of curves without given names; then the nearest ones are put at these
 // (refine/joint_vertices).
 
+#include <memory>
+
 #include "base/report.hpp"
 #include "refine/size_relaxer.hpp"
 
 namespace quadrille::refine {
 
+class VertexRelaxation;
+
 struct SizeRelaxed {
   QuadMesh mesh;   ///< measured (refine/validity), its edges inside shaped (refine/inner_edges)
   int sweeps = 0;  ///< steps that were made
-  double energy_before = 0, energy_after = 0;  ///< means per element that may move
-  double largest_move = 0;                     ///< of a vertex, a length
+  double energy_before = 0, energy_after = 0;         ///< means per element that may move
+  double largest_move = 0;                            ///< of a vertex, a length
+  std::shared_ptr<VertexRelaxation> relaxation = {};  ///< by which it may be relaxed further
+};
+
+/// Vertices on their way to the least energy.
+class VertexRelaxation {
+ public:
+  /// `mesh`: measured, its edges inside as the blocks are; `shaped`: with these shaped.
+  VertexRelaxation(const QuadMesh& mesh, const QuadMesh& shaped, const SizeRelaxation& options, SlidesOff slides_off);
+  VertexRelaxation(const VertexRelaxation&) = delete;
+  VertexRelaxation& operator=(const VertexRelaxation&) = delete;
+
+  /// Relaxes until sweeps lower the energy by less than a part of it. Returns false if edges or elements cannot be as
+  /// they must: with joints that vertices slide off, it may be impossible to have vertices at all of them again.
+  /// `result` is kept then, and where the work was too much.
+  bool run(double least_progress, SizeRelaxed& result);
+  /// Lowers the tolerance of the boundary for the next runs.
+  void tighten(double factor) { options_.tolerance *= factor; }
+  /// Of the last run.
+  double least_progress() const { return relaxer_.least_progress; }
+  /// The mesh before.
+  const QuadMesh& before() const { return problem_.start; }
+
+ private:
+  bool begin();
+
+  SizeRelaxation options_;
+  const QuadMesh shaped_;
+  RelaxProblem problem_;
+  SizeRelaxer relaxer_;
+  const bool passes_joints_;
+  const double energy_before_;
+  double energy_after_ = 0;
+  bool is_begun_ = false;
+  int round_ = 0;  ///< of heavier weights
 };
 
 /// `mesh`: measured, its edges inside as the blocks are.

@@ -45,6 +45,7 @@ std::vector<Vec2> element_lengths(const QuadMesh& mesh) {
 SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options)
     : energy(problem, shaped),
       moves(problem.num_vertices()),
+      least_progress(options.least_progress),
       problem_(problem),
       options_(options),
       held_(moves),
@@ -56,6 +57,11 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
     for (double& weight : energy.shape_weights) weight *= step_constants.shape_first;
   set_sizes();
   value = energy.value(moves);
+}
+
+void SizeRelaxer::begin_at(const PlacedVertices& start) {
+  moves = start.moves(problem_);
+  if (!std::isfinite(energy.value(moves))) moves = held_;
 }
 
 void SizeRelaxer::set_sizes() {
@@ -193,7 +199,7 @@ void SizeRelaxer::run() {
     }
     ++num_sweeps;
     const double progress = (before - at.value) / before;
-    slow = progress < options_.least_progress ? slow + 1 : 0;
+    slow = progress < least_progress ? slow + 1 : 0;
     if (is_first || progress <= step_constants.far_progress) continue;
     inverse_.forget();
     kept = step_constants.factors_kept - 1;

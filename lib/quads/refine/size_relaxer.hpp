@@ -9,6 +9,8 @@
 
 #include "refine/inner_edges.hpp"
 #include "refine/inverse_hessian.hpp"
+#include "refine/placed_vertices.hpp"
+#include "refine/refine_options.hpp"
 #include "refine/size_energy.hpp"
 #include "refine/vertex_symmetry.hpp"
 #include "sizing/size_field.hpp"
@@ -30,7 +32,9 @@ struct SizeRelaxation {
   /// Elements, each as often as it is moved: some seconds. Where that is not enough to keep the tolerance, no
   /// vertex is moved.
   double most_work = 1e7;
-  double least_progress = 1e-5;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
+  const PlacedVertices* start = nullptr;  ///< where vertices begin, if that is possible; null: as they are
+  double least_progress =
+      fine_progress;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
 };
 
 /// Moves vertices to the least energy.
@@ -38,6 +42,8 @@ class SizeRelaxer {
  public:
   /// `problem` and `options` must outlive it; `shaped`: the mesh with its edges inside shaped.
   SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, const SizeRelaxation& options);
+  /// Vertices begin there, if the energy is finite.
+  void begin_at(const PlacedVertices& start);
   /// Relaxes until the energy hardly falls.
   void run();
   /// Puts vertices at the joints that they may slide off (refine/joint_vertices), and fixes them. Returns whether that
@@ -56,6 +62,7 @@ class SizeRelaxer {
 
   SizeEnergy energy;
   VertexMoves moves;
+  double least_progress;  ///< of the next runs; at first that of the options
   double value = 0;
   int num_sweeps = 0;
 

@@ -128,6 +128,7 @@ std::vector<bool> elements_on_layered_chords(const BlockLayout& blocks, const Sp
 
 void set_prescribed_lengths(const SplitRequest& request, SplitMesh& split) {
   QuadMesh& mesh = split.mesh;
+  mesh.elem_prescribed_length.clear();
   const std::vector<bool> is_layered = elements_on_layered_chords(request.equal.blocks(), split);
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     Vec2 sum;

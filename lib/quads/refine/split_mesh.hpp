@@ -1,6 +1,7 @@
 #pragma once
 // One attempt at a mesh: the counts and divisions of all arcs, layers and lines, and the measured elements.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,11 +11,14 @@
 #include "mesh/mesh_score.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/length_limits.hpp"
+#include "refine/placed_vertices.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/curve_sizes.hpp"
 #include "sizing/hole_rings.hpp"
 
 namespace quadrille::refine {
+
+class VertexRelaxation;
 
 /// The data that all attempts have in common.
 struct SplitRequest {
@@ -50,6 +54,8 @@ struct SplitMesh {
   QuadMesh mesh = {};
   mesh::BoundaryDistance distance = {};
   mesh::MeshScore score = {};
+  std::optional<PlacedVertices> vertices = {};        ///< where vertices begin, if known
+  std::shared_ptr<VertexRelaxation> relaxation = {};  ///< by which vertices were moved
 };
 
 /// The settings that the options prescribe.

@@ -49,6 +49,28 @@ TEST(RelaxSizes, UnevenLinesBecomeEven) {
   EXPECT_TRUE(relaxed.mesh.is_valid);
 }
 
+TEST(RelaxSizes, VerticesNearlyInPlaceAreRelaxedFurther) {
+  const sizing::SizeField sizes(0.25);
+  const QuadMesh mesh = uneven_square(3);
+  const SizeRelaxed fine = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+  SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3, .least_progress = coarse_progress});
+  EXPECT_LT(relaxed.sweeps, fine.sweeps);
+  EXPECT_EQ(relaxed.relaxation->before().nodes, mesh.nodes);
+  ASSERT_TRUE(relaxed.relaxation->run(fine_progress, relaxed));
+  EXPECT_EQ(relaxed.sweeps, fine.sweeps);
+  EXPECT_EQ(relaxed.mesh.nodes, fine.mesh.nodes);
+}
+
+TEST(RelaxSizes, VerticesMayBeginInPlace) {
+  const sizing::SizeField sizes(0.25);
+  const QuadMesh mesh = uneven_square(3), even = mesh_of(hand_made::unit_square(), 0.25, 3);
+  const RelaxProblem problem(even, {});
+  const PlacedVertices start(problem, VertexMoves(problem.num_vertices()));
+  const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3, .start = &start});
+  EXPECT_LT(relaxed.sweeps, relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3}).sweeps);
+  EXPECT_NEAR(relaxed.energy_after, 3, 1e-6);
+}
+
 TEST(RelaxSizes, VeryThinElementsBecomeEvenInAFewSteps) {
   QuadMesh mesh = mesh_of(hand_made::unit_square(), 1.0 / 24, 1);
   for (Vec2& x : mesh.nodes) x = {std::pow(x.x, 5), std::pow(x.y, 3)};  // the thinnest are 1 : 1e6
