@@ -108,21 +108,23 @@ std::array<bool, 4> faults_of(const io::LayoutTrial& trial) {
 
 bool has_faults(const io::LayoutTrial& trial) { return faults_of(trial) != std::array{false, false, false, false}; }
 
-/// In a far field sizes grow with the distance from the body while the number of elements around it stays: there a
-/// resolution ratio above 2 is no reason for other nodes.
-bool is_good(const io::LayoutTrial& trial, bool is_in_far_field) {
-  return !has_faults(trial) && (is_in_far_field || trial.resolution <= trial_limits.resolution);
-}
-
 bool is_better(const io::LayoutTrial& a, const io::LayoutTrial& b) {
   const auto faults_a = faults_of(a), faults_b = faults_of(b);
   return faults_a != faults_b ? faults_a < faults_b : a.resolution < trial_limits.gain * b.resolution;
 }
 
-stage::QuadrefineOptions trial_options(const ChainState& chain, sizing::SizeRule rule) {
+/// In a far field sizes grow with the distance from the body while the number of elements around it stays: there a
+/// resolution ratio above 2 is no reason for other nodes.
+double good_resolution(const CadFace& face) {
+  return has_far_field(face) ? trial_limits.poor_resolution : trial_limits.resolution;
+}
+
+/// `good`: the resolution ratio above which counts are sought that lower the error.
+stage::QuadrefineOptions trial_options(const ChainState& chain, double good) {
   stage::QuadrefineOptions options;
   options.refine.order = 2;
-  options.refine.size_rule = rule;
+  options.refine.good_resolution = good;
+  options.refine.least_progress = refine::coarse_progress;
   options.refine.allow_invalid = true;
   options.refine.rings = refine::Rings::none;  // they lower another error than the one that is compared
   options.relax = "size";
@@ -131,12 +133,16 @@ stage::QuadrefineOptions trial_options(const ChainState& chain, sizing::SizeRule
 }
 
 /// Makes a trial mesh and appends its figures to chain.trials. Returns false if there is no mesh.
-bool try_mesh(ChainState& chain, NodeFiles& files, sizing::SizeRule rule, const std::string& options) {
+bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options,
+              double good = refine::RefineOptions().good_resolution) {
+  const std::string last = chain.last;
   StageFile<QuadMesh> mesh(chain.runner.scratch() + "/trial.quad.h5");
   const auto quads = [&](Run& run) {
-    return stage::quadrefine(files.blocks.input(), {}, trial_options(chain, rule), run);
+    return stage::quadrefine(files.blocks.input(), {}, trial_options(chain, good), run);
   };
-  if (!make_file(chain, {ChainStage::quadrefine}, mesh, quads, files.blocks)) return false;
+  const bool is_made = make_file(chain, {ChainStage::quadrefine}, mesh, quads, files.blocks);
+  chain.last = last;
+  if (!is_made) return false;
   const io::StageReport& report = chain.runner.reports().back();
   const auto number = [&](const char* key) { return std::stod(io::value_of(report, key).value_or("0")); };
   chain.trials.push_back({options, io::value_of(report, "valid") == "true", number("greatest_edge_ratio.value"),
@@ -183,8 +189,8 @@ bool try_nodes(ChainState& chain, const Remedy& remedy, std::size_t first_replac
   const std::size_t first_run = chain.runner.reports().size();
   NodeFiles files(chain.files.stem + ".remedy");
   if (make_nodes(chain, files, remedy) && !are_same_nodes(files.nodes.model(), chain.files.of_nodes.nodes.model()) &&
-      make_layout(chain, files) && make_blocks(chain, files) &&
-      try_mesh(chain, files, sizing::SizeRule::error, options_text(remedy)) && is_better(chain.trials.back(), best)) {
+      make_layout(chain, files) && make_blocks(chain, files) && try_mesh(chain, files, options_text(remedy)) &&
+      is_better(chain.trials.back(), best)) {
     if (chain.options.is_verbose) inform(chain, fmt::format("{} makes a better mesh", options_text(remedy)));
     take_remedy(chain, files, remedy, first_replaced, first_run);
     return true;
@@ -196,11 +202,14 @@ bool try_nodes(ChainState& chain, const Remedy& remedy, std::size_t first_replac
 
 void try_nodes_of_poor_mesh(ChainState& chain, std::size_t first_replaced) {
   NodeFiles& usual = chain.files.of_nodes;
-  const bool is_in_far_field = has_far_field(usual.nodes.model().face);
-  // Counts by the error take longer, and are needed for poor meshes alone.
-  if (!try_mesh(chain, usual, sizing::SizeRule::nearest, {}) || is_good(chain.trials.back(), is_in_far_field)) return;
-  chain.trials.pop_back();
-  if (!try_mesh(chain, usual, sizing::SizeRule::error, {}) || is_good(chain.trials.back(), is_in_far_field)) return;
+  const double good = good_resolution(usual.nodes.model().face);
+  if (!try_mesh(chain, usual, {}, good)) return;
+  if (chain.trials.back().resolution <= good) {
+    if (!has_faults(chain.trials.back())) return;
+    // Other counts may be without them.
+    chain.trials.pop_back();
+    if (!try_mesh(chain, usual, {}) || !has_faults(chain.trials.back())) return;
+  }
   io::LayoutTrial best = chain.trials.back();
   const std::vector<Remedy> remedies = other_nodes(chain);
   for (std::size_t r = 0; r < remedies.size() && (r == 0 || has_faults(best)); ++r) {
