@@ -94,6 +94,13 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert [ "$(jq .blocks keep.json)" -gt "$(jq .blocks fine.json)" ]
 }
 
+@test "a run that ends with the blocks tries the same nodes as a whole one" {
+  run -0 "$quadmesh" -q "$DATA/eccentric_annulus.step" --workdir whole -o out.msh
+  run -0 "$quadmesh" -q "$DATA/eccentric_annulus.step" --workdir part --until blocksplit --report report.json
+  cmp whole/eccentric_annulus.blocks.h5 part/eccentric_annulus.blocks.h5
+  assert_equal "$(jq -r .remedy report.json)" "critpoints --place energy"
+}
+
 @test "-v prints the share of each stage" {
   run -0 "$quadmesh" -v "$DATA/square.step" -o out.msh
   assert_equal "${#lines[@]}" 10

@@ -64,7 +64,8 @@ std::vector<std::string> chosen_words(const ChainState& chain, ChainStage stage)
 
 bool run_stage(ChainState& chain, StageTask task) {
   const ChainStage position = task.is_of_phase ? ChainStage::separatrix : task.stage;
-  if (!chain.is_due(position)) {
+  const bool is_trial_mesh = chain.prefix == prefix_of_trials && position == ChainStage::quadrefine;
+  if (!chain.is_due(position) && !is_trial_mesh) {
     if (!is_before(chain.options.last, position)) chain.last = task.output;
     return true;
   }
