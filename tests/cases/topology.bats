@@ -53,6 +53,30 @@ setup() {
   done
 }
 
+# naca4412 DIGITS: coordinates in Selig's format, with so many decimals.
+naca4412() {
+  awk -v n=60 -v digits="$1" '
+    function line(k, side, x, y, c, a) {
+      x = (1 + cos(atan2(0, -1) * k / n)) / 2
+      y = side * 0.6 * (0.2969 * sqrt(x) - 0.126 * x - 0.3516 * x^2 + 0.2843 * x^3 - 0.1036 * x^4)
+      c = x < 0.4 ? 0.25 * (0.8 * x - x^2) : (0.2 + 0.8 * x - x^2) / 9
+      a = atan2(x < 0.4 ? 0.25 * (0.8 - 2 * x) : (0.8 - 2 * x) / 9, 1)
+      printf "%." digits "f %." digits "f\n", x - y * sin(a), c + y * cos(a)
+    }
+    BEGIN {
+      print "NACA 4412"
+      for (k = 0; k <= n; ++k) line(k, 1)
+      for (k = n - 1; k >= 0; --k) line(k, -1)
+    }'
+}
+
+@test "no element around a cambered aerofoil in a box is skew, whatever the last digits are" {
+  for digits in 6 7; do
+    naca4412 $digits >cambered.dat
+    grid cambered '.valid and .least_scaled_jacobian > 0.53 and .greatest_edge_ratio.value < 10' --farfield box:20
+  done
+}
+
 @test "--nodes field and --topology none keep the nodes of the field in the same far field" {
   for rule in '--nodes field' '--topology none'; do
     # shellcheck disable=SC2086 # words

@@ -16,11 +16,15 @@ namespace {
 struct SizeConstants {
   int shortenings = 12;   ///< of edges that miss the tolerance of the boundary
   double shorter = 0.95;  ///< than the length at which the distance would be the tolerance
+  int smooth_rounds = 4;  ///< of shortenings, after which curves may have breaks
+  double much_shorter = 0.6;
   double heavier = 3;     ///< the weight of the shape of elements that became too skew, over the one before
   int rounds = 6;         ///< of heavier weights
   int move_halvings = 4;  ///< of all moves, if elements are too skew all the same
   double good_scaled_jacobian = 0.7, greatest_loss = 0.09;  ///< elements below both are too skew
   double fair_scaled_jacobian = 0.6;                        ///< if that cannot be had with vertices at joints
+  double own_scaled_jacobian = 0.5;                         ///< where other elements were worse before
+  double poor_scaled_jacobian = 0.3;                        ///< if elements were too long before
 };
 constexpr SizeConstants size_constants;
 
@@ -72,11 +76,15 @@ std::vector<EdgeError> rough_edges(const RelaxProblem& problem, const VertexMove
   return errors;
 }
 
-/// Makes the element at an edge that misses the tolerance shorter.
-void shorten(const EdgeError& rough, const RelaxProblem& problem, SizeRelaxer& relaxer) {
+/// Makes the element at an edge that misses the tolerance shorter, after a few rounds by much more: the error may fall
+/// only with the square of the length, as at a break of the curve, and other elements may hardly give way.
+void shorten(const EdgeError& rough, int round, const RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
-  relaxer.shorten(edge.elem, edge.side,
-                  size_constants.shorter * std::pow(rough.error, -1.0 / (problem.start.order + 1)));
+  const bool is_smooth = round < size_constants.smooth_rounds;
+  const double power = is_smooth ? problem.start.order + 1 : 2;
+  relaxer.shorten(
+      edge.elem, edge.side,
+      (is_smooth ? size_constants.shorter : size_constants.much_shorter) * std::pow(rough.error, -1 / power));
 }
 
 /// Makes an edge that misses the tolerance shorter, or fixes ends where they began: an end that left a break of its
@@ -92,7 +100,7 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRel
     problem.fix_vertex(v);
     is_any = true;
   }
-  if (!is_any) shorten(rough, problem, relaxer);
+  if (!is_any) shorten(rough, round, problem, relaxer);
   return is_any;
 }
 
@@ -123,30 +131,52 @@ void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& prob
     std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
     std::erase_if(rough, passes_joint);
     if (rough.empty() || relaxer.is_exhausted()) return;
-    for (const EdgeError& edge : rough) shorten(edge, problem, relaxer);
+    for (const EdgeError& edge : rough) shorten(edge, round, problem, relaxer);
     relaxer.run();
   }
 }
 
-/// By element that may move: whether it is more skew than it has to be, at most `good`, or not proved valid.
+/// Scaled Jacobians below which elements are too skew.
+struct SkewLimits {
+  double good = size_constants.good_scaled_jacobian;  ///< if all elements had at least 0.09 more before
+  double own = size_constants.own_scaled_jacobian;    ///< if the element itself had
+};
+
+/// What is enough in the end. Of two faults of a mesh, long elements are the worse one (mesh/mesh_score): a strip that
+/// starts at a short edge of the boundary becomes wider only by skew elements there.
+SkewLimits last_limits(const SizeRelaxation& options, const QuadMesh& before, bool passes_joints) {
+  const auto is_long = [&](double ratio) {
+    return options.greatest_edge_ratio > 0 && ratio > options.greatest_edge_ratio;
+  };
+  if (std::ranges::any_of(before.elem_edge_ratio, is_long)) return {size_constants.poor_scaled_jacobian, 0};
+  return {passes_joints ? size_constants.fair_scaled_jacobian : size_constants.good_scaled_jacobian, 0};
+}
+
+/// By element that may move: whether it is more skew than it has to be, or not proved valid.
 std::vector<bool> skew_elements(const SizeRelaxation& options, const QuadMesh& before, const QuadMesh& after,
-                                const SizeEnergy& energy, double good = size_constants.good_scaled_jacobian) {
+                                const SizeEnergy& energy, SkewLimits limits) {
   double least = least_scaled_jacobian(before);
-  if (!options.keeps_lengths) least = std::min(least - size_constants.greatest_loss, good);
+  if (options.keeps_lengths)
+    limits.own = 0;
+  else
+    least = std::min(least - size_constants.greatest_loss, limits.good);
   std::vector<bool> is_skew;
-  for (int elem = 0; elem < after.num_elems(); ++elem)
-    is_skew.push_back(energy.is_free(elem) && (after.elem_scaled_jacobian[elem] < least - tolerance::tied ||
-                                               !(after.elem_jacobian_bound[elem] > 0)));
+  for (int elem = 0; elem < after.num_elems(); ++elem) {
+    const double own = std::min(before.elem_scaled_jacobian[elem] - size_constants.greatest_loss, limits.own);
+    is_skew.push_back(energy.is_free(elem) &&
+                      (after.elem_scaled_jacobian[elem] < std::max(least, own) - tolerance::tied ||
+                       !(after.elem_jacobian_bound[elem] > 0)));
+  }
   return is_skew;
 }
 
 /// Halves all moves until no element is too skew; if none of them may be made, there are none.
 void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, const QuadMesh& shaped,
-                 SizeRelaxer& relaxer, QuadMesh& mesh) {
+                 const SkewLimits& limits, SizeRelaxer& relaxer, QuadMesh& mesh) {
   for (int halving = 0; halving < size_constants.move_halvings; ++halving) {
     for (Vec2& move : relaxer.moves) move *= 0.5;
     mesh = moved_mesh(problem, options, relaxer.moves);
-    if (std::ranges::count(skew_elements(options, shaped, mesh, relaxer.energy), true) == 0) return;
+    if (std::ranges::count(skew_elements(options, shaped, mesh, relaxer.energy, limits), true) == 0) return;
   }
   relaxer.moves.assign(relaxer.moves.size(), {});
   relaxer.num_sweeps = 0;
@@ -186,9 +216,8 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
     relaxed.mesh = moved_mesh(problem_, options_, relaxer_.moves);
     if (round_ == 0) energy_after_ = relaxer_.value / std::max(1, shaped_.num_elems());
     const bool is_last = round_ == size_constants.rounds || relaxer_.is_exhausted();
-    const double good =
-        is_last && passes_joints_ ? size_constants.fair_scaled_jacobian : size_constants.good_scaled_jacobian;
-    const std::vector<bool> is_skew = skew_elements(options_, shaped_, relaxed.mesh, relaxer_.energy, good);
+    const SkewLimits limits = is_last ? last_limits(options_, shaped_, passes_joints_) : SkewLimits{};
+    const std::vector<bool> is_skew = skew_elements(options_, shaped_, relaxed.mesh, relaxer_.energy, limits);
     const bool is_any_skew = std::ranges::count(is_skew, true) > 0;
     const double needed = is_any_skew ? std::min(fine_progress, least_progress) : least_progress;
     if (relaxer_.least_progress > needed) {
@@ -198,7 +227,7 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
     if (!is_any_skew) break;
     if (is_last && passes_joints_) return relaxer_.is_exhausted();
     if (is_last) {
-      halve_moves(problem_, options_, shaped_, relaxer_, relaxed.mesh);
+      halve_moves(problem_, options_, shaped_, limits, relaxer_, relaxed.mesh);
       break;
     }
     for (std::size_t elem = 0; elem < is_skew.size(); ++elem)

@@ -13,6 +13,7 @@ struct StepConstants {
   double longest_step =
       0.3;                ///< of the prescribed size, by which the ends of an edge move apart at most in a first step
   int first_sweeps = 60;  ///< with the diagonal blocks of the Hessian, that cost less
+  double far = 1000;      ///< energy of an element in the mean, 3 for squares, above which these sweeps end when slow
   int blocks_kept = 10;   ///< sweeps, after which sizes and blocks are those of the new positions
   /// Sweeps after which sizes and factors of the Hessian are, also after one that lowers the energy by more than a
   /// fraction.
@@ -180,20 +181,22 @@ EnergyDerivatives SizeRelaxer::begin(bool is_first) {
 
 void SizeRelaxer::run() {
   set_sizes();
-  int slow = 0, kept = 0;
+  int slow = 0, kept = 0, first_sweeps = step_constants.first_sweeps;
   EnergyDerivatives at = begin(true);
-  for (int sweep = 0; sweep < options_.sweeps && slow < step_constants.slow_sweeps && !is_exhausted();
-       ++sweep, ++kept) {
-    const bool is_first = sweep < step_constants.first_sweeps;
-    if (sweep == step_constants.first_sweeps) inverse_.forget();
-    if (kept == (is_first ? step_constants.blocks_kept : step_constants.factors_kept) ||
-        sweep == step_constants.first_sweeps) {
+  for (int sweep = 0; sweep < options_.sweeps && !is_exhausted(); ++sweep, ++kept) {
+    if (slow >= step_constants.slow_sweeps) {
+      if (sweep >= first_sweeps || at.value < step_constants.far * problem_.start.num_elems()) break;
+      first_sweeps = sweep, slow = 0;
+    }
+    const bool is_first = sweep < first_sweeps;
+    if (sweep == first_sweeps) inverse_.forget();
+    if (kept == (is_first ? step_constants.blocks_kept : step_constants.factors_kept) || sweep == first_sweeps) {
       if (!options_.sizes.is_uniform()) set_sizes();
       at = begin(is_first), kept = 0;
     }
     const double before = at.value;
     if (!step(at)) {
-      if (inverse_.is_plain()) break;
+      if (inverse_.is_plain()) slow = step_constants.slow_sweeps;
       inverse_.forget();
       continue;
     }

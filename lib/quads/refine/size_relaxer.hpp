@@ -1,8 +1,9 @@
 #pragma once
 // The iteration of relaxation to the prescribed sizes (refine/relax_sizes): a limited-memory quasi-Newton method
-// (Nocedal 1980) from the Hessian's diagonal blocks. Where it does not end within a few dozens of sweeps, because some
-// elements are much thinner than others, Newton's method while the energy falls much, then the quasi-Newton method from
-// the last Hessian. Directions are averaged over the symmetries of the face.
+// (Nocedal 1980) from the Hessian's diagonal blocks. Where it does not end within a few dozens of sweeps, or hardly
+// advances far from the least energy, because some elements are much thinner than others, Newton's method while the
+// energy falls much, then the quasi-Newton method from the last Hessian. Directions are averaged over the symmetries of
+// the face.
 
 #include <optional>
 #include <vector>
@@ -32,6 +33,7 @@ struct SizeRelaxation {
   /// Elements, each as often as it is moved: some seconds. Where that is not enough to keep the tolerance, no
   /// vertex is moved.
   double most_work = 1e7;
+  double greatest_edge_ratio = 0;  ///< to be rid of elements with a higher one, others may become skew; 0: no limit
   const PlacedVertices* start = nullptr;  ///< where vertices begin, if that is possible; null: as they are
   double least_progress =
       fine_progress;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
