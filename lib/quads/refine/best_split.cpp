@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,8 @@ namespace {
 constexpr int max_doublings = 3;  ///< of the counts of chords: 64 times as many elements in their blocks
 constexpr double stricter = 0.8;  ///< than the ratio by which the boundary misses its tolerance
 constexpr int most_refined = 10;  ///< elements with shorter ones, over those without
+/// The same where vertices are placed: what is too long then is so because of the boundary.
+constexpr int most_refined_again = 2;
 
 void restore_lines(const SplitRequest& request, SplitSettings& settings) {
   const SplitSettings first = first_settings(request);
@@ -63,13 +66,18 @@ bool divide_more_strictly(const SplitRequest& request, const SplitMesh& last, Sp
   return true;
 }
 
+/// `shortest`: as add_length_limits has it.
+bool shorten(const SplitRequest& request, const SplitMesh& last, double shortest, SplitSettings& settings) {
+  return add_length_limits(layout_of(request, last.settings), last.plans, last.divisions, last.mesh, request.sizes,
+                           request.limits.edge_ratio, shortest,
+                           elements_on_layered_chords(request.equal.blocks(), last), settings.length_limits);
+}
+
 bool shorten_elements(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings) {
   if (last.score.elongation == 0) return false;
   if (settings.length_limits.empty())
     settings.max_elements = std::min(settings.max_elements, most_refined * last.mesh.num_elems());
-  return add_length_limits(layout_of(request, last.settings), last.plans, last.divisions, last.mesh, request.sizes,
-                           request.limits.edge_ratio, elements_on_layered_chords(request.equal.blocks(), last),
-                           settings.length_limits);
+  return shorten(request, last, shortest_kept_edge(layout_of(request, last.settings)), settings);
 }
 
 /// No value if it would have too many elements.
@@ -221,6 +229,16 @@ void place_further(const SplitRequest& request, SplitMesh& result, double least_
   SizeRelaxed relaxed{{}, 0, 0, 0, 0, result.relaxation};
   if (result.relaxation->run(least_progress, relaxed))
     take_relaxed(request, least_progress, std::move(relaxed), result);
+}
+
+std::optional<SplitMesh> with_shorter_elements(const SplitRequest& request, const SplitMesh& placed) {
+  SplitSettings settings = placed.settings;
+  if (placed.score.elongation == 0 || !shorten(request, placed, std::numeric_limits<double>::infinity(), settings))
+    return std::nullopt;
+  settings.max_elements = std::min(settings.max_elements, most_refined_again * placed.mesh.num_elems());
+  std::optional<SplitMesh> next = next_attempt(request, settings, placed);
+  if (next) next->settings.max_elements = placed.settings.max_elements;
+  return next;
 }
 
 }  // namespace quadrille::refine

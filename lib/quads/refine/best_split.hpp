@@ -7,6 +7,7 @@
 //   distance from the CAD curves:        5. a stricter tolerance of divisions, whose own samples are fewer
 //   ratio of the sides of an element:    6. shorter elements there (refine/length_limits)
 
+#include <optional>
 #include <span>
 
 #include "refine/size_relaxer.hpp"
@@ -53,5 +54,9 @@ void place_vertices(const SplitRequest& request, SplitMesh& result, double least
 
 /// Relaxes vertices further that were placed with a greater least progress.
 void place_further(const SplitRequest& request, SplitMesh& result, double least_progress);
+
+/// The same, not placed, with shorter elements in place of those that are still too long in a placed mesh, however short
+/// the boundary is (refine/length_limits). None if there are none, or if that takes more than twice as many elements.
+std::optional<SplitMesh> with_shorter_elements(const SplitRequest& request, const SplitMesh& placed);
 
 }  // namespace quadrille::refine

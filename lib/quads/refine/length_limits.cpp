@@ -135,12 +135,11 @@ double shortest_kept_edge(const sizing::MeasuredLayout& measured) {
 
 bool add_length_limits(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
                        const sizing::ArcDivisions& divisions, const QuadMesh& mesh, const sizing::SizeField& sizes,
-                       double target, const std::vector<bool>& is_left_out, LengthLimits& limits) {
+                       double target, double shortest, const std::vector<bool>& is_left_out, LengthLimits& limits) {
   if (std::ranges::all_of(mesh.elem_edge_ratio, [&](double ratio) { return ratio <= target; })) return false;
   const std::vector<GridElement> elems = grid_elements(measured.blocks(), divisions);
   LimitFinder finder(measured, plans, divisions, limits);
   bool is_any = false;
-  const double shortest = shortest_kept_edge(measured);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     if (mesh.elem_edge_ratio[e] <= target || (!is_left_out.empty() && is_left_out[e])) continue;
     const auto corner = [&](int side) { return mesh.nodes[side_start(mesh, e, side % 4)]; };

@@ -8,7 +8,8 @@
 //
 // its chord gets shorter elements there, down to a hundredth of the prescribed size. Away from there lengths grow back
 // by the growth of the size field, or by the default growth where the size is uniform. Chords that layers divide are
-// thin on purpose: they are left out, and so are chords with a prescribed count.
+// thin on purpose: they are left out, and so are chords with a prescribed count. Where vertices are placed, R alone is
+// the limit (refine/best_split).
 
 #include <vector>
 
@@ -25,11 +26,11 @@ double shortest_kept_edge(const sizing::MeasuredLayout& measured);
 using LengthLimits = std::vector<std::vector<sizing::MaxLengthConstraint>>;
 
 /// Adds limits for the elongated elements of a mesh made of these plans and divisions; its element sizes must be
-/// measured (mesh/element_sizes). `target`: R, at least 1. `is_left_out`: by element; empty: none is. Returns false if
-/// there is nothing to add.
+/// measured (mesh/element_sizes). `target`: R, at least 1. `shortest`: e, shortest_kept_edge; infinity: R alone is the
+/// limit. `is_left_out`: by element; empty: none is. Returns false if there is nothing to add.
 bool add_length_limits(const sizing::MeasuredLayout& measured, const std::vector<sizing::ChordPlan>& plans,
                        const sizing::ArcDivisions& divisions, const QuadMesh& mesh, const sizing::SizeField& sizes,
-                       double target, const std::vector<bool>& is_left_out, LengthLimits& limits);
+                       double target, double shortest, const std::vector<bool>& is_left_out, LengthLimits& limits);
 
 /// The plans of sizing/grade_chords with these limits. `limits`: one entry per chord, or none at all.
 void apply_length_limits(const LengthLimits& limits, std::vector<sizing::ChordPlan>& plans);

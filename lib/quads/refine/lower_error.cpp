@@ -314,6 +314,10 @@ std::optional<Draft> better_draft(const SplitRequest& request, const Draft& firs
 
 void lower_error(const SplitRequest& request, SplitMesh& result) {
   Draft first(request, std::move(result));
+  if (std::optional<SplitMesh> next = with_shorter_elements(request, first.near)) {
+    Draft shorter(request, std::move(*next));
+    if (mesh::is_better(shorter.near.score, first.near.score)) first = std::move(shorter);
+  }
   const auto placed = [&](SplitMesh near) {
     place_further(request, near, request.options.least_progress);
     set_prescribed_lengths(request, near);

@@ -110,6 +110,10 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
     lower_error(request, split);
   } else {
     place_vertices(request, split, options.least_progress);
+    if (std::optional<SplitMesh> shorter = with_shorter_elements(request, split)) {
+      place_vertices(request, *shorter, options.least_progress);
+      if (mesh::is_better(shorter->score, split.score)) split = std::move(*shorter);
+    }
     set_prescribed_lengths(request, split);
   }
   warn_of_joints(split.mesh, report);

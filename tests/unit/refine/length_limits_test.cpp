@@ -89,8 +89,16 @@ TEST(LengthLimits, away_from_the_thin_place_elements_have_the_prescribed_size) {
   EXPECT_GT(x[last] - x[last - 1], 0.125);
 }
 
-TEST(LengthLimits, elements_at_a_short_edge_between_corners_keep_their_size) {
-  // 3 h / e = 750 is the limit, and 250 the ratio.
+TEST(LengthLimits, elements_at_a_short_edge_between_corners_become_shorter_if_few_suffice) {
+  // 3 h / e = 375 is no limit here, and 125 the ratio.
+  const QuadMesh mesh = refined(hand_made::row({2e-3, 1}), with_size(0.25));
+  EXPECT_LE(greatest_ratio(mesh), 100);
+  EXPECT_GT(mesh.num_elems(), 4 + 16);
+  EXPECT_LE(mesh.num_elems(), 2 * (4 + 16));
+}
+
+TEST(LengthLimits, elements_at_a_shorter_edge_between_corners_keep_their_size) {
+  // 3 h / e = 750 is the limit, and 250 the ratio. To lower it to 100 takes more than twice as many elements.
   EXPECT_EQ(refined(hand_made::row({1e-3, 1}), with_size(0.25)).num_elems(), 4 + 16);
 }
 
