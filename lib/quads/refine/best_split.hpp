@@ -55,8 +55,9 @@ void place_vertices(const SplitRequest& request, SplitMesh& result, double least
 /// Relaxes vertices further that were placed with a greater least progress.
 void place_further(const SplitRequest& request, SplitMesh& result, double least_progress);
 
-/// The same, not placed, with shorter elements in place of those that are still too long in a placed mesh, however short
-/// the boundary is (refine/length_limits). None if there are none, or if that takes more than twice as many elements.
+/// The same, not placed, with shorter elements in place of those that are still too long in a placed mesh, however
+/// short the boundary is (refine/length_limits). None if there are none, or if that takes more than twice as many
+/// elements.
 std::optional<SplitMesh> with_shorter_elements(const SplitRequest& request, const SplitMesh& placed);
 
 }  // namespace quadrille::refine

@@ -1,6 +1,7 @@
 #include "refine/refine.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/warning_codes.hpp"

@@ -142,14 +142,18 @@ struct SkewLimits {
   double own = size_constants.own_scaled_jacobian;    ///< if the element itself had
 };
 
-/// What is enough in the end. Of two faults of a mesh, long elements are the worse one (mesh/mesh_score): a strip that
-/// starts at a short edge of the boundary becomes wider only by skew elements there.
-SkewLimits last_limits(const SizeRelaxation& options, const QuadMesh& before, bool passes_joints) {
+/// `is_last`: what is enough in the end. Of two faults of a mesh, long elements are the worse one (mesh/mesh_score): a
+/// strip that starts at a short edge of the boundary becomes wider only by skew elements there.
+SkewLimits skew_limits(const SizeRelaxation& options, const QuadMesh& before, bool is_last, bool passes_joints) {
   const auto is_long = [&](double ratio) {
     return options.greatest_edge_ratio > 0 && ratio > options.greatest_edge_ratio;
   };
-  if (std::ranges::any_of(before.elem_edge_ratio, is_long)) return {size_constants.poor_scaled_jacobian, 0};
-  return {passes_joints ? size_constants.fair_scaled_jacobian : size_constants.good_scaled_jacobian, 0};
+  SkewLimits limits;
+  const bool is_any_long = std::ranges::any_of(before.elem_edge_ratio, is_long);
+  if (is_last || is_any_long) limits.own = 0;
+  if (is_last && passes_joints) limits.good = size_constants.fair_scaled_jacobian;
+  if (is_last && is_any_long) limits.good = size_constants.poor_scaled_jacobian;
+  return limits;
 }
 
 /// By element that may move: whether it is more skew than it has to be, or not proved valid.
@@ -216,7 +220,7 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
     relaxed.mesh = moved_mesh(problem_, options_, relaxer_.moves);
     if (round_ == 0) energy_after_ = relaxer_.value / std::max(1, shaped_.num_elems());
     const bool is_last = round_ == size_constants.rounds || relaxer_.is_exhausted();
-    const SkewLimits limits = is_last ? last_limits(options_, shaped_, passes_joints_) : SkewLimits{};
+    const SkewLimits limits = skew_limits(options_, shaped_, is_last, passes_joints_);
     const std::vector<bool> is_skew = skew_elements(options_, shaped_, relaxed.mesh, relaxer_.energy, limits);
     const bool is_any_skew = std::ranges::count(is_skew, true) > 0;
     const double needed = is_any_skew ? std::min(fine_progress, least_progress) : least_progress;
