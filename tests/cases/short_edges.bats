@@ -25,21 +25,6 @@ print(step_text(name, [around, body]))
 END
 }
 
-# A plate with square holes whose rounded corners are hair-fine zigzags.
-draw_zigzag() {
-  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 - "$@" <<'END' >"$1.step"
-import sys
-from step_text import polygon, step_text
-
-e = 0.0025
-outline = [0, 80, 80 - e * 1j, 80.7 - (0.7 + e) * 1j, 80.7 + e - 0.7j, 120 - 0.7j, 120 + 60j, 60 + 60j,
-           60 + (60 + e) * 1j, 59.3 + 60.7j, 59.3 - e + 60.7j, 60.7j]
-places = [10 + 8j, 29 + 8.5j, 48 + 7j, 67 + 9j, 86 + 8j, 10 + 27j, 29 + 27.5j, 48 + 26j, 67 + 28j, 86 + 27j]
-holes = [[z, z + 14j, z + 14 + 14j, z + 14] for z in places]
-print(step_text(sys.argv[1], [polygon(outline)] + [polygon(hole) for hole in holes]))
-END
-}
-
 # meshed NAME RATIO SCALED_JACOBIAN: by separatrices, within these limits.
 meshed() {
   run -0 --separate-stderr "$quadmesh" "$1.step" -o "$1.msh" --report "$1.json"
@@ -54,10 +39,4 @@ meshed() {
   meshed circle 100 0.3
   draw_tail square 0.004 square
   meshed square 100 0.3
-}
-
-@test "zigzags of the boundary leave no strips as thin across the face" {
-  draw_zigzag zigzag
-  # An edge 0.0025 long beside one of 0.99, which is one element: 1 : 396.
-  meshed zigzag 400 0.3
 }

@@ -16,7 +16,7 @@ namespace {
 struct SizeConstants {
   int shortenings = 12;   ///< of edges that miss the tolerance of the boundary
   double shorter = 0.95;  ///< than the length at which the distance would be the tolerance
-  int smooth_rounds = 4;  ///< of shortenings, after which curves may have breaks
+  int smooth_rounds = 4;  ///< of shortenings, after which edges become much shorter if elements were too long
   double much_shorter = 0.6;
   double heavier = 3;     ///< the weight of the shape of elements that became too skew, over the one before
   int rounds = 6;         ///< of heavier weights
@@ -76,20 +76,28 @@ std::vector<EdgeError> rough_edges(const RelaxProblem& problem, const VertexMove
   return errors;
 }
 
-/// Makes the element at an edge that misses the tolerance shorter, after a few rounds by much more: the error may fall
-/// only with the square of the length, as at a break of the curve, and other elements may hardly give way.
-void shorten(const EdgeError& rough, int round, const RelaxProblem& problem, SizeRelaxer& relaxer) {
+bool has_long_elements(const SizeRelaxation& options, const QuadMesh& mesh) {
+  return options.greatest_edge_ratio > 0 &&
+         std::ranges::any_of(mesh.elem_edge_ratio, [&](double ratio) { return ratio > options.greatest_edge_ratio; });
+}
+
+/// Makes the element at an edge that misses the tolerance shorter; by `much` more where the error may fall only with
+/// the square of the length, as at a break of the curve, and other elements hardly give way.
+void shorten(const EdgeError& rough, bool much, const RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
-  const bool is_smooth = round < size_constants.smooth_rounds;
-  const double power = is_smooth ? problem.start.order + 1 : 2;
-  relaxer.shorten(
-      edge.elem, edge.side,
-      (is_smooth ? size_constants.shorter : size_constants.much_shorter) * std::pow(rough.error, -1 / power));
+  const double power = much ? 2 : problem.start.order + 1;
+  relaxer.shorten(edge.elem, edge.side,
+                  (much ? size_constants.much_shorter : size_constants.shorter) * std::pow(rough.error, -1 / power));
+}
+
+/// Whether edges become much shorter: after a few rounds, where long elements were the fault of the mesh.
+bool is_stubborn(const SizeRelaxation& options, const RelaxProblem& problem, int round) {
+  return round >= size_constants.smooth_rounds && has_long_elements(options, problem.start);
 }
 
 /// Makes an edge that misses the tolerance shorter, or fixes ends where they began: an end that left a break of its
 /// curve at once, both after a few rounds. Returns whether it fixes any.
-bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRelaxer& relaxer) {
+bool tame_edge(const EdgeError& rough, int round, bool much, RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
   const bool may_begin_again = problem.boundary.free_joints().empty();  // else another vertex may be there
   bool is_any = false;
@@ -100,7 +108,7 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRel
     problem.fix_vertex(v);
     is_any = true;
   }
-  if (!is_any) shorten(rough, round, problem, relaxer);
+  if (!is_any) shorten(rough, much, problem, relaxer);
   return is_any;
 }
 
@@ -112,7 +120,8 @@ bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
     if (rough.empty()) return true;
     if (relaxer.is_exhausted()) return false;
     bool is_any_fixed = false;
-    for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, problem, relaxer);
+    const bool much = is_stubborn(options, problem, round);
+    for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, much, problem, relaxer);
     if (is_any_fixed ? !relaxer.begin_again() : round >= size_constants.shortenings) return false;
     relaxer.run();
   }
@@ -131,7 +140,8 @@ void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& prob
     std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
     std::erase_if(rough, passes_joint);
     if (rough.empty() || relaxer.is_exhausted()) return;
-    for (const EdgeError& edge : rough) shorten(edge, round, problem, relaxer);
+    const bool much = is_stubborn(options, problem, round);
+    for (const EdgeError& edge : rough) shorten(edge, much, problem, relaxer);
     relaxer.run();
   }
 }
@@ -145,11 +155,8 @@ struct SkewLimits {
 /// `is_last`: what is enough in the end. Of two faults of a mesh, long elements are the worse one (mesh/mesh_score): a
 /// strip that starts at a short edge of the boundary becomes wider only by skew elements there.
 SkewLimits skew_limits(const SizeRelaxation& options, const QuadMesh& before, bool is_last, bool passes_joints) {
-  const auto is_long = [&](double ratio) {
-    return options.greatest_edge_ratio > 0 && ratio > options.greatest_edge_ratio;
-  };
   SkewLimits limits;
-  const bool is_any_long = std::ranges::any_of(before.elem_edge_ratio, is_long);
+  const bool is_any_long = has_long_elements(options, before);
   if (is_last || is_any_long) limits.own = 0;
   if (is_last && passes_joints) limits.good = size_constants.fair_scaled_jacobian;
   if (is_last && is_any_long) limits.good = size_constants.poor_scaled_jacobian;
