@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "galerkin/hole_winding.hpp"
+
+#include <gtest/gtest.h>
 
 namespace quadrille::galerkin {
 namespace {
