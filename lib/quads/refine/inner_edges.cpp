@@ -48,13 +48,12 @@ class EdgeShaper {
   QuadMesh& mesh_;
   const QuadMesh before_;
   const std::vector<double>& xi_;
-  InnerEdges shape_;
   std::vector<Edge> edges_;
   std::vector<std::array<int, 4>> elem_edges_;
 };
 
 EdgeShaper::EdgeShaper(QuadMesh& mesh, InnerEdges shape, const std::vector<bool>& kept)
-    : mesh_(mesh), before_(mesh), xi_(spectral::gll_points(mesh.order)), shape_(shape) {
+    : mesh_(mesh), before_(mesh), xi_(spectral::gll_points(mesh.order)) {
   number_edges();
   mark_curves();
   if (shape == InnerEdges::fade) fade();
