@@ -55,6 +55,16 @@ here() { TMPDIR=$PWD "$@"; }
   jq -e '.goal == "edge-ratio" and .best < .start and .moves[-1].quality == .best' out.json
 }
 
+@test "nodes move to where crosses follow the directions of a file" {
+  run -0 "$quadplace" "$DATA/bow_shock.step" --align "$DATA/alignment/bow_shock.align.json" --goal alignment --rounds 6 \
+    -o out.msh --report out.json
+  assert_output --regexp '^angle between crosses and directions, degrees 2[67][.0-9]* -> [0-9.]+, 2 of 2 nodes moved, '
+  jq -e '.goal == "alignment" and .best < 9' out.json
+  run -2 --separate-stderr "$quadplace" "$DATA/bow_shock.step" -o out.msh --align "$DATA/alignment/bow_shock.align.json"
+  assert_equal "${stderr_lines[0]}" "quadplace: --goal alignment and --align FILE go together"
+  run -3 --separate-stderr "$quadplace" "$DATA/bow_shock.step" -o out.msh --goal alignment --align no.json
+}
+
 @test "mistakes on the command line are exit 2 with a hint" {
   for arguments in "" "--frob" "a.step b.step" "a.step -o" "a.step --rounds -1" "a.step --rounds x" "a.step --step 0" \
     "a.step --goal beauty"; do
@@ -136,7 +146,8 @@ here() { TMPDIR=$PWD "$@"; }
 }
 
 @test "the help's examples work" {
-  cp "$DATA/half_disc.step" .
+  cp "$DATA/half_disc.step" "$DATA/bow_shock.step" .
+  cp "$DATA/alignment/bow_shock.align.json" shock.json
   "$quadplace" --help | sed -n '/^EXAMPLES/,$p' | grep '^  quadplace' >examples
   assert [ "$(wc -l <examples)" -ge 2 ]
   while read -r _ arguments; do
