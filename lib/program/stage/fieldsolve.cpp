@@ -141,7 +141,7 @@ void declare(Options& o, FieldsolveOptions& fieldsolve) {
       "directions that the crosses follow inside the domain: at points, along curves, in boxes (JSON), or those "
       "of a metric (CSV) (formats/alignment.md); cg only",
       false);
-  o.number("--align-strength", fieldsolve.align_strength, 0, 1000, "",
+  o.number("--align-strength", fieldsolve.align_strength, 0, 1000, "1",
            "how strongly crosses follow these: at 1 the pull of a feature reaches as far as it is wide");
   o.choice("--method", fieldsolve.solve.method, "continuous or discontinuous (hybridised) elements");
   o.choice("--corners", fieldsolve.solve.corners, "tangent discontinuities: lifted exactly, or left in the data");

@@ -47,6 +47,6 @@ GOALS = {
     "blocks": Goal("number of blocks", "lowered", lambda layout: layout.num_blocks, has_fewer_blocks,
                    lambda layout: layout.num_blocks == 1),
     "alignment": Goal("angle between crosses and directions, degrees", "lowered", lambda layout: layout.misalignment,
-                      lambda layout, best: layout.misalignment <= best.misalignment * (1 - LEAST_GAIN),
+                      lambda layout, best: layout.misalignment < best.misalignment * (1 - LEAST_GAIN),
                       lambda layout: layout.misalignment <= LEAST_GAIN),
 }

@@ -7,8 +7,8 @@ from node_search.layouts import Layout
 NODES = {"critical_points": [{"position": [0.5, 0.0], "valence": 5}], "corners": []}
 
 
-def layout(quality, edge_ratio=1.0, num_blocks=1):
-    return Layout(NODES, None, quality, edge_ratio, num_blocks)
+def layout(quality, edge_ratio=1.0, num_blocks=1, misalignment=20.0):
+    return Layout(NODES, None, quality, edge_ratio, num_blocks, misalignment)
 
 
 class GoalsTest(unittest.TestCase):
@@ -21,7 +21,7 @@ class GoalsTest(unittest.TestCase):
     def test_each_goal_prefers_its_own_figure(self):
         start = layout(0.5, 8, 12)
         for name, better in (("scaled-jacobian", layout(0.6, 9, 13)), ("edge-ratio", layout(0.4, 7, 13)),
-                             ("blocks", layout(0.4, 9, 11))):
+                             ("blocks", layout(0.4, 9, 11)), ("alignment", layout(0.4, 9, 13, 19.0))):
             for other, goal in GOALS.items():
                 self.assertEqual(goal.is_better(better, start, start), other == name, (name, other))
 
@@ -38,3 +38,5 @@ class GoalsTest(unittest.TestCase):
         self.assertTrue(GOALS["edge-ratio"].is_reached(layout(0.5, 1)))
         self.assertFalse(GOALS["edge-ratio"].is_reached(layout(0.5, 1.1)))
         self.assertFalse(GOALS["blocks"].is_reached(layout(0.5, 1, 2)))
+        self.assertTrue(GOALS["alignment"].is_reached(layout(0.5, misalignment=0)))
+        self.assertFalse(GOALS["alignment"].is_reached(layout(0.5)))
