@@ -151,7 +151,7 @@ bool take_relaxed(const SplitRequest& request, double least_progress, SizeRelaxe
   }
   SplitMesh next = result;
   next.mesh = std::move(relaxed.mesh);
-  next.distance = std::move(distance);
+  next.distance = distance;
   next.relaxation = relaxed.relaxation;
   set_score(request, next);
   const mesh::MeshScore &before = result.score, &after = next.score;
