@@ -81,8 +81,8 @@ void add_box(const AlignmentBox& box, double rate, Alignment& all) {
       add(all, {box.low + Vec2{(i + 0.5) * step.x, (j + 0.5) * step.y}, box.width, weight * rate, box.angle});
 }
 
-/// The deviator of the logarithm of a metric, as a complex number of twice the angle.
-Complex deviator(const MetricSample& sample) {
+/// The trace-free part of the logarithm of a metric, as a complex number of twice the angle.
+Complex trace_free_part(const MetricSample& sample) {
   return std::polar(1.0, 2 * sample.angle) * std::log(sample.h1 / sample.h2);
 }
 
@@ -112,13 +112,13 @@ class PointGrid {
   std::map<std::pair<long, long>, std::vector<int>> cells_;
 };
 
-/// The mean deviator near a point; none where there are no samples.
-std::optional<Complex> mean_deviator(const PointGrid& grid, Vec2 x, double width) {
+/// The mean trace-free part near a point; none where there are no samples.
+std::optional<Complex> mean_trace_free_part(const PointGrid& grid, Vec2 x, double width) {
   double weight = 0;
   Complex sum = 0;
   grid.near(x, [&](const MetricSample& sample) {
     const double of = std::exp(-squared(distance(sample.position, x) / width));
-    weight += of, sum += of * deviator(sample);
+    weight += of, sum += of * trace_free_part(sample);
   });
   return weight > 0.5 ? std::optional(sum / weight) : std::nullopt;
 }
@@ -137,7 +137,7 @@ void add_metric(const std::vector<MetricSample>& samples, double strength, doubl
   const PointGrid grid(samples, metric_reach * width);
   for (double y = low.y; y < high.y + step; y += step)
     for (double x = low.x; x < high.x + step; x += step) {
-      const std::optional<Complex> mean = mean_deviator(grid, {x, y}, width);
+      const std::optional<Complex> mean = mean_trace_free_part(grid, {x, y}, width);
       if (!mean) continue;
       const double anisotropy = std::tanh(std::min(std::abs(*mean), std::log(greatest_ratio)) / 2);
       add(all, {{x, y}, width, rate * squared(anisotropy), std::arg(*mean) / 2});

@@ -9,8 +9,9 @@
 
 namespace quadrille::field {
 
-/// The Gaussians of a request. With l the width of a feature, mu = (strength / l)^2 along its middle: its pull reaches
-/// as far as it is wide. `strength`: over that of each feature. `diameter`: of the face.
+/// The Gaussians of a request. With l the width of a feature, mu = (strength / l)^2 along its middle: there
+/// crosses turn to its direction over the distance l / strength. `strength`: a factor for that of each feature.
+/// `diameter`: of the face.
 ///
 /// A curve is a row of Gaussians of its width, a box a grid of them. Of a metric, the logarithms of the tensors are
 /// averaged over a few samples, and with r the ratio of its lengths, at most 10, mu = (strength / l)^2 ((r - 1) / (r +

@@ -19,15 +19,14 @@ constexpr int least_terms_for_groups = 128;
 constexpr int elements_per_group = 64;
 constexpr int cells_across_group = 3;
 
-// The radius of a disc around the centroid that contains the element.
+}  // namespace
+
 double radius_of(const spectral::TriMap& map, Vec2 centre) {
   double radius = 0;
   for (const Vec2 xi : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{0, -1}, Vec2{0, 0}, Vec2{-1, 0}})
     radius = std::max(radius, distance(centre, map.position(xi)));
   return margin * radius;
 }
-
-}  // namespace
 
 DiscTerms::DiscTerms(const Field& field)
     : is_phase_(field.kind == FieldKind::phase),

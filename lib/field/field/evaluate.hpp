@@ -19,6 +19,9 @@ namespace quadrille::field {
 /// Of the reference triangle.
 inline constexpr Vec2 centroid{-1.0 / 3, -1.0 / 3};
 
+/// The radius of a disc around `centre`, the position of the centroid, that contains the element with a margin.
+double radius_of(const spectral::TriMap& map, Vec2 centre);
+
 /// The explicit terms of a field (liftings, or those of a phase) as seen from a disc: most apexes, nodes and holes are
 /// far from it, and the sum of their angles is one power series there (base/angle_sum).
 class DiscTerms {

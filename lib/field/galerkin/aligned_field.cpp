@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "field/evaluate.hpp"
 #include "field/explicit_value.hpp"
 
 namespace quadrille::galerkin {
@@ -20,7 +21,7 @@ std::vector<std::vector<Vec2>> directions_at_points(const MeshContext& context, 
   std::vector<std::vector<Vec2>> directions(coefs.size());
   for (int e = 0; e < std::ssize(coefs); ++e) {
     if (!system.has_term(e)) continue;
-    const Vec2 centroid = context.maps[e].position({-1.0 / 3, -1.0 / 3});
+    const Vec2 centroid = context.maps[e].position(field::centroid);
     const Eigen::VectorXd s = system.values_of(e, coefs[e]);
     const std::vector<Vec2> points = system.points_of(e);
     for (std::size_t q = 0; q < points.size(); ++q)

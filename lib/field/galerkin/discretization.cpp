@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/parallel.hpp"
+#include "field/evaluate.hpp"
 #include "galerkin/condensed_system.hpp"
 #include "mesh/tri_topology.hpp"
 #include "spectral/modified_basis.hpp"
@@ -25,7 +26,7 @@ MeshContext::MeshContext(const TriMesh& tri_mesh)
       tree(mesh::nested_dissection(tri_mesh, topology)) {}
 
 std::string MeshContext::describe(int elem) const {
-  const Vec2 x = maps[elem].position({-1.0 / 3, -1.0 / 3}) + mesh->face.origin;
+  const Vec2 x = maps[elem].position(field::centroid) + mesh->face.origin;
   return fmt::format("element {} near {}", elem, position_text(x));
 }
 
@@ -35,40 +36,37 @@ ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, 
       num_threads_(num_threads),
       kept_numbers_(kept_numbers),
       term_(term),
-      is_reactive_(context.maps.size(), false),
-      reactive_(context.maps.size()),
+      is_screened_(context.maps.size(), false),
+      screened_(context.maps.size()),
       elem2shape_(stiffness::first_of_shape(context.maps)),
       elem_order_(context.maps.size(), 0),
       elements_(context.maps.size()) {
-  if (term) find_reactive_elements();
+  if (term) find_screened_elements();
 }
 
 // The matrix of an element with the term depends on its place: it is the only one of its shape.
-void ContinuousSystem::find_reactive_elements() {
+void ContinuousSystem::find_screened_elements() {
   std::map<int, int> first_without;  // by first of the shape
   for (int e = 0; e < static_cast<int>(elem2shape_.size()); ++e) {
     const spectral::TriMap& map = context_->maps[e];
-    const Vec2 centre = map.position({-1.0 / 3, -1.0 / 3});
-    double radius = 0;
-    for (const Vec2 xi : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{0, -1}, Vec2{0, 0}, Vec2{-1, 0}})
-      radius = std::max(radius, distance(centre, map.position(xi)));
-    is_reactive_[e] = term_->acts_in(centre, radius);
-    elem2shape_[e] = is_reactive_[e] ? e : first_without.try_emplace(elem2shape_[e], e).first->second;
+    const Vec2 centre = map.position(field::centroid);
+    is_screened_[e] = term_->acts_in(centre, field::radius_of(map, centre));
+    elem2shape_[e] = is_screened_[e] ? e : first_without.try_emplace(elem2shape_[e], e).first->second;
   }
 }
 
 std::vector<Vec2> ContinuousSystem::points_of(int elem) const {
-  return stiffness::reaction_points(context_->maps[elem], elem_order_[elem]);
+  return stiffness::rule_points(context_->maps[elem], elem_order_[elem]);
 }
 
 std::shared_ptr<const CondensedElement> ContinuousSystem::made_element(int elem, int order) {
   const spectral::TriMap& map = context_->maps[elem];
-  if (!is_reactive_[elem]) return std::make_shared<CondensedElement>(stiffness::condensed_element(map, order));
-  const std::vector<Vec2> points = stiffness::reaction_points(map, order);
+  if (!is_screened_[elem]) return std::make_shared<CondensedElement>(stiffness::condensed_element(map, order));
+  const std::vector<Vec2> points = stiffness::rule_points(map, order);
   Eigen::VectorXd rate(std::ssize(points));
   for (std::size_t q = 0; q < points.size(); ++q) rate[static_cast<Eigen::Index>(q)] = term_->at(points[q]).rate;
-  reactive_[elem] = std::make_shared<stiffness::ReactiveElement>(stiffness::reactive_element(map, order, rate));
-  return {reactive_[elem], &reactive_[elem]->element};
+  screened_[elem] = std::make_shared<stiffness::ScreenedElement>(stiffness::screened_element(map, order, rate));
+  return {screened_[elem], &screened_[elem]->element};
 }
 
 // The matrices of a shape and an order are those of the first element of that shape, whatever its own order is, so that
@@ -93,7 +91,7 @@ void ContinuousSystem::update_elements(const std::vector<int>& elem_order) {
     try {
       std::shared_ptr<const CondensedElement>& element = made[i]->second = made_element(elem, order);
       const std::size_t size = stiffness::size_of_interior(*element);
-      if (kept.fetch_add(size) + size > kept_numbers_ && !is_reactive_[elem])
+      if (kept.fetch_add(size) + size > kept_numbers_ && !is_screened_[elem])
         element = std::make_shared<CondensedElement>(CondensedElement{element->schur, {}, {}});
     } catch (const ComputeError& error) {
       throw ComputeError(fmt::format("{}: {}", context_->describe(elem), error.what()));
@@ -133,7 +131,7 @@ Eigen::MatrixXd ContinuousSystem::solve(const Eigen::MatrixXd& given, Stopwatch&
 Loads ContinuousSystem::loads(const ValuesInElement& f) const {
   Loads loads(elements_.size());
   parallel_for(static_cast<int>(elements_.size()), num_threads_, [&](int e) {
-    if (is_reactive_[e]) loads[e] = stiffness::element_load(elem_order_[e], *reactive_[e], f(e, points_of(e)));
+    if (is_screened_[e]) loads[e] = stiffness::element_load(elem_order_[e], *screened_[e], f(e, points_of(e)));
   });
   return loads;
 }
@@ -174,7 +172,7 @@ Eigen::MatrixXd ContinuousSystem::coefs(int elem, const Eigen::MatrixXd& dofs, c
 }
 
 Eigen::MatrixXd ContinuousSystem::modes_of(int elem, const Eigen::MatrixXd& dofs, const Loads& loads) const {
-  return stiffness::all_modes(*reactive_[elem], loads.at(elem), element_dofs(*map_, elem, dofs));
+  return stiffness::all_modes(*screened_[elem], loads.at(elem), element_dofs(*map_, elem, dofs));
 }
 
 Eigen::MatrixXd ContinuousSystem::values_at_points(int elem, const Eigen::MatrixXd& dofs, const Loads& loads) const {
@@ -188,7 +186,7 @@ Eigen::MatrixXd ContinuousSystem::values_of(int elem, const Eigen::MatrixXd& coe
 }
 
 Eigen::MatrixXd ContinuousSystem::coefs(int elem, const Eigen::MatrixXd& dofs, const Loads& loads) const {
-  if (is_reactive_[elem])
+  if (is_screened_[elem])
     return spectral::modified_to_orthogonal(elem_order_[elem]).transpose() * modes_of(elem, dofs, loads);
   const CondensedElement& kept = *elements_[elem];
   return kept.has_interior() ? coefs(elem, dofs, kept) : coefs(elem, dofs, computed_element(elem));

@@ -19,7 +19,7 @@
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
 #include "stiffness/element_matrices.hpp"
-#include "stiffness/reactive_element.hpp"
+#include "stiffness/screened_element.hpp"
 
 namespace quadrille::galerkin {
 
@@ -86,7 +86,7 @@ class ContinuousSystem {
   /// Of the functions f, which are asked for where mu is not negligible alone.
   Loads loads(const ValuesInElement& f) const;
   /// Whether mu is not negligible somewhere in the element.
-  bool has_term(int elem) const { return is_reactive_[elem]; }
+  bool has_term(int elem) const { return is_screened_[elem]; }
   /// The points at which loads ask for f, and the values there of a solution, in an element that has the term.
   std::vector<Vec2> points_of(int elem) const;
   Eigen::MatrixXd values_at_points(int elem, const Eigen::MatrixXd& dofs, const Loads& loads) const;
@@ -107,7 +107,7 @@ class ContinuousSystem {
 
  private:
   void update_elements(const std::vector<int>& elem_order);
-  void find_reactive_elements();
+  void find_screened_elements();
   std::shared_ptr<const CondensedElement> made_element(int elem, int order);
   CondensedElement computed_element(int elem) const;
   Eigen::MatrixXd coefs(int elem, const Eigen::MatrixXd& dofs, const CondensedElement& element) const;
@@ -118,8 +118,8 @@ class ContinuousSystem {
   int num_threads_;
   std::size_t kept_numbers_;
   const field::AlignmentTerm* term_;
-  std::vector<bool> is_reactive_;                                            ///< by element: has the term
-  std::vector<std::shared_ptr<const stiffness::ReactiveElement>> reactive_;  ///< those; by element
+  std::vector<bool> is_screened_;                                            ///< by element: has the term
+  std::vector<std::shared_ptr<const stiffness::ScreenedElement>> screened_;  ///< those; by element
   std::vector<int> elem2shape_;  ///< first_of_shape(), of elements without the term
   std::vector<int> elem_order_;  ///< of elements_; 0 before the first solve
   CondensedElements elements_;

@@ -20,33 +20,19 @@ namespace {
 constexpr StageFormat alignment_version{"alignment", 1, 0, Storage::json};
 constexpr double degree = pi / 180;
 
-void require(Archive& archive, const char* name, bool holds, const char* problem) {
-  if (!holds) archive.fail(name, problem);
-}
-
-void require_header(Archive& root, const std::string& file_name) {
-  std::string format;
-  if (root.has("format")) root.field("format", format);
-  if (format != alignment_version.name)
-    throw FormatError(fmt::format("{}: no alignment: the key \"format\" must be \"alignment\"", file_name));
-  std::vector<int> version;
-  root.field("version", version);
-  require_version(file_name, alignment_version, format, version);
-}
-
 double read_angle(Archive& archive) {
   double degrees = 0;
   archive.field("angle", degrees);
-  require(archive, "angle", std::isfinite(degrees), "must be a number of degrees");
+  archive.require("angle", std::isfinite(degrees), "must be a number of degrees");
   return degrees * degree;
 }
 
 void read_weights(Archive& archive, double usual_width, double& width, double& strength) {
   width = usual_width;
   if (archive.has("width")) archive.field("width", width);
-  require(archive, "width", width > 0 && std::isfinite(width), "must be a length greater than 0 (ALN-R01)");
+  archive.require("width", width > 0 && std::isfinite(width), "must be a length greater than 0 (ALN-R01)");
   if (archive.has("strength")) archive.field("strength", strength);
-  require(archive, "strength", strength >= 0 && std::isfinite(strength), "must be a number of at least 0 (ALN-R01)");
+  archive.require("strength", strength >= 0 && std::isfinite(strength), "must be a number of at least 0 (ALN-R01)");
 }
 
 bool are_finite(const std::vector<Vec2>& points) {
@@ -60,7 +46,7 @@ class AlignmentReader {
   void read_point(Archive& a, AlignmentFeature& point) const {
     Vec2 position;
     a.field("position", position);
-    require(a, "position", are_finite({position}), "must be two numbers");
+    a.require("position", are_finite({position}), "must be two numbers");
     point.points = {position - origin_};
     point.angle = read_angle(a);
     read_weights(a, usual_width_, point.width, point.strength);
@@ -68,8 +54,8 @@ class AlignmentReader {
 
   void read_curve(Archive& a, AlignmentFeature& curve) const {
     a.field("positions", curve.points);
-    require(a, "positions", curve.points.size() > 1 && are_finite(curve.points),
-            "must be at least two points (ALN-R02)");
+    a.require("positions", curve.points.size() > 1 && are_finite(curve.points),
+              "must be at least two points (ALN-R02)");
     for (Vec2& point : curve.points) point -= origin_;
     if (a.has("angle")) curve.angle = read_angle(a);
     read_weights(a, usual_width_, curve.width, curve.strength);
@@ -78,10 +64,10 @@ class AlignmentReader {
   void read_box(Archive& a, AlignmentBox& box) const {
     for (const auto& [name, corner] : {std::pair("low", &box.low), std::pair("high", &box.high)}) {
       a.field(name, *corner);
-      require(a, name, are_finite({*corner}), "must be two numbers");
+      a.require(name, are_finite({*corner}), "must be two numbers");
       *corner -= origin_;
     }
-    require(a, "high", box.low.x < box.high.x && box.low.y < box.high.y, "must lie above 'low' (ALN-R02)");
+    a.require("high", box.low.x < box.high.x && box.low.y < box.high.y, "must lie above 'low' (ALN-R02)");
     box.angle = read_angle(a);
     read_weights(a, usual_width_, box.width, box.strength);
   }
@@ -132,7 +118,7 @@ AlignmentRequest read_alignment(const InputFile& file, Vec2 origin, double usual
         file.name));
   JsonReader reader(file.bytes, file.name);
   Archive& root = reader.root();
-  require_header(root, file.name);
+  require_format(root, alignment_version, file.name, "an alignment");
   const AlignmentReader read(origin, usual_width);
   std::vector<AlignmentFeature> points, curves;
   if (root.has("points"))

@@ -34,6 +34,11 @@ class Archive {
   /// Throws FormatError (reading) or Defect (writing): "<file>: <position of the field `name`> <problem>".
   [[noreturn]] virtual void fail(const char* name, const std::string& problem) const = 0;
 
+  /// Fails unless the condition holds.
+  void require(const char* name, bool holds, const char* problem) const {
+    if (!holds) fail(name, problem);
+  }
+
   // Members of fixed size.
   virtual void integers(const char* name, int* values, std::size_t count, Doc doc) = 0;
   virtual void reals(const char* name, double* values, std::size_t count, Doc doc) = 0;

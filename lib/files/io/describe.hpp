@@ -43,6 +43,9 @@ std::string producer_of(const Provenance& provenance);
 void require_version(const std::string& file_name, const StageFormat& expected, const std::string& format,
                      const std::vector<int>& version);
 
+/// The same of what users write, by the keys of the root: a file without the format's name is called no `what`.
+void require_format(Archive& root, const StageFormat& expected, const std::string& file_name, const char* what);
+
 void describe_provenance(Archive& archive, Provenance& provenance);
 
 /// The provenance chain as one line of JSON, and its inverse.

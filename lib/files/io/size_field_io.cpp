@@ -17,28 +17,14 @@ namespace {
 
 constexpr StageFormat size_field_version{"size-field", 1, 0, Storage::json};
 
-void require(Archive& archive, const char* name, bool holds, const char* problem) {
-  if (!holds) archive.fail(name, problem);
-}
-
-void require_header(Archive& root, const std::string& file_name) {
-  std::string format;
-  if (root.has("format")) root.field("format", format);
-  if (format != size_field_version.name)
-    throw FormatError(fmt::format("{}: not a size field: the key \"format\" must be \"size-field\"", file_name));
-  std::vector<int> version;
-  root.field("version", version);
-  require_version(file_name, size_field_version, format, version);
-}
-
 void read_size(Archive& archive, double& size) {
   archive.field("size", size);
-  require(archive, "size", size > 0 && std::isfinite(size), "must be a length greater than 0 (SIZ-R01)");
+  archive.require("size", size > 0 && std::isfinite(size), "must be a length greater than 0 (SIZ-R01)");
 }
 
 void read_position(Archive& archive, const char* name, Vec2& position, Vec2 origin) {
   archive.field(name, position);
-  require(archive, name, std::isfinite(position.x) && std::isfinite(position.y), "must be two numbers");
+  archive.require(name, std::isfinite(position.x) && std::isfinite(position.y), "must be two numbers");
   position -= origin;
 }
 
@@ -47,14 +33,14 @@ void read_point(Archive& archive, SizePoint& point, Vec2 origin) {
   read_size(archive, point.size);
   if (!archive.has("radius")) return;
   archive.field("radius", point.radius);
-  require(archive, "radius", point.radius >= 0 && std::isfinite(point.radius),
-          "must be a length of at least 0 (SIZ-R01)");
+  archive.require("radius", point.radius >= 0 && std::isfinite(point.radius),
+                  "must be a length of at least 0 (SIZ-R01)");
 }
 
 void read_box(Archive& archive, SizeBox& box, Vec2 origin) {
   read_position(archive, "low", box.low, origin);
   read_position(archive, "high", box.high, origin);
-  require(archive, "high", box.low.x <= box.high.x && box.low.y <= box.high.y, "must not lie below 'low' (SIZ-R02)");
+  archive.require("high", box.low.x <= box.high.x && box.low.y <= box.high.y, "must not lie below 'low' (SIZ-R02)");
   read_size(archive, box.size);
 }
 
@@ -81,13 +67,13 @@ SizeSources read_size_field(const InputFile& file, Vec2 origin) {
         "{0}: a VTU file: convert it first, by python3 -m quadrille.vtu_sizes {0} -o sizes.csv", file.name));
   JsonReader reader(file.bytes, file.name);
   Archive& root = reader.root();
-  require_header(root, file.name);
+  require_format(root, size_field_version, file.name, "a size field");
   if (!root.has("points") && !root.has("boxes"))
     throw FormatError(fmt::format("SIZ-R03: {}: there are neither 'points' nor 'boxes'", file.name));
   SizeSources sources;
   if (root.has("growth")) {
     root.field("growth", sources.growth);
-    require(root, "growth", sources.growth > 1 && std::isfinite(sources.growth), "must be greater than 1 (SIZ-R01)");
+    root.require("growth", sources.growth > 1 && std::isfinite(sources.growth), "must be greater than 1 (SIZ-R01)");
   }
   if (root.has("points"))
     root.field("points", sources.points, [&](Archive& a, SizePoint& point) { read_point(a, point, origin); });

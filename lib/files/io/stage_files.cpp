@@ -41,6 +41,16 @@ void require_version(const std::string& file_name, const StageFormat& expected, 
                     file_name, format, version[0], version[1], expected.major));
 }
 
+void require_format(Archive& root, const StageFormat& expected, const std::string& file_name, const char* what) {
+  std::string format;
+  if (root.has("format")) root.field("format", format);
+  if (format != expected.name)
+    throw FormatError(fmt::format("{}: not {}: the key \"format\" must be \"{}\"", file_name, what, expected.name));
+  std::vector<int> version;
+  root.field("version", version);
+  require_version(file_name, expected, format, version);
+}
+
 namespace {
 
 bool is_plain(const std::string& word) {

@@ -142,7 +142,7 @@ void declare(Options& o, FieldsolveOptions& fieldsolve) {
       "of a metric (CSV) (formats/alignment.md); cg only",
       false);
   o.number("--align-strength", fieldsolve.align_strength, 0, 1000, "1",
-           "how strongly crosses follow these: at 1 the pull of a feature reaches as far as it is wide");
+           "weight of these: in a feature crosses turn to its direction over the distance width / strength");
   o.choice("--method", fieldsolve.solve.method, "continuous or discontinuous (hybridised) elements");
   o.choice("--corners", fieldsolve.solve.corners, "tangent discontinuities: lifted exactly, or left in the data");
 }

@@ -49,7 +49,7 @@ TEST(AlignmentIo, RulesAreNamed) {
   EXPECT_TRUE(says(alignment(R"("curves": [{"positions": [[0, 0]]}])"), "ALN-R02"));
   EXPECT_TRUE(says(alignment(R"("boxes": [{"low": [0, 1], "high": [1, 1], "angle": 0}])"), "ALN-R02"));
   EXPECT_TRUE(says(alignment(R"("points": [])"), "ALN-R04"));
-  EXPECT_TRUE(says(R"({"format": "size-field", "version": [1, 0]})", "no alignment"));
+  EXPECT_TRUE(says(R"({"format": "size-field", "version": [1, 0]})", "not an alignment"));
   EXPECT_TRUE(says(alignment(R"("points": [{"position": [0, 0]}])"), "points[0]"));
 }
 

@@ -1,4 +1,4 @@
-#include "stiffness/reactive_element.hpp"
+#include "stiffness/screened_element.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,22 +15,22 @@ double rate(Vec2 x) { return 2 + std::sin(3 * x.x - x.y); }
 /// The values of a function at the points.
 template <class Function>
 Eigen::VectorXd at_points(const Function& f) {
-  const std::vector<Vec2> points = reaction_points(map, order);
+  const std::vector<Vec2> points = rule_points(map, order);
   Eigen::VectorXd values(std::ssize(points));
   for (Eigen::Index q = 0; q < values.size(); ++q) values[q] = f(points[static_cast<std::size_t>(q)]);
   return values;
 }
 
-TEST(ReactiveElement, WithoutARateItIsThatOfLaplacesEquation) {
-  const ReactiveElement element = reactive_element(map, order, at_points([](Vec2) { return 0.0; }));
+TEST(ScreenedElement, WithoutARateItIsThatOfLaplacesEquation) {
+  const ScreenedElement element = screened_element(map, order, at_points([](Vec2) { return 0.0; }));
   const CondensedElement expected = condense(order, stiffness_matrix(map, order));
   EXPECT_LT((element.element.schur.dense() - expected.schur.dense()).norm(), 1e-12);
 }
 
-TEST(ReactiveElement, APolynomialIsTheSolutionOfItsEquation) {
+TEST(ScreenedElement, APolynomialIsTheSolutionOfItsEquation) {
   const auto p = [](Vec2 x) { return x.x * x.x * x.x * x.y * x.y - 2 * x.y * x.y * x.y * x.y; };
   const auto laplacian = [](Vec2 x) { return 6 * x.x * x.y * x.y + 2 * x.x * x.x * x.x - 24 * x.y * x.y; };
-  const ReactiveElement element = reactive_element(map, order, at_points(rate));
+  const ScreenedElement element = screened_element(map, order, at_points(rate));
   const ElementLoad load =
       element_load(order, element, at_points([&](Vec2 x) { return rate(x) * p(x) - laplacian(x); }));
   const Eigen::MatrixXd modes_to_points = values_at_points(
@@ -42,8 +42,8 @@ TEST(ReactiveElement, APolynomialIsTheSolutionOfItsEquation) {
   EXPECT_LT((values_at_points(order, all) - values).cwiseAbs().maxCoeff(), 1e-11);
 }
 
-TEST(ReactiveElement, WeightsSumUpToTheArea) {
-  const ReactiveElement element = reactive_element(map, order, at_points(rate));
+TEST(ScreenedElement, WeightsSumUpToTheArea) {
+  const ScreenedElement element = screened_element(map, order, at_points(rate));
   EXPECT_NEAR(element.weights.sum(), cross({1.3, 0.3}, {0.2, 1.2}) / 2, 1e-14);
 }
 

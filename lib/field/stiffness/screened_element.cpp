@@ -1,4 +1,4 @@
-#include "stiffness/reactive_element.hpp"
+#include "stiffness/screened_element.hpp"
 
 #include <utility>
 
@@ -11,14 +11,14 @@ namespace {
 
 constexpr int points_beyond_order = 10;  ///< mu is no polynomial
 
-struct ReactionRule {
-  explicit ReactionRule(int order);
+struct ScreenedRule {
+  explicit ScreenedRule(int order);
   std::vector<Vec2> points;  ///< of the reference triangle
   Eigen::VectorXd weights;
   Eigen::MatrixXd values;  ///< of the modes: points x modes
 };
 
-ReactionRule::ReactionRule(int order) {
+ScreenedRule::ScreenedRule(int order) {
   const spectral::FactoredModes modes = spectral::factored_modes(order, order + points_beyond_order);
   const auto n = static_cast<int>(modes.eta1.points.size());
   weights.resize(n * n);
@@ -34,36 +34,36 @@ ReactionRule::ReactionRule(int order) {
       for (int j = 0; j < n; ++j) values.col(modes.position[m]).segment(n * j, n) = modes.g(j, m) * modes.f.col(c);
 }
 
-const ReactionRule& rule_of(int order) { return spectral::table_per_order<ReactionRule>(order); }
+const ScreenedRule& rule_of(int order) { return spectral::table_per_order<ScreenedRule>(order); }
 
 }  // namespace
 
-std::vector<Vec2> reaction_points(const spectral::TriMap& map, int order) {
+std::vector<Vec2> rule_points(const spectral::TriMap& map, int order) {
   std::vector<Vec2> points;
   for (const Vec2 xi : rule_of(order).points) points.push_back(map.position(xi));
   return points;
 }
 
-ReactiveElement reactive_element(const spectral::TriMap& map, int order, const Eigen::VectorXd& rate) {
-  const ReactionRule& rule = rule_of(order);
-  ReactiveElement reactive;
-  reactive.weights = rule.weights;
+ScreenedElement screened_element(const spectral::TriMap& map, int order, const Eigen::VectorXd& rate) {
+  const ScreenedRule& rule = rule_of(order);
+  ScreenedElement screened;
+  screened.weights = rule.weights;
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
     Vec2 x;
     Mat2 j;
     map.evaluate(rule.points[q], x, j);
-    reactive.weights[q] *= det(j);
+    screened.weights[q] *= det(j);
   }
-  const Eigen::VectorXd scale = reactive.weights.cwiseProduct(rate);
+  const Eigen::VectorXd scale = screened.weights.cwiseProduct(rate);
   const Eigen::MatrixXd matrix =
       stiffness_matrix(map, order) + rule.values.transpose() * (scale.asDiagonal() * rule.values);
-  reactive.element = condense(order, matrix);
+  screened.element = condense(order, matrix);
   if (const int ni = spectral::num_interior_modes(order); ni > 0)
-    reactive.factors.compute(matrix.bottomRightCorner(ni, ni));
-  return reactive;
+    screened.factors.compute(matrix.bottomRightCorner(ni, ni));
+  return screened;
 }
 
-ElementLoad element_load(int order, const ReactiveElement& element, const Eigen::MatrixXd& values) {
+ElementLoad element_load(int order, const ScreenedElement& element, const Eigen::MatrixXd& values) {
   const Eigen::MatrixXd all = rule_of(order).values.transpose() * (element.weights.asDiagonal() * values);
   const int nb = spectral::num_boundary_modes(order), ni = spectral::num_interior_modes(order);
   ElementLoad load{all.topRows(nb), all.bottomRows(ni)};
@@ -73,7 +73,7 @@ ElementLoad element_load(int order, const ReactiveElement& element, const Eigen:
   return load;
 }
 
-Eigen::MatrixXd all_modes(const ReactiveElement& element, const ElementLoad& load, const Eigen::MatrixXd& boundary) {
+Eigen::MatrixXd all_modes(const ScreenedElement& element, const ElementLoad& load, const Eigen::MatrixXd& boundary) {
   Eigen::MatrixXd modes(boundary.rows() + load.interior.rows(), boundary.cols());
   modes << boundary, *element.element.interior * boundary + load.interior;
   return modes;
