@@ -166,8 +166,12 @@ bool SizeRelaxer::begin_again() {
 
 void SizeRelaxer::count_work(double steps) { work_ += steps * problem_.start.num_elems(); }
 
+double SizeRelaxer::steps_of_factors() const {
+  return step_constants.factors_work * std::sqrt(problem_.start.num_elems());
+}
+
 EnergyDerivatives SizeRelaxer::begin(bool is_first) {
-  count_work(is_first ? 1 : step_constants.factors_work * std::sqrt(problem_.start.num_elems()));
+  count_work(is_first ? 1 : steps_of_factors());
   EnergyDerivatives at = energy.with_derivatives(moves, is_first);
   problem_.join_twins(at.gradient);
   if (!symmetry_) symmetry_.emplace(problem_, energy.positions(), energy.curve_tangents(), at.gradient);
@@ -182,10 +186,12 @@ EnergyDerivatives SizeRelaxer::begin(bool is_first) {
 void SizeRelaxer::run() {
   set_sizes();
   int slow = 0, kept = 0, first_sweeps = step_constants.first_sweeps;
+  const int num_elems = problem_.start.num_elems();
   EnergyDerivatives at = begin(true);
   for (int sweep = 0; sweep < options_.sweeps && !is_exhausted(); ++sweep, ++kept) {
     if (slow >= step_constants.slow_sweeps) {
-      if (sweep >= first_sweeps || at.value < step_constants.far * problem_.start.num_elems()) break;
+      const bool may_factorise = work_ + steps_of_factors() * num_elems <= options_.most_work;
+      if (sweep >= first_sweeps || at.value < step_constants.far * num_elems || !may_factorise) break;
       first_sweeps = sweep, slow = 0;
     }
     const bool is_first = sweep < first_sweeps;

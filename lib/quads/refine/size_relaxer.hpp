@@ -73,6 +73,7 @@ class SizeRelaxer {
   EnergyDerivatives begin(bool is_first);
   double longest_step(const VertexMoves& direction) const;
   bool step(EnergyDerivatives& at);
+  double steps_of_factors() const;  ///< that take as long
   void count_work(double steps);
 
   const RelaxProblem& problem_;
