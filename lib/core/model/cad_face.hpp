@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "model/chart.hpp"
 
 namespace quadrille {
 
@@ -75,6 +77,8 @@ struct CadFace {
   std::vector<std::string> region_names;  ///< one per region
   std::vector<int> partners;              ///< one per curve: the same curve of the neighbour, or -1 on the boundary
   std::vector<PeriodicPair> periodic_pairs;
+  /// Of a curved face: the plane of curves, joints and all later stages is that of its chart. Null: the face is planar.
+  std::shared_ptr<const Chart> chart;
 
   /// Whether the CAD file or a user named the curve.
   bool has_given_name(int curve) const {

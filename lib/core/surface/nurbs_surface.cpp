@@ -1,0 +1,186 @@
+#include "surface/nurbs_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace quadrille::surface {
+namespace {
+
+constexpr int max_degree = 25;  // the largest that the CAD kernel and the formats allow
+
+/// The span k with knots[k] <= t < knots[k + 1] (from the left: knots[k] < t <= knots[k + 1]); never an empty one.
+int find_span(const std::vector<double>& knots, int degree, double t, bool from_left) {
+  const auto begin = knots.begin() + degree, end = knots.end() - degree - 1;
+  const auto above = from_left ? std::lower_bound(begin, end, t) : std::upper_bound(begin, end, t);
+  const auto first = std::upper_bound(begin, end, *begin), last = std::lower_bound(begin, end, *end);
+  return static_cast<int>(std::clamp(above, first, last) - knots.begin()) - 1;
+}
+
+/// Values and first two derivatives of the degree + 1 basis functions that do not vanish on span k.
+using Basis = std::array<std::array<double, max_degree + 1>, 3>;
+
+// Cox and de Boor's recursion, from degree to degree; the derivative of N_i,p is p times the difference of N_i,p-1 over
+// their knots (The NURBS Book, eq. 2.7), twice for the second.
+void basis_functions(const std::vector<double>& knots, int degree, int k, double t, Basis& basis) {
+  std::array<std::array<double, max_degree + 1>, 3> lower{};  // of the degrees degree - 2, degree - 1, degree
+  std::array<double, max_degree + 1> n{};
+  n[0] = 1;
+  const auto keep = [&](int p) {
+    if (p >= degree - 2) lower[p - degree + 2] = n;
+  };
+  keep(0);
+  for (int p = 1; p <= degree; ++p) {
+    double saved = 0;
+    for (int r = 0; r < p; ++r) {
+      const double right = knots[k + r + 1], left = knots[k + 1 - p + r], value = n[r] / (right - left);
+      n[r] = saved + (right - t) * value;
+      saved = (t - left) * value;
+    }
+    n[p] = saved;
+    keep(p);
+  }
+  // raised(f, p): derivatives of the functions of degree p, from those of degree p - 1.
+  const auto raised = [&](const std::array<double, max_degree + 1>& f, int p) {
+    std::array<double, max_degree + 1> d{};
+    for (int r = 0; r < p; ++r) {
+      const double slope = p * f[r] / (knots[k + r + 1] - knots[k + 1 - p + r]);
+      d[r] -= slope;
+      d[r + 1] += slope;
+    }
+    return d;
+  };
+  basis = {};
+  basis[0] = lower[2];
+  basis[1] = raised(lower[1], degree);
+  if (degree > 1) basis[2] = raised(raised(lower[0], degree - 1), degree);
+}
+
+struct Homogeneous {
+  Vec3 x;
+  double w = 0;
+
+  void add(double factor, Vec3 pole, double weight) { x += factor * weight * pole, w += factor * weight; }
+};
+
+double in_interval(double t, const std::vector<double>& knots, bool is_closed) {
+  const double begin = knots.front(), end = knots.back();
+  if (t >= begin && t <= end) return t;
+  if (!is_closed) return std::clamp(t, begin, end);
+  return std::clamp(t - std::floor((t - begin) / (end - begin)) * (end - begin), begin, end);
+}
+
+/// All derivatives of order i in u and j in v with i + j <= 2, at [i][j], in homogeneous coordinates.
+std::array<std::array<Homogeneous, 3>, 3> homogeneous(const NurbsSurface& s, Vec2 uv, int highest) {
+  const int ku = find_span(s.knots_u, s.degree_u, uv.x, false), kv = find_span(s.knots_v, s.degree_v, uv.y, false);
+  Basis nu, nv;
+  basis_functions(s.knots_u, s.degree_u, ku, uv.x, nu);
+  basis_functions(s.knots_v, s.degree_v, kv, uv.y, nv);
+  std::array<std::array<Homogeneous, 3>, 3> a{};
+  const int width = s.num_poles_v();
+  for (int i = 0; i <= s.degree_u; ++i) {
+    std::array<Homogeneous, 3> row{};  // sums over v of the derivatives in v
+    for (int j = 0; j <= s.degree_v; ++j) {
+      const int pole = (ku - s.degree_u + i) * width + kv - s.degree_v + j;
+      for (int d = 0; d <= highest; ++d) row[d].add(nv[d][j], s.poles[pole], s.weights[pole]);
+    }
+    for (int du = 0; du <= highest; ++du)
+      for (int dv = 0; du + dv <= highest; ++dv) {
+        a[du][dv].x += nu[du][i] * row[dv].x;
+        a[du][dv].w += nu[du][i] * row[dv].w;
+      }
+  }
+  return a;
+}
+
+}  // namespace
+
+std::array<Vec3, 3> derivatives(const SpaceCurve& curve, double t, bool from_left) {
+  t = std::clamp(t, curve.begin(), curve.end());
+  const int k = find_span(curve.knots, curve.degree, t, from_left);
+  Basis n;
+  basis_functions(curve.knots, curve.degree, k, t, n);
+  std::array<Homogeneous, 3> a{};
+  for (int i = 0; i <= curve.degree; ++i)
+    for (int d = 0; d < 3; ++d)
+      a[d].add(n[d][i], curve.poles[k - curve.degree + i], curve.weights[k - curve.degree + i]);
+  const Vec3 x = a[0].x / a[0].w, first = (a[1].x - a[1].w * x) / a[0].w;
+  return {x, first, (a[2].x - 2 * a[1].w * first - a[2].w * x) / a[0].w};
+}
+
+Vec3 point(const SpaceCurve& curve, double t) {
+  // (w x) / w does not always round to x.
+  if (t <= curve.begin()) return curve.poles.front();
+  if (t >= curve.end()) return curve.poles.back();
+  return derivatives(curve, t)[0];
+}
+
+SpaceCurve reversed(const SpaceCurve& curve) {
+  SpaceCurve result = curve;
+  std::reverse(result.poles.begin(), result.poles.end());
+  std::reverse(result.weights.begin(), result.weights.end());
+  for (std::size_t i = 0; i < curve.knots.size(); ++i)
+    result.knots[i] = curve.begin() + (curve.end() - curve.knots[curve.knots.size() - 1 - i]);
+  return result;
+}
+
+Vec2 in_domain(const NurbsSurface& surface, Vec2 uv) {
+  return {in_interval(uv.x, surface.knots_u, surface.is_closed_u),
+          in_interval(uv.y, surface.knots_v, surface.is_closed_v)};
+}
+
+// The quotient rule, The NURBS Book, eq. 4.20.
+SurfacePoint evaluate(const NurbsSurface& surface, Vec2 uv) {
+  const auto a = homogeneous(surface, in_domain(surface, uv), 2);
+  const double w = a[0][0].w;
+  SurfacePoint p;
+  p.x = a[0][0].x / w;
+  p.xu = (a[1][0].x - a[1][0].w * p.x) / w;
+  p.xv = (a[0][1].x - a[0][1].w * p.x) / w;
+  p.xuu = (a[2][0].x - 2 * a[1][0].w * p.xu - a[2][0].w * p.x) / w;
+  p.xvv = (a[0][2].x - 2 * a[0][1].w * p.xv - a[0][2].w * p.x) / w;
+  p.xuv = (a[1][1].x - a[1][0].w * p.xv - a[0][1].w * p.xu - a[1][1].w * p.x) / w;
+  return p;
+}
+
+Vec3 point(const NurbsSurface& surface, Vec2 uv) {
+  const Homogeneous h = homogeneous(surface, in_domain(surface, uv), 0)[0][0];
+  return h.x / h.w;
+}
+
+// Newton's method on f = |X - x|^2 / 2 with the Hessian H = [X_i . X_j + (X - x) . X_ij]. Where H is not positive
+// definite, or a step makes f greater by more than round-off, a diagonal is added and grows (Levenberg). It is scaled
+// by |X_u|, |X_v|, of which one vanishes at a pole.
+SurfaceProjection project(const NurbsSurface& surface, Vec3 x, Vec2 uv) {
+  constexpr int most_steps = 60;
+  constexpr double first_damping = 1e-6, most_damping = 1e9, round_off = 1e-14;
+  const double size = norm(x) + norm(surface.poles.front());
+  SurfaceProjection best;
+  best.uv = in_domain(surface, uv);
+  SurfacePoint p = evaluate(surface, best.uv);
+  double damping = 0;
+  for (int step = 0; step < most_steps && !best.is_converged && damping < most_damping; ++step) {
+    const Vec3 r = p.x - x;
+    const double pole = 1e-24 * (norm2(p.xu) + norm2(p.xv)), scale_u = norm2(p.xu) + pole, scale_v = norm2(p.xv) + pole;
+    const double mixed = dot(p.xu, p.xv) + dot(r, p.xuv);
+    const Mat2 h{scale_u * (1 + damping) + dot(r, p.xuu), mixed, mixed, scale_v * (1 + damping) + dot(r, p.xvv)};
+    bool is_accepted = h.xx > 0 && det(h) > round_off * scale_u * scale_v;
+    if (is_accepted) {
+      const Vec2 next = in_domain(surface, best.uv - inverse(h) * Vec2{dot(r, p.xu), dot(r, p.xv)});
+      const SurfacePoint q = evaluate(surface, next);
+      is_accepted = norm2(q.x - x) <= norm2(r) + round_off * (norm2(r) + round_off * size * size);
+      if (is_accepted) {
+        best.is_converged = norm(q.x - p.x) <= 4e-16 * size || next == best.uv;
+        best.uv = next, p = q;
+      }
+    }
+    damping = is_accepted ? (damping > first_damping ? damping / 10 : 0) : std::max(10 * damping, first_damping);
+  }
+  best.position = p.x;
+  best.distance = norm(p.x - x);
+  return best;
+}
+
+}  // namespace quadrille::surface
