@@ -30,6 +30,7 @@ struct DrawOptions {
 };
 
 /// The picture of a struct of StageModel.
+std::string draw_stage(const ChartedFace& charted, const DrawOptions& options);
 std::string draw_stage(const TriMesh& mesh, const DrawOptions& options);
 std::string draw_stage(const Field& field, const DrawOptions& options);
 std::string draw_stage(const CriticalPoints& points, const DrawOptions& options);

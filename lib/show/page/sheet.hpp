@@ -17,6 +17,7 @@ struct Sheet {
 };
 
 /// The tab of a struct of StageModel.
+Sheet stage_sheet(const ChartedFace& charted, const PageFrame& frame);
 Sheet stage_sheet(const TriMesh& mesh, const PageFrame& frame);
 Sheet stage_sheet(const Field& field, const PageFrame& frame);
 Sheet stage_sheet(const CriticalPoints& points, const PageFrame& frame);
