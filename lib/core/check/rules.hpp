@@ -105,6 +105,12 @@ void arcs_are_chains(const ArcGraph& graph, Findings& findings);
 void boundary_is_covered(const ArcGraph& graph, Findings& findings);
 void node_kinds_fit(const ArcGraph& graph, Findings& findings);
 
+// Rules of quad meshes.
+
+/// The proofs of elements, repeated.
+void jacobians_are_as_stored(const QuadMesh& mesh, Findings& findings);
+void boundary_is_on_curves_in_space(const QuadMesh& mesh, Findings& findings);
+
 inline bool is_finite(double x) { return std::isfinite(x); }
 inline bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 inline bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
