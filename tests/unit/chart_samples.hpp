@@ -17,7 +17,8 @@ namespace quadrille::samples {
 inline Vec3 on_sphere(Vec2 x) { return Vec3{2 * x.x, 2 * x.y, 1 - norm2(x)} / (1 + norm2(x)); }
 inline double sphere_log_scale(Vec2 x) { return std::log(2 / (1 + norm2(x))); }
 
-/// The part of the sphere over a rectangle of the chart in which x^2 + y^2 < 1 / 2 (else weights are not positive).
+/// The part of the sphere over a rectangle of the chart in which the weights 1 + x0 x1 + y0 y1, of its corners, are
+/// positive.
 inline NurbsSurface sphere_patch(Vec2 low, Vec2 high) {
   NurbsSurface s;
   s.degree_u = s.degree_v = 2;
@@ -111,7 +112,58 @@ inline CadFace sphere_face(int n = 2, int order = 6) {
 
 /// What cad2chart would write of it.
 inline ChartedFace charted_face() {
-  return {{{"cad2chart", "0.1.0", {{"step", std::string(64, 'a')}}, R"({"face":"0"})"}}, sphere_face()};
+  return {{{"cad2chart", "0.1.0", {{"step", std::string(64, 'a')}}, R"({"face":"0"})"}}, sphere_face(1, 2)};
 }
+
+/// A quarter of the circle about the origin, counter-clockwise from k quarter turns on; parameter 0 to 1.
+inline Nurbs quarter_circle(double radius, int k) {
+  const auto at = [&](int i) { return radius * unit(pi / 2 * i); };
+  const double w = std::sqrt(0.5);
+  return {2, {0, 0, 0, 1, 1, 1}, {at(k), at(k) + at(k + 1), at(k + 1)}, {1, w, 1}};
+}
+
+/// Half of the cap of the sphere whose chart is the disc of radius 0.8: a half disc, in six sectors of three triangles.
+inline CadFace cap_face(int order = 8) {
+  constexpr double radius = 0.8, inner = 0.4;
+  CadFace f;
+  f.name = "cap";
+  f.diameter = 2 * radius;
+  f.curves = {line({-radius, 0}, {radius, 0}), quarter_circle(radius, 0), quarter_circle(radius, 1)};
+  f.curve_names = {"axis", "rim", "rim"};
+  f.curve_cad_edges = {0, 1, 1};
+  f.loop_offsets = {0, 3};
+  f.joints = {{{-radius, 0}, -pi / 2, 0, pi / 2, true},
+              {{radius, 0}, 0, pi / 2, pi / 2, true},
+              {f.curves[2].poles.front(), pi, pi, pi, false}};
+  Chart chart;
+  chart.order = order;
+  // Vertices: 0 the centre, 1 + i on the inner polygon, 8 + i on the rim.
+  const auto add = [&](std::array<int, 3> vertices, auto&& map) {
+    chart.elem2vertices.push_back(vertices);
+    for (const Vec2 xi : spectral::tri_nodes(order)) chart.nodes.push_back(map((1 + xi.x) / 2, (1 + xi.y) / 2));
+  };
+  for (int i = 0; i < 6; ++i) {
+    const auto rim = [i](double s) { return radius * unit(pi / 6 * (i + s)); };
+    const Vec2 a = inner * unit(pi / 6 * i), b = inner * unit(pi / 6 * (i + 1));
+    const auto ring = [=](double s, double t) { return (1 - t) * ((1 - s) * a + s * b) + t * rim(s); };
+    add({0, 1 + i, 2 + i}, [&](double p, double q) { return p * a + q * b; });
+    add({1 + i, 8 + i, 9 + i}, [&](double p, double q) { return ring(q, p + q); });
+    add({1 + i, 9 + i, 2 + i}, [&](double p, double q) { return ring(p + q, p); });
+  }
+  chart.uv = chart.nodes;
+  for (const Vec2 x : chart.nodes) {
+    chart.space_nodes.push_back(on_sphere(x));
+    chart.log_scale.push_back(sphere_log_scale(x));
+  }
+  chart.elem_surface.assign(chart.elem2vertices.size(), 0);
+  chart.surfaces = {sphere_patch({-radius, 0}, {radius, radius})};
+  for (const Nurbs& curve : f.curves) chart.space_curves.push_back(on_sphere(curve));
+  chart.closedness = 1e-9;
+  f.chart = std::make_shared<const Chart>(std::move(chart));
+  return f;
+}
+
+/// The same as a file.
+inline ChartedFace charted_cap() { return {charted_face().provenance, cap_face()}; }
 
 }  // namespace quadrille::samples

@@ -24,6 +24,13 @@ std::vector<spectral::TriMap> maps_of(const Chart& chart, const Pair& pair) {
   return maps;
 }
 
+int nearest_node(int order, Vec2 xi) {
+  const std::vector<Vec2>& nodes = spectral::tri_nodes(order);
+  return static_cast<int>(
+      std::min_element(nodes.begin(), nodes.end(), [&](Vec2 a, Vec2 b) { return norm2(a - xi) < norm2(b - xi); }) -
+      nodes.begin());
+}
+
 /// The nodes of the reference triangle, the nearest to xi first.
 std::vector<int> nodes_by_distance(int order, Vec2 xi) {
   const std::vector<Vec2>& nodes = spectral::tri_nodes(order);
@@ -99,17 +106,20 @@ Vec3 ChartMap::on_polynomial(Location at) const {
   return {xy.x, xy.y, space_z_scale_[at.elem].position(at.xi).x};
 }
 
-// A node at a pole of the parametrisation may lead nowhere: then the next nearest one is tried.
+// A node at a pole of the parametrisation may lead nowhere: then the others are tried, near ones first.
 Vec3 ChartMap::projected(Vec3 position, Location at) const {
   const NurbsSurface& surface = chart_.surfaces[chart_.elem_surface[at.elem]];
   surface::SurfaceProjection best;
   best.distance = HUGE_VAL;
-  for (const int node : nodes_by_distance(chart_.order, at.xi)) {
+  const auto is_found_from = [&](int node) {
     const Vec2 uv = chart_.uv[at.elem * chart_.nodes_per_elem() + node];
     const surface::SurfaceProjection foot = surface::project(surface, position, uv);
     if (foot.distance < best.distance) best = foot;
-    if (foot.is_converged && foot.distance <= surface_tol * face_.diameter) return foot.position;
-  }
+    return foot.is_converged && foot.distance <= surface_tol * face_.diameter;
+  };
+  if (is_found_from(nearest_node(chart_.order, at.xi))) return best.position;
+  for (const int node : nodes_by_distance(chart_.order, at.xi))
+    if (is_found_from(node)) break;
   return best.position;
 }
 
@@ -120,6 +130,12 @@ Vec3 ChartMap::lift(Vec2 x) const {
 
 double ChartMap::log_scale(Vec2 x) const {
   const Location at = locate(x);
+  return space_z_scale_[at.elem].position(at.xi).y;
+}
+
+std::optional<double> ChartMap::log_scale_inside(Vec2 x) const {
+  const Location at = locator_.find(x);
+  if (at.elem < 0) return std::nullopt;
   return space_z_scale_[at.elem].position(at.xi).y;
 }
 

@@ -5,6 +5,7 @@
 // surface, and is projected to it. So every lifted point is on the exact surface, and only its place along the surface
 // has the error of the chart.
 
+#include <optional>
 #include <vector>
 
 #include "base/vec3.hpp"
@@ -33,6 +34,8 @@ class ChartMap {
   Vec3 lift(Vec2 x) const;
   /// lambda: the logarithm of a length in space over one in the chart.
   double log_scale(Vec2 x) const;
+  /// The same; no value outside all triangles.
+  std::optional<double> log_scale_inside(Vec2 x) const;
   /// The unit normal of the surface, on the side from which the chart is seen counter-clockwise.
   Vec3 normal(Vec2 x) const;
   /// The exact point of the boundary at a parameter of curve i.

@@ -22,6 +22,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 TEST(ChartCheck, TheSampleIsValid) {
   for (const Violation& v : check_stage(samples::charted_face(), CheckDepth::full)) ADD_FAILURE() << v.rule << v.text;
 }
+TEST(ChartCheck, TheCapIsValid) {
+  for (const Violation& v : check_stage(samples::charted_cap(), CheckDepth::full)) ADD_FAILURE() << v.rule << v.text;
+}
 TEST(ChartCheck, ChartsOfOtherStagesAreCheckedToo) {
   TriMesh mesh = samples::tri_mesh();
   Chart chart = *samples::sphere_face().chart;
