@@ -14,6 +14,7 @@ struct Sheet {
   std::string title, caption;
   std::vector<draw::Figure> facts;
   std::vector<JsonObject> layers;  ///< drawn in this order
+  std::string space;               ///< of a mesh of a curved face: JSON of page/space_data; else empty
 };
 
 /// The tab of a struct of StageModel.
