@@ -139,6 +139,7 @@ int main(int argc, char** argv) {
     chart.space_curves[1].poles.back().z += 1e-3;
     c.face.chart = std::make_shared<const Chart>(chart);
   });
+  write_valid("cap", samples::charted_cap());
   write_samples(samples::tri_mesh(), "TRI-R12", [](TriMesh& m) { m.curved_nodes[4].y += 1e-6; });
   write_samples(samples::field(), "FLD-R02", [](Field& f) { f.elem_order[1] = 2; });
   write_samples(samples::critical_points(), "CRT-R05", [](CriticalPoints& c) { c.corners[2].valence = 2; });
