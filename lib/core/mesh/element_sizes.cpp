@@ -209,13 +209,14 @@ constexpr int most_points = 20 + extra_points;
 using Nodes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
 using Values = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
 
-/// Of one element, lengths in units of `length`.
+/// Of one element, lengths in units of `length`, in its metric.
 ElementPowers powers_of(const QuadMesh& mesh, int elem, double length) {
   const GaussTable& table = spectral::table_per_order<GaussTable>(mesh.order);
   const int width = mesh.order + 1;
   Nodes x(width, width), y(width, width);  // xi1 x xi2
   for (int k = 0; k < width * width; ++k) {
-    const Vec2 node = mesh.nodes[mesh.elem_nodes[elem * width * width + k]] / length;
+    Vec2 node = mesh.nodes[mesh.elem_nodes[elem * width * width + k]] / length;
+    if (!mesh.elem_prescribed_stretch.empty()) node = mesh.elem_prescribed_stretch[elem] * node;
     x(k % width, k / width) = node.x;
     y(k % width, k / width) = node.y;
   }

@@ -35,7 +35,7 @@ constexpr auto stage_formats = std::to_array<StageFormat>({
     {"critical-points", 2, 2, Storage::json},
     {"separatrix-graph", 2, 4, Storage::json},
     {"block-layout", 2, 0, Storage::hdf5},
-    {"quad-mesh", 2, 1, Storage::hdf5},
+    {"quad-mesh", 2, 2, Storage::hdf5},
 });
 static_assert(stage_formats.size() == std::variant_size_v<StageModel>);
 
@@ -95,6 +95,8 @@ constexpr auto optional_inputs = std::to_array<OptionalInput>({
     {"fieldsolve", "--align", "alignment", "align.json"},
     {"blocksplit", "--block-names", "block-names", "block-names"},
     {"quadrefine", "--size-field", "size-field", "size-field"},
+    {"quadrefine", "--metric", "metric", "metric.csv"},
+    {"quadrefine", "--align", "alignment", "align.json"},
 });
 
 }  // namespace quadrille
