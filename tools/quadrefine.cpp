@@ -2,22 +2,60 @@
 
 #include "stage/quadrefine.hpp"
 
+#include <optional>
+#include <vector>
+
 #include "cli/tool_main.hpp"
+#include "io/alignment_io.hpp"
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
+#include "stage/fieldsolve.hpp"
 #include "triangulate/size_triangles.hpp"
 
 using namespace quadrille;
 
 namespace {
 
-SizeSources sources_of(const std::optional<io::InputFile>& file, const CadFace& face) {
-  if (!file) return {};
-  SizeSources sources = io::read_size_field(*file, face.origin);
-  if (sources.is_table) triangulate::add_size_triangles(sources);
-  return sources;
-}
+/// The files that options name, read before BLOCKS, which may be made for long.
+class OptionalInputs {
+ public:
+  explicit OptionalInputs(const stage::QuadrefineOptions& options) {
+    const auto read = [](const std::string& path, std::optional<io::InputFile>& file) {
+      if (!path.empty()) file = io::read_input(path);
+      return file.has_value();
+    };
+    if (read(options.size_field_file, sizes_file_)) io::read_size_field(*sizes_file_, {});
+    if (read(options.metric_file, metric_file_)) io::read_metric(*metric_file_, {});
+    if (read(options.align_file, align_file_)) io::read_alignment(*align_file_, {}, 1);
+  }
+
+  /// The input of the stage, which must not outlive the object.
+  stage::QuadrefineInput with(const stage::Input<BlockLayout>& layout) {
+    const CadFace& face = layout.model.face;
+    stage::QuadrefineInput input{layout};
+    if (sizes_file_) {
+      sizes_ = io::read_size_field(*sizes_file_, face.origin);
+      if (sizes_.is_table) triangulate::add_size_triangles(sizes_);
+      input.sizes.emplace(sizes_, *sizes_file_);
+    }
+    if (metric_file_) {
+      metric_ = io::read_metric(*metric_file_, face.origin);
+      input.metric.emplace(metric_, *metric_file_);
+    }
+    if (align_file_) {
+      alignment_ = io::read_alignment(*align_file_, face.origin, stage::usual_feature_width(face));
+      input.alignment.emplace(alignment_, *align_file_);
+    }
+    return input;
+  }
+
+ private:
+  std::optional<io::InputFile> sizes_file_, metric_file_, align_file_;
+  SizeSources sizes_;
+  std::vector<MetricSample> metric_;
+  AlignmentRequest alignment_;
+};
 
 }  // namespace
 
@@ -45,7 +83,8 @@ int main(int argc, char** argv) {
       "quadrefine --wall curve_0:first=1e-3,growth=1.3,layers=8 half_disc.blocks.h5 -o layers.quad.h5",
       "quadrefine --wall 0:yplus=1,layers=8 --velocity 30 --viscosity 1e-5 --length 1 half_disc.blocks.h5 >y.h5",
       "quadrefine --count curve_0=16 --refine 1 half_disc.blocks.h5 -o counted.quad.h5",
-      "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5"};
+      "quadrefine --size 0.2 --size-near 0=0.05 --growth 1.3 half_disc.blocks.h5 -o near.quad.h5",
+      "quadrefine --metric metric.csv half_disc.blocks.h5 -o stretched.quad.h5"};
   tool.options = [&](Options& o) {
     o.input("BLOCKS", input, "block layout (x.blocks.h5)");
     o.output(output, "quad mesh to write (x.quad.h5)");
@@ -53,18 +92,11 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     options.validate();
-    std::optional<io::InputFile> sizes;  // read before BLOCKS, which may be made for long
-    if (!options.size_field_file.empty()) {
-      sizes = io::read_input(options.size_field_file);
-      io::read_size_field(*sizes, {});
-    }
+    OptionalInputs optional(options);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const BlockLayout layout = io::read_stage<BlockLayout>(file);
-    const SizeSources sources = sources_of(sizes, layout.face);
-    std::optional<stage::Input<SizeSources>> with_sizes;
-    if (sizes) with_sizes.emplace(sources, *sizes);
-    const QuadMesh mesh = stage::quadrefine({layout, file}, with_sizes, options, s);
+    const QuadMesh mesh = stage::quadrefine(optional.with({layout, file}), options, s);
     s.begin_phase("write");
     io::write_stage(output, mesh);
   };

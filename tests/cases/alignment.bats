@@ -25,18 +25,19 @@ follows() {
   "$quadmesh" -q "$DATA/bow_shock.step" -o a.msh --align "$shock" --align-strength 2 --workdir .
   cad2tri -q "$DATA/bow_shock.step" | fieldsolve -q --align "$shock" --align-strength 2 | padapt -q -o b.field.h5
   critpoints -q b.field.h5 -o b.crit.json
-  separatrix -q b.field.h5 b.crit.json | blocksplit -q | quadrefine -q --relax none -o b.quad.h5
+  separatrix -q b.field.h5 b.crit.json | blocksplit -q |
+    quadrefine -q --align "$shock" --align-strength 2 -o b.quad.h5
   quadexport -q b.quad.h5 -o b.msh
   cmp b.field.h5 bow_shock.field.h5
   cmp b.quad.h5 bow_shock.quad.h5
   cmp a.msh b.msh
 }
 
-@test "--dry-run prints the file of directions and --relax none; stagecheck --history prints commands with it" {
+@test "--dry-run prints the file of directions for both stages; stagecheck --history prints commands with it" {
   cp "$shock" shock.json
   "$quadmesh" --dry-run "$DATA/bow_shock.step" -o a.msh --align shock.json >commands
   grep -q '^fieldsolve .*--align shock.json' commands
-  grep -q '^quadrefine .*--relax none' commands
+  grep -q '^quadrefine .*--align shock.json' commands
   bash -e commands
   mv a.msh dry.msh
   "$quadmesh" -q "$DATA/bow_shock.step" -o a.msh --align shock.json
@@ -50,14 +51,31 @@ follows() {
   cmp first.solve.h5 bow_shock.solve.h5
 }
 
-@test "vertices stay on the traced lines, unless --relax is given" {
-  for rule in none size shape; do
-    "$quadmesh" -q "$DATA/bow_shock.step" -o $rule.msh --align "$shock" --relax $rule
-  done
-  "$quadmesh" -q "$DATA/bow_shock.step" -o a.msh --align "$shock"
-  cmp a.msh none.msh
-  run ! cmp a.msh size.msh
-  run ! cmp a.msh shape.msh
+@test "the vertices of finer meshes follow the shock more closely, and less without --align" {
+  "$quadmesh" -q "$DATA/bow_shock.step" -o a.msh --align "$shock" --size 0.1 --workdir .
+  follows bow_shock.quad.h5 5
+  quadrefine -q --size 0.1 bow_shock.blocks.h5 -o plain.quad.h5
+  run ! follows plain.quad.h5 15
+}
+
+@test "a metric has elements of its lengths, along its directions, and R is measured in it" {
+  cat >metric.py <<'END'
+import math
+print("x,y,h1,h2,angle")
+for i in range(61):
+    for j in range(101):
+        x, y = -2 + 0.035 * i, -2.05 + 0.041 * j
+        away = abs(math.hypot(x - 0.25, y) - 1.15)
+        print(x, y, 0.2, min(0.2, 0.04 + 0.15 * max(0, away - 0.05)), math.degrees(math.atan2(y, x - 0.25)) + 90, sep=",")
+END
+  python3 metric.py >metric.csv
+  "$quadmesh" -q "$DATA/bow_shock.step" -o a.msh --metric metric.csv --align metric.csv --workdir . --report a.json
+  follows bow_shock.quad.h5 10
+  jq -e '.valid and .quads < 700 and .resolution.ratio < 4 and .greatest_edge_ratio.value > 3' a.json
+  stagecheck bow_shock.quad.h5
+  assert_equal "$(h5dump -d /elem_prescribed_stretch/xx bow_shock.quad.h5 | grep -c 'SIMPLE')" 1
+  quadrefine -q --size 0.14 bow_shock.blocks.h5 -o plain.quad.h5 --report plain.json
+  jq -e '.greatest_edge_ratio.value < 3' plain.json
 }
 
 @test "nodes that were given get a field that follows the shock too" {
@@ -82,14 +100,21 @@ follows() {
     (.[0][1] + .[1][1] | fabs < 1e-7)' a.crit.json
 }
 
-@test "where a strip of blocks contains itself, or the mesh is poor, nodes of the least energy are not tried" {
+@test "nodes at zeros that follow directions stay there: --place energy and remedies move none of them" {
+  "$quadmesh" -q "$DATA/bow_shock.step" --align "$shock" --workdir . --until critpoints
+  critpoints -q --place energy bow_shock.field.h5 -o energy.crit.json
+  assert_equal "$(jq -c .critical_points energy.crit.json)" "$(jq -c .critical_points bow_shock.crit.json)"
   echo '{"format": "alignment", "version": [1, 0], "curves": [{"positions": [[-1.2, -1.2], [0.8, 1.2]]}],
     "points": [{"position": [1.2, -0.4], "angle": 20}]}' >align.json
-  run -0 --separate-stderr "$quadmesh" "$DATA/stadium.step" -o a.msh --align align.json
-  [[ $stderr != *energy* ]] || fail "$stderr"
-  "$quadmesh" -q "$DATA/stadium.step" --align align.json --workdir . --until padapt
-  run -0 --separate-stderr "$quadmesh" --from critpoints --workdir . -o b.msh
-  [[ $stderr != *energy* ]] || fail "$stderr"
+  "$quadmesh" -q "$DATA/stadium.step" -o a.msh --align align.json --report a.json
+  jq -e .valid a.json
+}
+
+@test "an aligned plate with small fillets has no thin elements" {
+  echo '{"format": "alignment", "version": [1, 0], "curves": [{"positions": [[-2.4, -0.2], [2.4, 2.2]], "width": 0.2}]}' \
+    >align.json
+  "$quadmesh" -q "$DATA/filleted_plate.step" -o a.msh --align align.json --report a.json
+  jq -e '.valid and .greatest_edge_ratio.value < 30 and .least_scaled_jacobian > 0.5' a.json
 }
 
 @test "what quadmesh cannot do with directions is refused before any work" {
@@ -97,7 +122,10 @@ follows() {
   run -3 --separate-stderr "$quadmesh" "$DATA/bow_shock.step" -o a.msh --align empty.json
   assert_regex "$stderr" '^quadmesh: .*ALN-R04'
   run -3 "$quadmesh" "$DATA/bow_shock.step" -o a.msh --align missing.json
-  run -2 --separate-stderr "$quadmesh" "$DATA/bow_shock.step" -o a.msh --align "$shock" --place energy
-  assert_regex "$stderr" 'place energy'
-  assert_nothing_left empty.json
+  run -3 --separate-stderr "$quadmesh" "$DATA/bow_shock.step" -o a.msh --metric "$shock"
+  assert_regex "$stderr" 'a metric has lengths'
+  printf 'x,y,h1,h2,angle\n0,0,0.1,0,0\n' >bad.csv
+  run -3 --separate-stderr "$quadmesh" "$DATA/bow_shock.step" -o a.msh --metric bad.csv
+  assert_regex "$stderr" '^quadmesh: bad.csv:2: .*ALN-R03'
+  assert_nothing_left empty.json bad.csv
 }

@@ -491,6 +491,31 @@ print(vertices(a) < vertices(b))'
   assert_output --partial "bad.csv:2: expected 3 numbers, found 2"
 }
 
+@test "--metric: elements have the lengths of a metric by direction, which other sizes limit" {
+  stage_chain duct .
+  printf 'x,y,h1,h2,angle\n1,0.5,0.2,0.05,0\n' >metric.csv
+  quadrefine --metric metric.csv duct.blocks.h5 -o a.quad.h5 --report a.json
+  jq -e '.quads == 300 and (.greatest_edge_ratio.value - 4 | fabs < 1e-6) and (.resolution.ratio - 1 | fabs < 1e-6)' a.json
+  run -0 stagecheck a.quad.h5
+  printf 'x y m11 m12 m22\n0 0 25 0 400\n' | quadrefine --metric - duct.blocks.h5 -o b.quad.h5
+  h5diff a.quad.h5 b.quad.h5 /nodes
+  quadrefine --metric metric.csv --size 0.1 duct.blocks.h5 -o c.quad.h5 --report c.json
+  jq -e '.quads == 600 and (.sizes.greatest_ratio - 1 | fabs < 1e-6)' c.json
+}
+
+@test "--metric and --align: what has no lengths or breaks a rule is refused" {
+  echo '{"format": "alignment", "version": [1, 0], "points": [{"position": [0, 0], "angle": 0}]}' >a.json
+  run -3 --separate-stderr quadrefine --metric a.json "$blocks" -o a.quad.h5
+  assert_regex "$stderr" '^quadrefine: a.json: .*a metric has lengths'
+  printf 'x,y,h1,h2,angle\n0,0,1,1,0\n0,0,1,-1,0\n' >bad.csv
+  run -3 --separate-stderr quadrefine --metric bad.csv "$blocks" -o a.quad.h5
+  assert_regex "$stderr" '^quadrefine: bad.csv:3: .*ALN-R03'
+  run -3 --separate-stderr quadrefine --align "$ROOT/formats/size-field.schema.json" "$blocks" -o a.quad.h5
+  run -2 --separate-stderr quadrefine --align a.json --align-strength -1 "$blocks" -o a.quad.h5
+  assert_regex "$stderr" 'align-strength'
+  assert_nothing_left a.json bad.csv
+}
+
 @test "--per-curve makes elements follow short curves, with and without a size" {
   stage_chain s_bend .
   quadrefine --per-curve 4 s_bend.blocks.h5 -o a.quad.h5 --report a.json

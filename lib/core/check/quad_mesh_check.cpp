@@ -30,6 +30,8 @@ void arrays_agree(const QuadMesh& mesh, Findings& findings) {
   if (const std::size_t expected = mesh.face.chart ? mesh.nodes.size() : 0; mesh.space_nodes.size() != expected)
     findings.add("space_nodes has {} entries, not {}: one for each node of a curved face", mesh.space_nodes.size(),
                  expected);
+  if (!mesh.elem_prescribed_stretch.empty() && mesh.elem_prescribed_stretch.size() != n)
+    findings.add("elem_prescribed_stretch has {} entries for {} elements", mesh.elem_prescribed_stretch.size(), n);
   if (!are_ascending_indices(mesh.unnamed_blocks, mesh.block_names.size()))
     findings.add("unnamed_blocks must be blocks in ascending order, each once");
 }
@@ -202,6 +204,9 @@ void root_tells_validity(const QuadMesh& mesh, Findings& findings) {
 void sizes_are_in_range(const QuadMesh& mesh, Findings& findings) {
   for (std::size_t e = 0; e < mesh.elem_prescribed_length.size(); ++e)
     if (!(mesh.elem_prescribed_length[e] >= 0)) findings.add("element {}: its prescribed length is negative", e);
+  for (std::size_t e = 0; e < mesh.elem_prescribed_stretch.size(); ++e)
+    if (const SymmetricTensor& s = mesh.elem_prescribed_stretch[e]; !(std::abs(det(s) - 1) < 1e-6 * s.xx * s.yy))
+      findings.add("element {}: its prescribed stretch is no tensor of determinant 1", e);
   if (!mesh.is_valid) return;
   for (std::size_t e = 0; e < mesh.elem_edge_ratio.size(); ++e)
     if (!(mesh.elem_edge_ratio[e] >= 1 - 1e-12) || !(mesh.elem_area_jump[e] >= 1 - 1e-12) ||

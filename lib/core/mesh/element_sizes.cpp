@@ -220,38 +220,36 @@ constexpr int most_points = 20 + extra_points;
 using Nodes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
 using Values = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
 
-/// A coordinate of the nodes of an element, in units of `length`, as xi1 x xi2.
-template <typename Coordinate>
-Nodes grid_of(const QuadMesh& mesh, int elem, double length, const Coordinate& coordinate) {
-  const int width = mesh.order + 1;
-  Nodes x(width, width);
-  for (int k = 0; k < width * width; ++k)
-    x(k % width, k / width) = coordinate(mesh.elem_nodes[elem * width * width + k]) / length;
-  return x;
+/// A node of an element as its lengths are measured: in space, or in the plane in the metric of the element.
+Vec3 measured_node(const QuadMesh& mesh, int elem, int node) {
+  if (!mesh.space_nodes.empty()) return mesh.space_nodes[node];
+  Vec2 x = mesh.nodes[node];
+  if (!mesh.elem_prescribed_stretch.empty()) x = mesh.elem_prescribed_stretch[elem] * x;
+  return {x.x, x.y, 0};
 }
 
 /// Of one element, lengths in units of `length`.
 ElementPowers powers_of(const QuadMesh& mesh, int elem, double length) {
   const GaussTable& table = spectral::table_per_order<GaussTable>(mesh.order);
+  const int width = mesh.order + 1;
+  Nodes x(width, width), y(width, width), z(width, width);  // xi1 x xi2
+  for (int k = 0; k < width * width; ++k) {
+    const Vec3 node = measured_node(mesh, elem, mesh.elem_nodes[elem * width * width + k]) / length;
+    x(k % width, k / width) = node.x, y(k % width, k / width) = node.y, z(k % width, k / width) = node.z;
+  }
   const auto along = [](const Eigen::MatrixXd& of1, const Nodes& nodes, const Eigen::MatrixXd& of2) {
     const Nodes half = of1.lazyProduct(nodes);
     return Values(half.lazyProduct(of2.transpose()));
   };
-  const bool in_space = !mesh.space_nodes.empty();
-  const Nodes x =
-      grid_of(mesh, elem, length, [&](int i) { return in_space ? mesh.space_nodes[i].x : mesh.nodes[i].x; });
-  const Nodes y =
-      grid_of(mesh, elem, length, [&](int i) { return in_space ? mesh.space_nodes[i].y : mesh.nodes[i].y; });
   const Values x1 = along(table.slopes, x, table.values), y1 = along(table.slopes, y, table.values),
                x2 = along(table.values, x, table.slopes), y2 = along(table.values, y, table.slopes);
   const auto power = [&](const Values& squares, const Values& area) {
     return (squares.square().square() * area).sum();
   };
-  if (!in_space) {
+  if (mesh.space_nodes.empty()) {
     const Values area = (x1 * y2 - y1 * x2).abs() * table.weights.array();
     return {{power(x1.square() + y1.square(), area), power(x2.square() + y2.square(), area)}, area.sum()};
   }
-  const Nodes z = grid_of(mesh, elem, length, [&](int i) { return mesh.space_nodes[i].z; });
   const Values z1 = along(table.slopes, z, table.values), z2 = along(table.values, z, table.slopes);
   const Values area =
       ((x1 * y2 - y1 * x2).square() + (y1 * z2 - z1 * y2).square() + (z1 * x2 - x1 * z2).square()).sqrt() *

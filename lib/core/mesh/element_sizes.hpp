@@ -44,7 +44,9 @@ void report_element_sizes(const QuadMesh& mesh, Report& report);
 //   E = sum over elements of  int (|x_xi1 / h|^2q + |x_xi2 / h|^2q) dA / h^2,   R = E / (2 A (A / n)^q),
 //
 // xi in [0, 1]^2, A = int dA / h^2, n elements: the denominator is E of n equal squares. So R >= 1, and the error is
-// about sqrt(R) times theirs. q = 4.
+// about sqrt(R) times theirs. q = 4. Where a metric is prescribed, x_xi1 and x_xi2 are those times its tensor S of
+// determinant 1 (QuadMesh::elem_prescribed_stretch): lengths and areas are in the metric, and R is the error of a
+// solution whose variation is equal in all directions there.
 
 constexpr int resolution_power = 4;  ///< q
 

@@ -117,6 +117,8 @@ class Refiner {
         refined_.elem_block.push_back(coarse_.elem_block[elem]);
         if (!coarse_.elem_prescribed_length.empty())
           refined_.elem_prescribed_length.push_back(coarse_.elem_prescribed_length[elem] / parts_);
+        if (!coarse_.elem_prescribed_stretch.empty())
+          refined_.elem_prescribed_stretch.push_back(coarse_.elem_prescribed_stretch[elem]);
         for (int j = 0; j <= order; ++j)
           for (int i = 0; i <= order; ++i)
             refined_.elem_nodes.push_back(grid[(row * order + j) * width_ + column * order + i]);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/symmetric_tensor.hpp"
 #include "base/vec2.hpp"
 #include "base/vec3.hpp"
 #include "model/cad_face.hpp"
@@ -43,6 +44,9 @@ struct QuadMesh {
   /// Prescribed edge length at its middle, after --refine a part of it; 0 where wall layers prescribe others. Empty in
   /// files before version 2.1.
   std::vector<double> elem_prescribed_length;
+  /// Where a metric is prescribed, the tensor S of determinant 1: edges along the unit vector t have the prescribed
+  /// length over |S t|. Empty: lengths do not differ by direction.
+  std::vector<SymmetricTensor> elem_prescribed_stretch;
   std::vector<QuadBoundaryEdge> boundary_edges;  ///< sorted along the loops
   /// Edges on interfaces, from both sides: each with the curve of its own region. Sorted as boundary_edges.
   std::vector<QuadBoundaryEdge> interface_edges;

@@ -1,5 +1,6 @@
 #pragma once
-// Prescribed element sizes at points, in boxes and triangles (formats/size-field.md).
+// Prescribed element sizes at points, in boxes and triangles (formats/size-field.md), or by a metric
+// (formats/alignment.md).
 //
 // Positions are relative to face.origin, lengths in the unit of the file.
 
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "model/alignment.hpp"
 
 namespace quadrille {
 
@@ -34,7 +36,8 @@ struct SizeSources {
   std::vector<SizeBox> boxes;
   double growth = 0;  ///< size ratio of adjacent elements, > 1; 0: not prescribed
   std::vector<SizeTriangle> triangles = {};
-  bool is_table = false;  ///< scattered points, to be joined by triangles (triangulate/size_triangles)
+  bool is_table = false;                  ///< scattered points, to be joined by triangles (triangulate/size_triangles)
+  std::vector<MetricSample> metric = {};  ///< lengths that differ by direction, at scattered points
 };
 
 }  // namespace quadrille

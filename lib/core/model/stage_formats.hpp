@@ -98,6 +98,8 @@ constexpr auto optional_inputs = std::to_array<OptionalInput>({
     {"fieldsolve", "--align", "alignment", "align.json"},
     {"blocksplit", "--block-names", "block-names", "block-names"},
     {"quadrefine", "--size-field", "size-field", "size-field"},
+    {"quadrefine", "--metric", "metric", "metric.csv"},
+    {"quadrefine", "--align", "alignment", "align.json"},
 });
 
 }  // namespace quadrille

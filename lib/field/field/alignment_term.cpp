@@ -203,6 +203,7 @@ AlignmentTerm::Value AlignmentTerm::at(Vec2 x) const {
     const double rate = point.rate * std::exp(-squared(distance(x, point.position) / point.width));
     value.rate += rate;
     value.target += rate * direction_[k];
+    value.pull += rate * squared(point.width) * direction_[k];
   });
   return value;
 }

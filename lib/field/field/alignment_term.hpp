@@ -27,6 +27,7 @@ class AlignmentTerm {
   struct Value {
     double rate = 0;  ///< mu
     Vec2 target;      ///< f
+    Vec2 pull;        ///< the sum of f with each term times its width^2: |pull| = strength^2 inside a feature
   };
   Value at(Vec2 x) const;
   /// Whether mu is not negligible somewhere in the disc.

@@ -83,7 +83,7 @@ MetricSample sample_of_tensor(double m11, double m12, double m22) {
   return {{}, 1 / std::sqrt(mean + radius), 1 / std::sqrt(mean - radius), std::atan2(2 * m12, m11 - m22) / 2};
 }
 
-std::vector<MetricSample> read_metric(const InputFile& file, Vec2 origin) {
+std::vector<MetricSample> read_samples(const InputFile& file, Vec2 origin) {
   const std::vector<std::string> heading = table_heading(file);
   const bool is_tensor = std::ranges::find(heading, "m11") != heading.end();
   std::vector<std::vector<std::string>> columns{{"x", "points:0"}, {"y", "points:1"}};
@@ -104,18 +104,32 @@ std::vector<MetricSample> read_metric(const InputFile& file, Vec2 origin) {
   return samples;
 }
 
-}  // namespace
-
-AlignmentRequest read_alignment(const InputFile& file, Vec2 origin, double usual_width) {
-  AlignmentRequest request;
-  if (is_point_table(file)) {
-    request.metric = read_metric(file, origin);
-    return request;
-  }
+void refuse_vtu(const InputFile& file) {
   if (file.bytes.find("<VTKFile") != std::string::npos)
     throw FormatError(fmt::format(
         "{0}: a VTU file: convert it first, by python3 -m quadrille.vtu_sizes {0} --array metric -o metric.csv",
         file.name));
+}
+
+}  // namespace
+
+std::vector<MetricSample> read_metric(const InputFile& file, Vec2 origin) {
+  refuse_vtu(file);
+  if (!is_point_table(file))
+    throw FormatError(
+        file.name +
+        ": expected a table of x, y, h1, h2 and angle, or of x, y, m11, m12 and m22: a metric has lengths "
+        "(directions alone are for --align)");
+  return read_samples(file, origin);
+}
+
+AlignmentRequest read_alignment(const InputFile& file, Vec2 origin, double usual_width) {
+  AlignmentRequest request;
+  if (is_point_table(file)) {
+    request.metric = read_samples(file, origin);
+    return request;
+  }
+  refuse_vtu(file);
   JsonReader reader(file.bytes, file.name);
   Archive& root = reader.root();
   require_format(root, alignment_version, file.name, "an alignment");

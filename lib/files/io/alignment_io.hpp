@@ -10,4 +10,7 @@ namespace quadrille::io {
 /// features without one. Throws FormatError, with the position in the file, for anything that is no alignment.
 AlignmentRequest read_alignment(const InputFile& file, Vec2 origin, double usual_width);
 
+/// The lengths of a table alone, in the same way; directions without lengths are refused.
+std::vector<MetricSample> read_metric(const InputFile& file, Vec2 origin);
+
 }  // namespace quadrille::io

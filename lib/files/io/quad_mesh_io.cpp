@@ -16,6 +16,12 @@ void describe_edge(Archive& archive, QuadBoundaryEdge& edge) {
   archive.field("curve", edge.curve, {"", "CAD curve"});
 }
 
+void describe_stretch(Archive& archive, SymmetricTensor& stretch) {
+  archive.field("xx", stretch.xx, {"1", "tensor of determinant 1"});
+  archive.field("xy", stretch.xy, {"1", "of xy and yx"});
+  archive.field("yy", stretch.yy, {"1", "tensor of determinant 1"});
+}
+
 }  // namespace
 
 void describe(Archive& archive, QuadMesh& mesh) {
@@ -35,6 +41,7 @@ void describe(Archive& archive, QuadMesh& mesh) {
   }
   archive.nonempty_field("elem_prescribed_length", mesh.elem_prescribed_length,
                          {"length", "prescribed edge length; 0: by wall layers"});
+  archive.nonempty_field("elem_prescribed_stretch", mesh.elem_prescribed_stretch, describe_stretch);
   archive.field("boundary_edges", mesh.boundary_edges, describe_edge);
   archive.nonempty_field("interface_edges", mesh.interface_edges, describe_edge);
   describe_open_curves(archive, mesh.open_curves);

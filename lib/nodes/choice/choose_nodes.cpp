@@ -154,7 +154,9 @@ CriticalPoints nodes_of_face(const Field& field, const NodeOptions& options, int
   report.set("feature_size", feature_size);
   guide::require_index_sum(points);
   begin_part("place");
-  place(field, options, is_chosen || options.place == placement::PlaceRule::energy, solver, points, report);
+  // The zeros of a field follow the directions that are prescribed for it, which the energy of nodes does not know.
+  const bool leaves_zeros = options.place == placement::PlaceRule::energy && field.alignment.empty();
+  place(field, options, is_chosen || leaves_zeros, solver, points, report);
   keep_clearance(field, options, points, report);
   guide::complete_nodes(evaluator, points);
   points.face = face;
@@ -191,8 +193,7 @@ bool has_natural_corners(const CadFace& face, const curve::SymmetryLine& line) {
 /// There their positions have the least energy, unless corners of the whole attract them.
 CriticalPoints nodes_beside_line(const Field& field, const curve::SymmetryLine& line, NodeOptions options,
                                  int num_threads, Report& report, const PartBegins& begin_part) {
-  if (field.alignment.empty() && has_natural_corners(field.mesh.face, line))
-    options.place = placement::PlaceRule::energy;
+  if (has_natural_corners(field.mesh.face, line)) options.place = placement::PlaceRule::energy;
   options.placement.symmetry = options.symmetry;
   return nodes_of_face(field, options, num_threads, report, begin_part);
 }

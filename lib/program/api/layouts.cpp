@@ -43,7 +43,7 @@ QuadMesh make_quads(const BlockLayout& layout, const QuadSettings& settings, std
   stage::QuadrefineOptions options;
   options.refine.order = settings.order;
   options.sizes.size = settings.size;
-  QuadMesh mesh = stage::quadrefine(as_input(layout, "the blocks"), {}, options, run);
+  QuadMesh mesh = stage::quadrefine({as_input(layout, "the blocks")}, options, run);
   add_warnings(run, warnings);
   return mesh;
 }

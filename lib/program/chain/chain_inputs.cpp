@@ -135,6 +135,12 @@ PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face) {
   return sizes;
 }
 
+PrescribedMetric prescribed_metric(const ChainState& chain, const CadFace& face) {
+  if (chain.values.quadrefine.metric_file.empty()) return {};
+  const io::InputFile file = read_input(chain, chain.values.quadrefine.metric_file);
+  return {io::read_metric(file, face.origin), file};
+}
+
 Directions directions_to_align_with(const ChainState& chain, const CadFace& face) {
   if (chain.values.fieldsolve.align_file.empty()) return {};
   const io::InputFile file = read_input(chain, chain.values.fieldsolve.align_file);

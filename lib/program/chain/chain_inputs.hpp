@@ -27,6 +27,7 @@ struct Prescribed {
 
 using Names = Prescribed<std::vector<NameRule>>;
 using PrescribedSizes = Prescribed<SizeSources>;
+using PrescribedMetric = Prescribed<std::vector<MetricSample>>;
 using Directions = Prescribed<AlignmentRequest>;
 
 /// The files that the options name, "-" standard input. All throw FormatError.
@@ -36,6 +37,7 @@ Names block_names(const ChainState& chain);
 PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face);
 
 /// With positions relative to face.origin.
+PrescribedMetric prescribed_metric(const ChainState& chain, const CadFace& face);
 Directions directions_to_align_with(const ChainState& chain, const CadFace& face);
 
 /// A file, or what was read from standard input before.

@@ -154,12 +154,13 @@ void check_inputs(const ChainState& chain) {
     throw FormatError(
         fmt::format("--nodes {}: no such file; the rules are none, fewest, field and auto", options.nodes_file));
   for (const std::string& path : {values.cad2tri.names_file, values.fieldsolve.align_file, values.blocksplit.names_file,
-                                  options.nodes_file, values.quadrefine.size_field_file})
+                                  options.nodes_file, values.quadrefine.size_field_file, values.quadrefine.metric_file})
     require_input(path);
   if (is_file(values.cad2tri.names_file)) boundary_names(chain);
   if (is_file(values.fieldsolve.align_file)) io::read_alignment(io::read_input(values.fieldsolve.align_file), {}, 1);
   if (is_file(values.blocksplit.names_file)) block_names(chain);
   if (is_file(values.quadrefine.size_field_file)) prescribed_sizes(chain, {});
+  if (is_file(values.quadrefine.metric_file)) prescribed_metric(chain, {});
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
 }
 
@@ -246,8 +247,11 @@ void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
   if (chosen_words(chain, stage).empty()) return;
   const cli::Outcome outcome = cli::outcome_of([&] {
     if (stage == ChainStage::critpoints) stage::require_critpoints_of(face, chain.values.critpoints);
-    if (stage == ChainStage::quadrefine)
-      stage::require_quadrefine_of(face, prescribed_sizes(chain, face).content, chain.values.quadrefine);
+    if (stage == ChainStage::quadrefine) {
+      SizeSources sizes = prescribed_sizes(chain, face).content;
+      sizes.metric = prescribed_metric(chain, face).content;
+      stage::require_quadrefine_of(face, sizes, chain.values.quadrefine);
+    }
     if (stage == ChainStage::quadexport) stage::require_quadexport_of(face, chain.values.quadexport);
   });
   if (outcome.code != ExitCode::usage && outcome.code != ExitCode::no_result) return;  // the stage says the rest

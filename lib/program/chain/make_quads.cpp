@@ -34,8 +34,11 @@ bool refine_blocks(ChainState& chain) {
   StageFile<BlockLayout>& blocks = chain.files.of_nodes.blocks;
   const auto quads = [&](Run& run) {
     const stage::Input<BlockLayout> layout = blocks.input();
-    const PrescribedSizes sizes = prescribed_sizes(chain, layout.model.face);
-    return stage::quadrefine(layout, sizes.input(), chain.values.quadrefine, run);
+    const CadFace& face = layout.model.face;
+    const PrescribedSizes sizes = prescribed_sizes(chain, face);
+    const PrescribedMetric metric = prescribed_metric(chain, face);
+    const Directions directions = directions_to_align_with(chain, face);
+    return stage::quadrefine({layout, sizes.input(), metric.input(), directions.input()}, chain.values.quadrefine, run);
   };
   return make_file(chain, {ChainStage::quadrefine}, chain.files.quads, quads, blocks);
 }

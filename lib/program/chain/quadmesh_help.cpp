@@ -70,10 +70,6 @@ OPTIONS
                             boundary touches itself: straight edges of this length, in file units; auto, the default:
                             1e-3 diameters, with a warning; 0: cusps and contacts are refused (see cad2tri --help)
   --write-healed FILE       also write the healed face as a CAD file: x.step or x.brep
-  --align FILE              the crosses, and so the blocks, follow directions inside the domain: at points, along
-                            curves, in boxes (JSON) or of a metric (CSV) (see fieldsolve --help); vertices then stay
-                            on the lines that were traced (--relax none), unless --relax is given
-  --align-strength X        how strongly (default: 1; interval: 0 to 1000)
   --workdir DIR             keep the files of all stages in DIR (default: a temporary folder)
   --until STAGE             end after this stage; needs --workdir; -o is then not written and may be left out
   --from STAGE              begin with this stage, with the files of earlier ones in --workdir; of SHAPE only the name
@@ -121,6 +117,7 @@ EXAMPLES
   quadmesh half_disc.step -o half_disc.msh --html half_disc.html
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10
   quadmesh bow_shock.step -o aligned.msh --align shock.json
+  quadmesh bow_shock.step -o adapted.msh --metric metric.csv --align metric.csv
   quadmesh half_disc.step --until critpoints --workdir stages
   quadmesh half_disc.step --from separatrix --workdir stages -o half_disc.msh
   quadmesh half_disc.step --nodes stages/half_disc.crit.json -o half_disc.msh

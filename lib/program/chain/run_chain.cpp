@@ -148,13 +148,6 @@ void add_options_of_walls(ChainState& chain) {
   }
 }
 
-/// To move vertices to sizes would turn the lines that were traced in the prescribed directions.
-void keep_aligned_lines(ChainState& chain) {
-  if (chain.values.fieldsolve.align_file.empty() || chain.options.has("quadrefine", "--relax")) return;
-  chain.added["quadrefine"].insert(chain.added["quadrefine"].end(), {"--relax", "none"});
-  chain.values.quadrefine.relax = "none";
-}
-
 void add_clearances(ChainState& chain) {
   if (!chain.is_due(ChainStage::critpoints) || !chain.options.nodes_file.empty() ||
       chain.values.separatrix.layout == layout::LayoutChoice::midpoint)
@@ -239,10 +232,7 @@ int run(ChainOptions options) {
     chain.keeps_files = !options.workdir.empty() || !options.html.empty() || !options.nodes_file.empty() ||
                         !options.programs.empty() || is_second_try || budget.is_limited();
     chain.values.fieldsolve.estimates_errors = chain.keeps_files;  // padapt makes its own
-    const cli::Outcome added = cli::outcome_of([&] {
-      add_options_of_walls(chain);
-      keep_aligned_lines(chain);
-    });
+    const cli::Outcome added = cli::outcome_of([&] { add_options_of_walls(chain); });
     return added.is_success() ? run_to_the_end(chain) : cli::print_failure("quadmesh", added);
   };
   if (options.is_dry_run) return work(false);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/tolerance.hpp"
+#include "chain/chain_inputs.hpp"
 #include "chain/chain_nodes.hpp"
 #include "chain/make_graph.hpp"
 #include "curve/symmetry_lines.hpp"
@@ -128,6 +129,7 @@ stage::QuadrefineOptions trial_options(const ChainState& chain, double good) {
   options.refine.allow_invalid = true;
   options.refine.rings = refine::Rings::none;  // they lower another error than the one that is compared
   options.relax = "size";
+  options.align_strength = chain.values.quadrefine.align_strength;
   options.symmetry = chain.values.quadrefine.symmetry;
   return options;
 }
@@ -138,7 +140,9 @@ bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options,
   const std::string last = chain.last;
   StageFile<QuadMesh> mesh(chain.runner.scratch() + "/trial.quad.h5");
   const auto quads = [&](Run& run) {
-    return stage::quadrefine(files.blocks.input(), {}, trial_options(chain, good), run);
+    const stage::Input<BlockLayout> layout = files.blocks.input();
+    const Directions directions = directions_to_align_with(chain, layout.model.face);
+    return stage::quadrefine({layout, {}, {}, directions.input()}, trial_options(chain, good), run);
   };
   const bool is_made = make_file(chain, {ChainStage::quadrefine}, mesh, quads, files.blocks);
   chain.last = last;
@@ -151,10 +155,6 @@ bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options,
   return true;
 }
 
-/// The least energy, which other nodes are compared by, knows nothing of prescribed directions. The field of an earlier
-/// run may have them too.
-bool is_aligned(ChainState& chain) { return !chain.files.field.model().alignment.empty(); }
-
 /// Whether this run finds nodes and blocks, and the user left the choice of nodes to it.
 bool may_try_nodes(ChainState& chain) {
   const ChainOptions& options = chain.options;
@@ -162,7 +162,7 @@ bool may_try_nodes(ChainState& chain) {
          options.programs.empty() && chain.values.quadrefine.walls.empty() && chain.num_nodes > 0 &&
          chain.num_nodes <= trial_limits.nodes && chain.is_due(ChainStage::critpoints) &&
          chain.is_due(ChainStage::blocksplit) && !options.has("critpoints", "--place") &&
-         !options.has("critpoints", "--nodes") && !is_aligned(chain);
+         !options.has("critpoints", "--nodes");
 }
 
 bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
@@ -229,7 +229,7 @@ void try_remedies(ChainState& chain) {
   const auto before = std::tuple(chain.form, chain.num_nodes, chain.last);
   const std::vector<Remedy> remedies = remedies_of(chain.runner.reports()[replaced_run]);
   for (const Remedy& remedy : remedies) {
-    if (chain.options.has("critpoints", remedy.front()) || (remedy.front() == "--place" && is_aligned(chain))) continue;
+    if (chain.options.has("critpoints", remedy.front())) continue;
     inform(chain, fmt::format("no layout with these nodes: trying {}", options_text(remedy)));
     const std::size_t first_run = chain.runner.reports().size();
     NodeFiles files(chain.files.stem + ".remedy");

@@ -145,7 +145,8 @@ void declare(Options& o, CritpointsOptions& critpoints) {
            "around several bodies, where blocks that pass one would run into another");
   o.choice("--place", critpoints.choose.place,
            "keep nodes at the zeros of the field, or move them to the least energy; nodes of split clusters and those "
-           "of --nodes fewest and none are always moved, those of divided corners never");
+           "of --nodes fewest and none are always moved, those of divided corners never, and none at zeros that follow "
+           "prescribed directions (fieldsolve --align)");
   o.number("--place-weight", critpoints.choose.placement.weight, 0, 100, "1",
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
   o.texts("--clearance", critpoints.clearances, "NAME=L",
@@ -161,8 +162,6 @@ CriticalPoints critpoints(const Input<Field>& input, const CritpointsOptions& op
   if (field.kind != FieldKind::harmonic)
     throw FormatError(input.file.name +
                       ": the field is of the phase form, solved for given nodes: critpoints reads harmonic fields");
-  if (!field.alignment.empty() && choosing.place == placement::PlaceRule::energy)
-    throw UsageError("--place energy knows nothing of the directions of --align: the zeros of the field follow them");
   choosing.symmetry = checked_symmetry(field.mesh.face, options.symmetry, run.report());
   choosing.walls = placement::wall_clearances(field.mesh.face, named_clearances(options));
   CriticalPoints points = chosen(field, choosing, run);

@@ -142,7 +142,8 @@ void declare(Options& o, FieldsolveOptions& fieldsolve) {
       "of a metric (CSV) (formats/alignment.md); cg only",
       false);
   o.number("--align-strength", fieldsolve.align_strength, 0, 1000, "1",
-           "weight of these: in a feature crosses turn to its direction over the distance width / strength");
+           "weight of these, over that of each feature of the file: there crosses turn to its direction over the "
+           "distance width / strength");
   o.choice("--method", fieldsolve.solve.method, "continuous or discontinuous (hybridised) elements");
   o.choice("--corners", fieldsolve.solve.corners, "tangent discontinuities: lifted exactly, or left in the data");
 }

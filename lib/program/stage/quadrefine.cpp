@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/options.hpp"
 #include "check/check.hpp"
 #include "curve/named_places.hpp"
+#include "field/alignment_term.hpp"
 #include "layers/wall_layers.hpp"
 #include "layers/wall_sags.hpp"
 #include "layers/wall_spec.hpp"
@@ -69,6 +71,24 @@ void set_sizes(const sizing::SizeOptions& sizes, const CadFace& face, refine::Re
   refine.end_growth = sizing::growth(sizes);
 }
 
+/// Of the file of directions, and of the metric, more where its lengths differ more.
+refine::PrescribedDirections directions_of(const QuadrefineInput& input, double strength,
+                                           const sizing::SizeField& sizes) {
+  // At the usual strength 20: a side that is 12 degrees from its direction has the energy of the shape of a square, 2.
+  // Beyond twice that, the shape of elements would hardly count.
+  constexpr double usual_weight = 20, greatest_weight = 40;
+  if (!input.alignment && !input.metric) return {};
+  const auto alignment = std::make_shared<const Alignment>(
+      input.alignment ? field::make_alignment(input.alignment->model, strength, input.layout.model.face.diameter)
+                      : Alignment{});
+  const auto term = std::make_shared<const field::AlignmentTerm>(*alignment);
+  return [alignment, term, sizes](Vec2 x) {
+    Vec2 sum = term->empty() ? Vec2{} : usual_weight * term->at(x).pull;
+    if (sizes.has_metric()) sum += usual_weight * sizing::direction_of(sizes.directed(x));
+    return std::min(1.0, greatest_weight / norm(sum)) * sum;
+  };
+}
+
 /// The walls with the first heights that follow from y+, as far as these are known without the face: if the flow is
 /// given in units of the file.
 std::vector<layers::WallSpec> walls_of(const QuadrefineOptions& options) {
@@ -100,6 +120,20 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
       "prescribed edge lengths: points and boxes (JSON), or a table of x, y and size between whose points they "
       "are linear (CSV; quadrille.vtu_sizes in Python makes it of a VTU file) (formats/size-field.md)",
       false);
+  o.input_file(
+      "--metric", options.metric_file, "FILE",
+      "prescribed edge lengths that differ by direction: a table of x, y, h1, h2 and the angle of h1, or of x, "
+      "y and a tensor (CSV; quadrille.vtu_sizes in Python makes it of a VTU file), as --align reads it "
+      "(formats/alignment.md); other sizes limit them",
+      false);
+  o.input_file(
+      "--align", options.align_file, "FILE",
+      "directions inside the domain that the sides of elements follow where vertices move: at points, along "
+      "curves, in boxes (JSON), or those of a metric (CSV); quadmesh gives them to fieldsolve too, so that the "
+      "crosses and with them the blocks follow them (formats/alignment.md)",
+      false);
+  o.number("--align-strength", options.align_strength, 0, 1000, "1",
+           "weight of these, over that of each feature of the file");
   o.number("--curvature", options.sizes.curvature, 0, 1e6, "elements per full turn of the boundary",
            "edge lengths from the curvature of the boundary; 0: none");
   o.number("--growth", options.sizes.growth, 0, 100, "1",
@@ -205,17 +239,21 @@ void declare(Options& o, QuadrefineOptions& options) {
   declare_limits(o, options.refine);
 }
 
-QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<SizeSources>>& sources,
-                    const QuadrefineOptions& options, Run& run) {
+QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& options, Run& run) {
   require_intervals(options);
   auto [refine, sizes] = parsed(options);
-  const BlockLayout& layout = input.model;
-  check::require_sound(layout, input.file.name);
-  std::vector<InputDigest> inputs{input.file.digest("block-layout")};
-  if (sources) {
-    sizes.sources = sources->model;
-    inputs.push_back(sources->file.digest("size-field"));
+  const BlockLayout& layout = input.layout.model;
+  check::require_sound(layout, input.layout.file.name);
+  std::vector<InputDigest> inputs{input.layout.file.digest("block-layout")};
+  if (input.sizes) {
+    sizes.sources = input.sizes->model;
+    inputs.push_back(input.sizes->file.digest("size-field"));
   }
+  if (input.metric) {
+    sizes.sources.metric = input.metric->model;
+    inputs.push_back(input.metric->file.digest("metric"));
+  }
+  if (input.alignment) inputs.push_back(input.alignment->file.digest("alignment"));
   sizes.symmetry = refine.symmetry = symmetry_names(layout.face, options.symmetry);
   set_first_heights(options, layout.face, refine);
   sizes.scale = sizing::chart_scale(layout.face);
@@ -223,6 +261,7 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
   if (options.has_straight_sides) sizes.sags = layers::wall_sags(measured, refine.walls, greatest_sag);
   sizes = sizing::with_curve_sizes(measured, sizes, refine.size_rule);
   set_sizes(sizes, layout.face, refine);
+  refine.directions = directions_of(input, options.align_strength, *refine.size_field);
   run.report().set("sizes.per_curve", sizes.per_curve);
   run.report().set("sizes.least_along_curves", sizes.least_along_curves);
   if (options.flow.velocity > 0) layers::report_flow(options.flow, run.report());

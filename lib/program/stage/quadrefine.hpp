@@ -8,6 +8,7 @@
 #include "base/options.hpp"
 #include "base/run.hpp"
 #include "layers/wall_spec.hpp"
+#include "model/alignment.hpp"
 #include "model/block_layout.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/refine_options.hpp"
@@ -27,6 +28,9 @@ struct QuadrefineOptions {
   std::vector<std::string> counts;    ///< CHORD=N or NAME=N
   std::vector<std::string> gradings;  ///< NAME=FIRST:LAST
   std::string size_field_file;        ///< path of prescribed sizes, which the caller reads
+  std::string metric_file;            ///< path of a metric, which the caller reads
+  std::string align_file;             ///< path of directions to align with, which the caller reads
+  double align_strength = 1;          ///< over that of each feature of the file, >= 0
   std::vector<std::string> walls;     ///< NAME:first=H,growth=R,layers=N
   double yplus = 0;                   ///< of walls without first and yplus; 0: none
   layers::PlateFlow flow;
@@ -39,11 +43,17 @@ struct QuadrefineOptions {
 };
 void declare(Options& options, QuadrefineOptions& quadrefine);
 
-/// The proved mesh (refine/refine.hpp). `sources`: prescribed sizes, relative to face.origin, those of a table joined
-/// by triangles (triangulate/size_triangles.hpp). Throws FormatError if the layout breaks a rule of its format,
-/// UsageError for options outside their intervals or names that nothing has, ComputeError as refine::refine.
-QuadMesh quadrefine(const Input<BlockLayout>& layout, const std::optional<Input<SizeSources>>& sources,
-                    const QuadrefineOptions& options, Run& run);
+/// What the mesh is made from; positions are relative to face.origin.
+struct QuadrefineInput {
+  Input<BlockLayout> layout;
+  std::optional<Input<SizeSources>> sizes = {};  ///< those of a table joined (triangulate/size_triangles.hpp)
+  std::optional<Input<std::vector<MetricSample>>> metric = {};
+  std::optional<Input<AlignmentRequest>> alignment = {};  ///< directions that sides of elements follow
+};
+
+/// The proved mesh (refine/refine.hpp). Throws FormatError if the layout breaks a rule of its format, UsageError for
+/// options outside their intervals or names that nothing has, ComputeError as refine::refine.
+QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& options, Run& run);
 
 /// Before there are blocks: throws UsageError if the face lacks what the options name, ComputeError if the mesh would
 /// have far too many elements.

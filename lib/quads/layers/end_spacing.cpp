@@ -22,7 +22,10 @@ double mean_size(const sizing::SizeField& sizes, const curve::Chain& chain, int 
   constexpr int samples = layer_constants.size_samples;
   if (sizes.is_uniform()) return sizes.greatest();
   double sum = 0;
-  for (int k = 0; k < samples; ++k) sum += 1 / sizes.at(chain.position((k + 0.5) / samples), region);
+  for (int k = 0; k < samples; ++k) {
+    const curve::ChainPoint at = chain.at((k + 0.5) / samples);
+    sum += 1 / sizes.along(at.tangent, at.position, region);
+  }
   return samples / sum;
 }
 

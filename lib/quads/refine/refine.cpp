@@ -47,8 +47,8 @@ std::vector<prescribe::LayeredCount> layered_counts(const SplitRequest& request)
 /// Vertices must move to the lengths of rings, and half of a hole has none.
 std::vector<sizing::HoleRing> rings_of(const SplitRequest& request) {
   const RefineOptions& options = request.options;
-  if (options.rings == Rings::none || options.size_rule != sizing::SizeRule::error || !options.blocks.empty() ||
-      !options.symmetry.empty())
+  if (options.rings == Rings::none || request.sizes.has_metric() || options.size_rule != sizing::SizeRule::error ||
+      !options.blocks.empty() || !options.symmetry.empty())
     return {};
   return sizing::hole_rings(request.equal, request.sizes);
 }

@@ -2,6 +2,7 @@
 // What users prescribe for the mesh of a layout (refine/refine).
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,10 @@ constexpr auto enum_names(Rings) { return std::to_array({"auto", "none"}); }
 /// that: the resolution ratio is then true to about 1 %.
 inline constexpr double fine_progress = 1e-5, coarse_progress = 1e-3;
 
+/// c = |c| e^(4 i angle) at a position, as a vector, by which sides of elements shall follow a direction or a right
+/// angle to it (refine/size_energy); |c| is the weight, 0 where there is no direction.
+using PrescribedDirections = std::function<Vec2(Vec2)>;
+
 struct RefineOptions {
   double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
   int order = 4;               ///< shape order N, 1..20
@@ -75,7 +80,8 @@ struct RefineOptions {
   int relax_sweeps = 200;  ///< greatest number, 0..1000
   double least_progress = fine_progress;
   std::vector<std::string> symmetry =
-      {};                 ///< patterns of the names of curves at lines of symmetry (sizing/halved_blocks)
+      {};  ///< patterns of the names of curves at lines of symmetry (sizing/halved_blocks)
+  PrescribedDirections directions = {};  ///< of the sides of elements; empty: none
   int levels = 0;         ///< at the end every element becomes 2^levels x 2^levels (mesh/nested_quads), 0..10
   void validate() const;  ///< throws UsageError
 };

@@ -242,7 +242,7 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
       break;
     }
     for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
-      if (is_skew[elem]) relaxer_.energy.shape_weights[elem] *= size_constants.heavier;
+      if (is_skew[elem]) relaxer_.weigh_shape(static_cast<int>(elem), size_constants.heavier);
     ++round_;
   }
   relaxed.energy_after = energy_after_;

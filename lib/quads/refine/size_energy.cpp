@@ -179,6 +179,7 @@ SizeEnergy::Tangents SizeEnergy::tangents(int elem, const Rule& at) const {
     }
   });
   if (elem_sides_[elem] >= 0) add_shifts(elem, tangents);
+  stretch(elem, at, tangents);
   return tangents;
 }
 
@@ -234,6 +235,8 @@ double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
     }
     for (int k = 0; k < n; ++k) sum += det[k] > 0 ? value[k] : infinity;
   });
+  if (direction(elem) != Vec2{}) sum += add_direction(elem, at, by);
+  stretch(elem, of, by);
   return sum;
 }
 
@@ -322,14 +325,6 @@ EnergyDerivatives SizeEnergy::with_derivatives(const VertexMoves& moves, bool ha
     if (is_free_[elem]) add_element(elem, sum);
   reduce_to_curves(sum);
   return sum;
-}
-
-std::vector<Vec2> SizeEnergy::middles(const VertexMoves& moves) {
-  place(moves);
-  std::vector<Vec2> middles;
-  for (const auto& v : problem_.follow.elem_vertices())
-    middles.push_back((position_[v[0]] + position_[v[1]] + position_[v[2]] + position_[v[3]]) / 4);
-  return middles;
 }
 
 }  // namespace quadrille::refine

@@ -7,6 +7,14 @@
 //
 //   F = sum over elements of the mean of  (|a|^2q + |b|^2q) J / 2 + w mu^3,    q = 3, w = 2.
 //
+// Where a metric M is prescribed, h is sqrt(h1 h2) and a = S x_s / h, b = S x_t / h, S = h sqrt(M) of determinant 1:
+// lengths and areas are those in M. Where directions are prescribed, by c = |c| e^(4 i angle) in each element, the mean
+// of
+//
+//   2 |c| - Re(conj(c) ((a / |a|)^4 + (b / |b|)^4)),    a and b as complex numbers,
+//
+// is added: 0 where both sides follow the cross, 4 |c| at 45 degrees from it, whatever their lengths.
+//
 // The first term is that by which the error of elements of order q - 1 grows with their lengths for a solution that
 // has no preferred direction; for equal areas it is least for equal squares. The second one has no bound where J tends
 // to 0. The mean is that of the corners where an element is bilinear, else of Gauss-Lobatto-Legendre points. A mesh is
@@ -17,6 +25,7 @@
 #include <array>
 #include <vector>
 
+#include "base/symmetric_tensor.hpp"
 #include "mesh/element_sizes.hpp"
 #include "refine/relax_problem.hpp"
 #include "refine/sampled_loops.hpp"
@@ -45,6 +54,10 @@ class SizeEnergy {
   std::vector<double> shape_weights;
   /// How many elements each one stands for (refine/count_relaxer).
   std::vector<double> multiplicities;
+  /// S of each element; empty: the unit tensor.
+  std::vector<SymmetricTensor> stretches;
+  /// c of each element; empty: none has prescribed directions.
+  std::vector<Vec2> directions;
 
   double value(const VertexMoves& moves) { return with_derivatives(moves).value; }
   EnergyDerivatives with_derivatives(const VertexMoves& moves, bool has_blocks = false);
@@ -81,9 +94,10 @@ class SizeEnergy {
 
     Vec2 operator[](int point) const { return {x[point], y[point]}; }
     void add(int point, Vec2 v) { x[point] += v.x, y[point] += v.y; }
+    void set(int point, Vec2 v) { x[point] = v.x, y[point] = v.y; }
   };
   struct Tangents {
-    Vectors a, b;  ///< x_s / h, x_t / h
+    Vectors a, b;  ///< S x_s / h, S x_t / h
   };
   struct Blend {
     std::array<double, points> value{}, slope{};  ///< at the points of a line away from the side
@@ -102,6 +116,9 @@ class SizeEnergy {
   Tangents tangents(int elem) const { return tangents(elem, rule(elem)); }
   Tangents tangents(int elem, const Rule& at) const;
   void add_shifts(int elem, Tangents& at) const;
+  void stretch(int elem, const Rule& of, Tangents& at) const;
+  Vec2 direction(int elem) const { return directions.empty() ? Vec2{} : directions[elem]; }
+  double add_direction(int elem, const Tangents& at, Tangents& by) const;
   double slopes(int elem, const Tangents& at, Tangents& by) const;
   std::array<Vec2, 4> by_corners(int elem, const Tangents& by) const;
   void add_element(int elem, EnergyDerivatives& sum);

@@ -7,6 +7,16 @@
 #include "refine/size_energy.hpp"
 
 namespace quadrille::refine {
+namespace {
+
+/// S B S of a symmetric matrix B, (xx, xy, yy).
+std::array<double, 3> stretched(const SymmetricTensor& s, const std::array<double, 3>& b) {
+  const SymmetricTensor of{b[0], b[1], b[2]};
+  const Vec2 x = of * Vec2{s.xx, s.xy}, y = of * Vec2{s.xy, s.yy};  // B times the columns of S
+  return {dot({s.xx, s.xy}, x), dot({s.xx, s.xy}, y), dot({s.xy, s.yy}, y)};
+}
+
+}  // namespace
 
 /// Adds the diagonal blocks of the Hessian without what may be negative, from the corners alone.
 void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
@@ -15,12 +25,13 @@ void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum
   const auto& v = problem_.follow.elem_vertices()[elem];
   const double weight = multiplicities[elem] / 4;
   for (const int k : {0, along, last - along, last}) {
-    const PointBends bends(at.a[k], at.b[k], shape_weights[elem]);
+    const PointBends bends(at.a[k], at.b[k], shape_weights[elem], direction(elem));
     const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
     for (int c = 0; c < 4; ++c) {
       if (slopes[c] == Vec2{}) continue;
-      const std::array<double, 3> block =
+      std::array<double, 3> block =
           bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
+      if (!stretches.empty()) block = stretched(stretches[elem], block);
       for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * block[i];
     }
   }
@@ -53,6 +64,12 @@ SizeEnergy::MoveSlopes SizeEnergy::move_slopes(int elem) const {
   }
   for (int side = 0; side < 4; ++side)
     if (sliding_side(elem, side) >= 0) add_slides_of_points(elem, side, by_move);
+  if (stretches.empty()) return by_move;
+  const SymmetricTensor& s = stretches[elem];
+  Eigen::Matrix4d stretch = Eigen::Matrix4d::Zero();
+  stretch.topLeftCorner<2, 2>() << s.xx, s.xy, s.xy, s.yy;
+  stretch.bottomRightCorner<2, 2>() = stretch.topLeftCorner<2, 2>();
+  for (int k = 0; k < at.size; ++k) by_move[k] = stretch.lazyProduct(by_move[k]).eval();
   return by_move;
 }
 
@@ -115,7 +132,7 @@ ElementHessian SizeEnergy::hessian(int elem) const {
   ElementHessian sum = ElementHessian::Zero();
   for (int k = 0; k < of.size; ++k) {
     const double weight = multiplicities[elem] * of.weight[k];
-    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
+    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem], direction(elem));
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
   }

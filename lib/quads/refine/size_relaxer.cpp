@@ -1,6 +1,7 @@
 #include "refine/size_relaxer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -51,6 +52,7 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
       options_(options),
       held_(moves),
       lengths_(options.keeps_lengths ? element_lengths(shaped) : options.greatest_lengths),
+      metric_weight_(shaped.num_elems(), 1),
       shorter_(shaped.num_elems(), {1, 1}),
       counts_(shorter_),
       inverse_(problem) {
@@ -69,18 +71,36 @@ void SizeRelaxer::set_sizes() {
   const QuadMesh& mesh = problem_.start;
   const std::vector<Vec2> middles = energy.middles(moves);
   std::vector<Vec2> sizes;
-  size_.clear();
+  size_.clear(), energy.stretches.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
-    const double size = options_.keeps_lengths ? std::max(lengths_[elem].x, lengths_[elem].y)
-                                               : options_.sizes.at(middles[elem], region);
-    const Vec2 own =
-        lengths_.empty() ? Vec2{size, size} : Vec2{std::min(size, lengths_[elem].x), std::min(size, lengths_[elem].y)};
+    const sizing::DirectedSize of = options_.keeps_lengths
+                                        ? sizing::DirectedSize{std::max(lengths_[elem].x, lengths_[elem].y)}
+                                        : options_.sizes.directed(middles[elem], region);
+    const Vec2 own = lengths_.empty() ? Vec2{of.size, of.size}
+                                      : Vec2{std::min(of.size, lengths_[elem].x), std::min(of.size, lengths_[elem].y)};
     const Vec2 shorter = shorter_[elem], count = counts_[elem];
     sizes.push_back({own.x * shorter.x * count.x, own.y * shorter.y * count.y});
-    size_.push_back(size);
+    size_.push_back(of.least());
+    if (options_.sizes.has_metric()) energy.stretches.push_back(power(of.stretch, metric_weight_[elem]));
   }
+  if (options_.directions) set_directions();
   energy.set_sizes(sizes);
+}
+
+/// Means over elements, which may be larger than the features that prescribe directions.
+void SizeRelaxer::set_directions() {
+  constexpr std::array<double, 3> along{1.0 / 6, 1.0 / 2, 5.0 / 6};
+  const std::vector<Vec2>& x = energy.positions();
+  energy.directions.clear();
+  for (const auto& [a, b, c, d] : problem_.follow.elem_vertices()) {
+    const double weight = metric_weight_[energy.directions.size()] / (along.size() * along.size());
+    Vec2 sum;
+    for (const double s : along)
+      for (const double t : along)
+        sum += options_.directions((1 - t) * ((1 - s) * x[a] + s * x[b]) + t * ((1 - s) * x[d] + s * x[c]));
+    energy.directions.push_back(weight * sum);
+  }
 }
 
 void SizeRelaxer::set_counts(std::vector<Vec2> counts) {
@@ -197,7 +217,7 @@ void SizeRelaxer::run() {
     const bool is_first = sweep < first_sweeps;
     if (sweep == first_sweeps) inverse_.forget();
     if (kept == (is_first ? step_constants.blocks_kept : step_constants.factors_kept) || sweep == first_sweeps) {
-      if (!options_.sizes.is_uniform()) set_sizes();
+      if (!options_.sizes.is_uniform() || options_.directions) set_sizes();
       at = begin(is_first), kept = 0;
     }
     const double before = at.value;

@@ -37,6 +37,7 @@ struct SizeRelaxation {
   const PlacedVertices* start = nullptr;  ///< where vertices begin, if that is possible; null: as they are
   double least_progress =
       fine_progress;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
+  PrescribedDirections directions = {};  ///< of the sides of elements; empty: none
 };
 
 /// Moves vertices to the least energy.
@@ -56,6 +57,8 @@ class SizeRelaxer {
   bool begin_again();
   /// What each element stands for: that many elements along s and t.
   void set_counts(std::vector<Vec2> counts);
+  /// Gives the shape of an element more weight, and less to what makes it skew: a metric, prescribed directions.
+  void weigh_shape(int elem, double factor) { energy.shape_weights[elem] *= factor, metric_weight_[elem] /= 2; }
   /// Shortens the size of an element along a side.
   void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
 
@@ -70,6 +73,7 @@ class SizeRelaxer {
 
  private:
   void set_sizes();
+  void set_directions();
   EnergyDerivatives begin(bool is_first);
   double longest_step(const VertexMoves& direction) const;
   bool step(EnergyDerivatives& at);
@@ -80,9 +84,10 @@ class SizeRelaxer {
   const SizeRelaxation& options_;
   VertexMoves held_;           ///< the moves of vertices that are fixed
   std::vector<Vec2> lengths_;  ///< by element, along s and t: the greatest that are prescribed; empty: no limits
-  std::vector<double> size_;   ///< by element
-  std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
-  std::vector<Vec2> counts_;   ///< by element: of those along s and t for which it stands
+  std::vector<double> size_;   ///< by element: the least
+  std::vector<double> metric_weight_;  ///< by element: exponent of its stretch, factor of its directions
+  std::vector<Vec2> shorter_;          ///< by element: factors of the size along s and t
+  std::vector<Vec2> counts_;           ///< by element: of those along s and t for which it stands
   std::optional<VertexSymmetry> symmetry_;
   InverseHessian inverse_;
   double work_ = 0;  ///< elements, each as often as it was moved

@@ -128,14 +128,16 @@ std::vector<bool> elements_on_layered_chords(const BlockLayout& blocks, const Sp
 
 void set_prescribed_lengths(const SplitRequest& request, SplitMesh& split) {
   QuadMesh& mesh = split.mesh;
-  mesh.elem_prescribed_length.clear();
+  mesh.elem_prescribed_length.clear(), mesh.elem_prescribed_stretch.clear();
   const std::vector<bool> is_layered = elements_on_layered_chords(request.equal.blocks(), split);
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     Vec2 sum;
     for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
     const bool is_by_layers = !is_layered.empty() && is_layered[elem];
-    mesh.elem_prescribed_length.push_back(
-        is_by_layers ? 0 : request.sizes.at(sum / 4, request.equal.region_of_block(mesh.elem_block[elem])));
+    const sizing::DirectedSize size =
+        request.sizes.directed(sum / 4, request.equal.region_of_block(mesh.elem_block[elem]));
+    mesh.elem_prescribed_length.push_back(is_by_layers ? 0 : size.size);
+    if (request.sizes.has_metric()) mesh.elem_prescribed_stretch.push_back(size.stretch);
   }
 }
 

@@ -149,7 +149,7 @@ std::vector<ChordSections::ArcTrial> ChordSections::arc_trials() const {
     const std::vector<ArcPoint> at = arc_points(static_cast<double>(k) / (section_constants.trial_lines + 1));
     for (std::size_t i = 0; i < at.size(); ++i) {
       trials[i].points.push_back(at[i]);
-      trials[i].least = std::min(trials[i].least, sizes_.at(at[i].position, region_of(i)));
+      trials[i].least = std::min(trials[i].least, sizes_.directed(at[i].position, region_of(i)).least());
     }
   }
   return trials;
@@ -174,7 +174,9 @@ double ChordSections::least_on_lines(const Block& block, const std::vector<ArcTr
   for (std::size_t k = 0; k < trials[block.a].points.size(); ++k)
     for (std::size_t line = 0; line < block.left.size(); ++line)
       least = std::min(
-          least, sizes_.at(position(block, trials[block.a].points[k], trials[block.b].points[k], line), block.region));
+          least,
+          sizes_.directed(position(block, trials[block.a].points[k], trials[block.b].points[k], line), block.region)
+              .least());
   return least;
 }
 
@@ -182,7 +184,15 @@ std::vector<ChordSections::ArcPoint> ChordSections::arc_points(double u) const {
   std::vector<ArcPoint> result;
   for (std::size_t i = 0; i < chord_.arcs.size(); ++i) {
     const double fraction = measured_.arc_fraction(chord_, static_cast<int>(i), u);
-    result.push_back({chain(static_cast<int>(i)).position(fraction), chord_.backwards[i] ? 1 - fraction : fraction});
+    const bool is_backwards = chord_.backwards[i];
+    ArcPoint at{{}, {}, is_backwards ? 1 - fraction : fraction};
+    if (sizes_.has_metric()) {
+      const curve::ChainPoint on_arc = chain(static_cast<int>(i)).at(fraction);
+      at.position = on_arc.position, at.tangent = (is_backwards ? -1 : 1) * on_arc.tangent;
+    } else {
+      at.position = chain(static_cast<int>(i)).position(fraction);
+    }
+    result.push_back(at);
   }
   return result;
 }
@@ -197,15 +207,16 @@ ElementDensity ChordSections::at(double u) const {
   Sum sum;
   const std::vector<ArcPoint> at = sizes_.is_uniform() ? std::vector<ArcPoint>(chord_.arcs.size()) : arc_points(u);
   for (std::size_t i = 0; i < at.size(); ++i)
-    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position, region_of(i)),
+    sum.add(chain(static_cast<int>(i)).length(), sizes_.along(at[i].tangent, at[i].position, region_of(i)),
             sizes_.greatest_at(at[i].position), 1);
   for (const Block& block : blocks_) {
     const double lines = static_cast<double>(block.left.size()) + 1;
     for (std::size_t line = 0; line < block.left.size(); ++line) {
       const double t = static_cast<double>(line + 1) / lines;
-      const double length = (1 - t) * chain(block.a).length() + t * chain(block.b).length();
+      const double of_a = (1 - t) * chain(block.a).length(), of_b = t * chain(block.b).length();
+      const Vec2 along = of_a * at[block.a].tangent + of_b * at[block.b].tangent;
       const Vec2 x = position(block, at[block.a], at[block.b], line);
-      sum.add(length, sizes_.at(x, block.region), sizes_.greatest_at(x), 1 / lines);
+      sum.add(of_a + of_b, sizes_.along(normalized(along), x, block.region), sizes_.greatest_at(x), 1 / lines);
     }
   }
   return {std::exp(sum.weighted_log / sum.weight), sum.greatest};

@@ -10,7 +10,8 @@
 // The minimum is at the weighted mean of ln(L / h). Arcs have weight 1, the lines of one block together at most 1: a
 // size that is prescribed along a boundary must not be averaged away by the blocks behind it. The power favours small
 // local sizes: a section that needs edges half as long as the others weighs as much as 64 of them. Where the size is
-// uniform it has no effect.
+// uniform it has no effect. Of a metric M, h is the length along the section: over a chord rho then integrates to
+// sqrt(t M t), t the tangent.
 
 #include <array>
 #include <limits>
@@ -83,6 +84,7 @@ class ChordSections {
   /// The point of one arc of the chord at a parameter.
   struct ArcPoint {
     Vec2 position;
+    Vec2 tangent;      ///< unit, in the chord's direction; with a metric only
     double along = 0;  ///< fraction of the arc's length in the chord's direction
   };
   /// A block with its own (s, t): s along side a, t from a to b, positions in the chord; the lines inside are at

@@ -63,11 +63,16 @@ std::pair<std::string, std::string> halves(const std::string& text) {
   return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};
 }
 
-/// Without a prescribed one: a table covers the whole face, and so has it.
+/// Whether sources prescribe sizes everywhere: tables cover the whole face.
+bool cover_face(const SizeSources& sources) { return sources.is_table || !sources.metric.empty(); }
+
+/// Without a prescribed one.
 double greatest_size(const CadFace& face, const SizeSources& sources) {
-  double greatest = sources.is_table ? 0 : face.diameter / 20;
+  if (!cover_face(sources)) return face.diameter / 20;
+  double greatest = 0;
   if (sources.is_table)
     for (const SizePoint& point : sources.points) greatest = std::max(greatest, point.size);
+  for (const MetricSample& sample : sources.metric) greatest = std::max({greatest, sample.h1, sample.h2});
   return greatest;
 }
 
@@ -181,7 +186,7 @@ SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& 
   if (options.per_curve != SizeOptions::automatic) return options;
   SizeOptions none = options;
   none.per_curve = 0;
-  if (options.size > 0 || options.sources.is_table) return none;
+  if (options.size > 0 || cover_face(options.sources)) return none;
   const CadFace& face = measured.blocks().face;
   const auto with_least = [&](double least) {
     SizeOptions finer = options;

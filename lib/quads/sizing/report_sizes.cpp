@@ -39,10 +39,13 @@ EdgeSizes edge_sizes(const mesh::Chord& chord, const MeasuredLayout& measured, c
   EdgeSizes sums;
   for (const int arc : chord.arcs) {
     const curve::Chain& chain = measured.chain(arc);
+    const auto prescribed = [&](double fraction) {
+      if (sizes.is_uniform()) return sizes.greatest();
+      const curve::ChainPoint at = chain.at(fraction);
+      return sizes.along(at.tangent, at.position, measured.region_of(arc));
+    };
     for (int k = 0; k < divisions[arc].num_intervals(); ++k)
-      sums.add_edge(divisions[arc].width(k) * chain.length(),
-                    sizes.is_uniform() ? sizes.greatest()
-                                       : sizes.at(chain.position(divisions[arc].middle(k)), measured.region_of(arc)));
+      sums.add_edge(divisions[arc].width(k) * chain.length(), prescribed(divisions[arc].middle(k)));
   }
   return sums;
 }

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/error.hpp"
+#include "sizing/metric_field.hpp"
 
 namespace quadrille::sizing {
 namespace {
@@ -206,6 +207,9 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
   for (const SizeTriangle& triangle : sources.triangles) tree.add(triangle, "a triangle", greatest);
   tree.add(segments, greatest);
   set_sources(std::move(tree), std::log(growth));
+  if (sources.metric.empty()) return;
+  slope_ = std::log(growth);
+  metric_ = std::make_shared<const MetricField>(sources.metric, slope_);
 }
 
 void SizeField::set_sources(Sources sources, double slope) {
@@ -219,7 +223,7 @@ SizeField SizeField::with(const std::vector<SizeSegment>& segments) const {
   SizeField result = *this;
   Sources sources = sources_ ? *sources_ : Sources{};
   sources.add(segments, greatest_);
-  result.set_sources(std::move(sources), sources_ ? slope_ : std::log(default_growth));
+  result.set_sources(std::move(sources), is_uniform() ? std::log(default_growth) : slope_);
   return result;
 }
 
@@ -229,9 +233,19 @@ SizeField SizeField::in_chart(std::shared_ptr<const ChartScale> scale) const {
   return result;
 }
 
-double SizeField::at(Vec2 x, int region) const {
-  const double size = sources_ ? sources_->at(x, region, greatest_, slope_) : greatest_;
-  return scale_ ? size / scale_->at(x) : size;
+Vec2 direction_of(const DirectedSize& size) {
+  const EigenPair of = eigen_pair(size.stretch);
+  const double anisotropy = (of.first - of.second) / (of.first + of.second);
+  return anisotropy * anisotropy * unit(4 * of.angle);
+}
+
+DirectedSize SizeField::directed(Vec2 x, int region) const {
+  const double most = sources_ ? sources_->at(x, region, greatest_, slope_) : greatest_;
+  if (!metric_) return {scale_ ? most / scale_->at(x) : most};
+  const EigenPair of = eigen_pair(metric_->logarithm(x));
+  const double first = std::max(of.first, -std::log(most)), second = std::max(of.second, -std::log(most));
+  const double stretch = std::exp((first - second) / 2);
+  return {std::exp(-(first + second) / 2), tensor_of({stretch, 1 / stretch, of.angle})};
 }
 
 }  // namespace quadrille::sizing

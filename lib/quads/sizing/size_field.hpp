@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/symmetric_tensor.hpp"
 #include "base/vec2.hpp"
 #include "model/size_sources.hpp"
 #include "sizing/chart_scale.hpp"
@@ -27,6 +28,20 @@ struct SizeSegment {
   double radius = 0;
   Vec2 centre = {};
 };
+
+class MetricField;
+
+/// The square root of a metric: the tensor `stretch`, of determinant 1, over the length `size` = sqrt(h1 h2).
+struct DirectedSize {
+  double size = 0;
+  SymmetricTensor stretch = {};
+
+  double along(Vec2 unit_direction) const { return size / norm(stretch * unit_direction); }
+  double least() const { return stretch == SymmetricTensor{} ? size : size / eigen_pair(stretch).first; }
+};
+
+/// e^(4 i angle), angle that of h1 or h2, times ((r - 1) / (r + 1))^2, r the ratio of these: 0 where they are equal.
+Vec2 direction_of(const DirectedSize& size);
 
 class SizeField {
  public:
@@ -46,13 +61,21 @@ class SizeField {
 
   /// Prescribed edge length at x, relative to face.origin, in a region; -1: on an interface, where the sources of both
   /// sides act, or in a face of one region. Cost: logarithmic in the number of sources.
-  double at(Vec2 x, int region = -1) const;
+  /// With a metric that is sqrt(h1 h2).
+  double at(Vec2 x, int region = -1) const { return directed(x, region).size; }
+  /// The same with the metric, which is isotropic where none is prescribed.
+  DirectedSize directed(Vec2 x, int region = -1) const;
+  /// Of edges in a direction, which does not count without a metric.
+  double along(Vec2 unit_direction, Vec2 x, int region = -1) const {
+    return metric_ ? directed(x, region).along(unit_direction) : at(x, region);
+  }
   double greatest() const { return scale_ ? greatest_ / scale_->least() : greatest_; }
   /// The greatest that any source leaves at x: all are of one length in space.
   double greatest_at(Vec2 x) const { return scale_ ? greatest_ / scale_->at(x) : greatest_; }
   /// Bound of |dh / dx|: ln(growth), and what the scale of a chart adds; 0 if the size is constant.
   double slope() const { return scale_ ? slope_ + greatest() * scale_->greatest_gradient() : slope_; }
-  bool is_uniform() const { return !sources_ && !scale_; }
+  bool is_uniform() const { return !sources_ && !metric_ && !scale_; }
+  bool has_metric() const { return metric_ != nullptr; }
 
  private:
   struct Sources;
@@ -61,6 +84,7 @@ class SizeField {
   double greatest_ = 0, slope_ = 0;
   std::shared_ptr<const Sources> sources_;
   std::shared_ptr<const ChartScale> scale_;
+  std::shared_ptr<const MetricField> metric_;
 };
 
 }  // namespace quadrille::sizing

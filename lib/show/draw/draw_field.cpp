@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -141,6 +143,33 @@ void draw_nodes_asked(Picture& picture, const std::vector<Field>& regions) {
     picture.legend_mark(boundary_mark({0, 0}, boundary_valences.front(), 8), "node on the boundary");
 }
 
+/// Short strokes in the directions that the field was aligned with: of the strongest terms, one in each square of
+/// pixels.
+void draw_prescribed_directions(Picture& picture, const Field& field, const RegionFields& regions) {
+  constexpr double spacing = 16, half = 6, least_rate = 0.1;  // pixels; of the greatest rate
+  if (field.alignment.empty()) return;
+  std::vector<AlignmentPoint> points = field.alignment;
+  std::ranges::stable_sort(points, std::greater(), &AlignmentPoint::rate);
+  std::set<std::pair<int, int>> taken;
+  PathData path(1);
+  for (const AlignmentPoint& point : points) {
+    const Vec2 pixel = picture.at(point.position), along = half * unit(point.angle);
+    Vec2 value;
+    const bool is_inside = std::ranges::any_of(
+        regions.evaluators, [&](const auto& evaluator) { return evaluator.value_at(point.position, value); });
+    if (!is_inside || !picture.holds(pixel) || point.rate < least_rate * points.front().rate) continue;
+    if (!taken.emplace(static_cast<int>(pixel.x / spacing), static_cast<int>(pixel.y / spacing)).second) continue;
+    path.move_to(pixel - along);
+    path.line_to(pixel + along);
+  }
+  if (path.empty()) return;
+  picture.add(path_element("prescribed", path.str()));
+  PathData mark(1);
+  mark.move_to({-half, 0});
+  mark.line_to({half, 0});
+  picture.legend_mark(path_element("prescribed", mark.str()), "prescribed direction");
+}
+
 }  // namespace
 
 std::string draw_stage(const Field& field, const DrawOptions& options) {
@@ -155,6 +184,7 @@ std::string draw_stage(const Field& field, const DrawOptions& options) {
   } else {
     throw UsageError("--show: '" + options.show + "' is not one of psi|u|v|order");
   }
+  draw_prescribed_directions(picture, field, regions);
   draw_boundary(picture, field.mesh.face);
   draw_corners(picture, field.mesh.face);
   if (is_phase(field)) draw_nodes_asked(picture, regions.fields);

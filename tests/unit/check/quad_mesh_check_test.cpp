@@ -67,6 +67,8 @@ TEST(QuadMeshCheck, QuaR11SizesAreInRange) {
   EXPECT_EQ(broken([](auto& m) { m.elem_node_distance[1] = 0; }), Rules{"QUA-R11"});
   EXPECT_EQ(broken([](auto& m) { m.elem_prescribed_length[1] = -1; }), Rules{"QUA-R11"});
   EXPECT_EQ(broken([](auto& m) { m.elem_prescribed_length.pop_back(); }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_prescribed_stretch.assign(1, {}); }), Rules{"QUA-R01"});
+  EXPECT_EQ(broken([](auto& m) { m.elem_prescribed_stretch = {{}, {2, 0, 2}}; }), Rules{"QUA-R11"});
   EXPECT_EQ(broken([](auto& m) { m.elem_area_jump.pop_back(); }), Rules{"QUA-R01"});
   EXPECT_EQ(broken([](auto& m) { m.elem_edge_ratio.clear(); }), Rules{"QUA-R01"});
   EXPECT_EQ(broken([](auto& m) {  // a file of version 1.2

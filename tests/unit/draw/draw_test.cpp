@@ -167,6 +167,21 @@ TEST(Draw, CriticalPointsShowValences) {
   EXPECT_EQ(count(with_field, "<title>boundary curve"), 4);
 }
 
+TEST(Draw, AnAlignedFieldShowsThePrescribedDirectionsInsideTheFace) {
+  Field field = linear_field();
+  EXPECT_EQ(count(draw_stage(field, {}), "class=\"prescribed\""), 0);
+  field.alignment = {{{0.25, 0.5}, 0.1, 1, 0.3},
+                     {{0.25, 0.5}, 0.1, 0.5, 1},
+                     {{0.75, 0.5}, 0.1, 1, 0.3},
+                     {{0.5, 0.25}, 0.1, 1e-3, 0.3},
+                     {{2, 0.5}, 0.1, 1, 0.3}};
+  const std::string svg = draw_stage(field, {});
+  expect_sound(svg);
+  EXPECT_EQ(count(svg, "class=\"prescribed\""), 2) << "one path, and that of the legend";
+  const std::size_t begin = svg.find("class=\"prescribed\"");
+  EXPECT_EQ(count(svg.substr(begin, svg.find("/>", begin) - begin), "M"), 2) << "one in each place, none outside";
+}
+
 /// One of everything, 1000 pixels a unit over the square.
 CriticalPoints resolved_points() {
   CriticalPoints points;

@@ -74,5 +74,17 @@ TEST(AlignmentIo, AMetricThatIsNoneIsRefusedWithItsLine) {
   EXPECT_TRUE(says("<VTKFile type=\"UnstructuredGrid\">", "quadrille.vtu"));
 }
 
+TEST(AlignmentIo, LengthsAreReadFromTablesOnly) {
+  const auto metric = [](const std::string& text) { return read_metric({{"metric.csv", ""}, text}, {1, 0}); };
+  ASSERT_EQ(metric("0 0 0.1 0.2 30\n").size(), 1u);
+  EXPECT_EQ(metric("x,y,m11,m12,m22\n1,2,4,0,1\n")[0].position, (Vec2{0, 2}));
+  const auto refuses = [&](const std::string& text, const std::string& part) {
+    return contains(message_of<FormatError>([&] { metric(text); }), part);
+  };
+  EXPECT_TRUE(refuses(alignment(R"("points": [{"position": [0, 0], "angle": 0}])"), "a metric has lengths"));
+  EXPECT_TRUE(refuses("<VTKFile type=\"UnstructuredGrid\">", "vtu_sizes"));
+  EXPECT_TRUE(refuses("x,y,h1,h2,angle\n0,0,0.1,-1,0\n", "ALN-R03"));
+}
+
 }  // namespace
 }  // namespace quadrille::io

@@ -142,6 +142,17 @@ TEST(Resolution, LengthsHaveLimitsOfTheirOwn) {
   EXPECT_NEAR(of.parts[1][1], 0.25, 1e-12);
 }
 
+TEST(Resolution, InAMetricRectanglesOfItsLengthsAreIdeal) {
+  QuadMesh mesh = empty_mesh(2);
+  append_rectangle(mesh, 1, 0.25);
+  append_rectangle(mesh, 0.5, 0.5);
+  mesh.elem_prescribed_length = {0.5, 0.5};
+  EXPECT_GT(resolution(mesh).ratio, 2);
+  mesh.elem_prescribed_stretch = {tensor_of({2, 0.5, half_pi}), {}};
+  EXPECT_NEAR(resolution(mesh).ratio, 1, 1e-12);
+  EXPECT_EQ(nested_quads(mesh, 1).elem_prescribed_stretch[3].yy, mesh.elem_prescribed_stretch[0].yy);
+}
+
 TEST(Resolution, ElementsOfLayersDoNotCount) {
   QuadMesh mesh = empty_mesh(2);
   append_rectangle(mesh, 1, 1);

@@ -9,6 +9,7 @@
 #include "../support/refined.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/point_grid.hpp"
 #include "mesh/boundary_distance.hpp"
 #include "refine/validity.hpp"
 
@@ -248,6 +249,65 @@ TEST(ParseRelax, NamesAreGoalsAndANumberIsAnsweredWithItsNewForm) {
     EXPECT_STREQ(error.what(), "--relax 20 is now --relax shape --relax-sweeps 20");
   }
   EXPECT_THROW(parse_relax("sizes"), UsageError);
+}
+
+sizing::SizeField sizes_of(std::vector<MetricSample> metric) {
+  SizeSources sources;
+  sources.metric = std::move(metric);
+  return {1, sources, {}, 1.2};
+}
+
+/// Fine across the lower diagonal, on a grid of points that is symmetric to x = 1/2; mirrored by `side` = -1.
+std::vector<MetricSample> oblique_layer(double side) {
+  std::vector<MetricSample> samples;
+  for (int i = -10; i <= 10; ++i)
+    for (int j = 0; j <= 20; ++j) {
+      const Vec2 x{0.05 * i, 0.05 * j};
+      const double away = std::abs(side * x.x + 0.3 - x.y) / std::sqrt(2);
+      samples.push_back({{x.x + 0.5, x.y}, 0.25, 0.05 + 0.2 * away, side * pi / 4});
+    }
+  return samples;
+}
+
+TEST(RelaxSizes, MirroredMetricsGiveMirroredMeshes) {
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.125, 2);
+  const sizing::SizeField sizes = sizes_of(oblique_layer(1)), mirrored = sizes_of(oblique_layer(-1));
+  const QuadMesh a = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3}).mesh,
+                 b = relax_to_sizes(mesh, {.sizes = mirrored, .tolerance = 1e-3}).mesh;
+  const PointGrid places(b.nodes);
+  for (const Vec2 x : a.nodes)
+    EXPECT_LT(std::sqrt(places.nearest({1 - x.x, x.y}, [](int) { return true; }).distance2), 1e-6);
+  EXPECT_LT(std::ranges::max(a.elem_edge_ratio.empty() ? a.elem_scaled_jacobian : a.elem_edge_ratio), 20);
+}
+
+TEST(RelaxSizes, AMeshSymmetricToItsMetricStaysSo) {
+  std::vector<MetricSample> both = oblique_layer(1);
+  for (const MetricSample& sample : oblique_layer(-1)) both.push_back(sample);
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.125, 2);
+  const sizing::SizeField sizes = sizes_of(both);
+  const QuadMesh relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3}).mesh;
+  const PointGrid places(relaxed.nodes);
+  for (const Vec2 x : relaxed.nodes)
+    EXPECT_LT(std::sqrt(places.nearest({1 - x.x, x.y}, [](int) { return true; }).distance2), 1e-9);
+}
+
+TEST(RelaxSizes, SidesTurnToPrescribedDirections) {
+  const sizing::SizeField sizes(0.125);
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.125, 2);
+  const auto middle_angle = [](const QuadMesh& of) {
+    for (int elem = 0; elem < of.num_elems(); ++elem) {
+      const Vec2 a = of.nodes[side_start(of, elem, 0)], b = of.nodes[side_start(of, elem, 1)],
+                 c = of.nodes[side_start(of, elem, 2)];
+      if (distance((a + c) / 2, {0.4375, 0.4375}) < 0.06) return degrees(angle_of(b - a));
+    }
+    return 0.0;
+  };
+  const PrescribedDirections directions = [](Vec2 x) {
+    return 20 * std::exp(-norm2(x - Vec2{0.5, 0.5}) / 0.04) * unit(4 * radians(20));
+  };
+  const QuadMesh relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3, .directions = directions}).mesh;
+  EXPECT_NEAR(std::remainder(middle_angle(mesh), 90), 0, 1e-6);
+  EXPECT_NEAR(std::remainder(middle_angle(relaxed), 90), 20, 5);
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "../hand_made.hpp"
 #include "../support/refined.hpp"
+#include "base/angle.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -78,13 +80,39 @@ TEST(SizeEnergy, OfAFoldedMeshIsInfinite) {
   EXPECT_EQ(energy.value(moves), std::numeric_limits<double>::infinity());
 }
 
+TEST(SizeEnergy, InAMetricRectanglesOfItsLengthsAreSquares) {
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 2);
+  const RelaxProblem problem(mesh, {});
+  SizeEnergy energy(problem, mesh);
+  energy.stretches.assign(mesh.num_elems(), tensor_of({2, 0.5, half_pi}));  // of edges 4 : 1
+  energy.set_sizes(equal_sizes(mesh, 0.25));
+  // Squares are rectangles 1 : 4 there: a^2 = 1/4, b^2 = 4, J = 1, mu = 17/8.
+  const double stretched = energy.value(VertexMoves(problem.num_vertices()));
+  EXPECT_NEAR(stretched, 16 * ((std::pow(4, 3) + std::pow(4, -3)) / 2 + 2 * std::pow(17.0 / 8, 3)), 1e-9);
+}
+
+TEST(SizeEnergy, SidesThatFollowDirectionsAddNothingAndAt45DegreesFourTimesTheirWeight) {
+  const QuadMesh mesh = mesh_of(hand_made::unit_square(), 0.25, 2);
+  const RelaxProblem problem(mesh, {});
+  SizeEnergy energy(problem, mesh);
+  energy.set_sizes(equal_sizes(mesh, 0.25));
+  for (const auto& [angle, more] : {std::pair(0.0, 0.0), {half_pi, 0.0}, {pi / 4, 4 * 3.0}, {pi / 8, 2 * 3.0}}) {
+    energy.directions.assign(mesh.num_elems(), 3 * unit(4 * angle));
+    EXPECT_NEAR(energy.value(VertexMoves(problem.num_vertices())), 16 * (3 + more), 1e-9);
+  }
+}
+
 /// On a ring all kinds of vertices occur but fixed ones; on a rectangle some are fixed.
-TEST(SizeEnergy, GradientIsThatOfDifferencesAlsoAlongCurves) {
+void expect_gradient_of_differences(bool is_stretched) {
   for (const SeparatrixGraph& graph : {hand_made::cut_annulus(3), hand_made::quarter_annulus()})
     for (const int order : {1, 4}) {
       const QuadMesh mesh = mesh_of(graph, 0.4, order);
       const RelaxProblem problem(mesh, {});
       SizeEnergy energy(problem, mesh);
+      for (int elem = 0; is_stretched && elem < mesh.num_elems(); ++elem) {
+        energy.stretches.push_back(tensor_of({1.5, 1 / 1.5, 0.7 * elem}));
+        energy.directions.push_back(2 * unit(1.3 * elem));
+      }
       energy.set_sizes(equal_sizes(mesh, 0.4));
       VertexMoves moves(problem.num_vertices());
       for (int v = 0; v < problem.num_vertices(); ++v) {
@@ -107,6 +135,10 @@ TEST(SizeEnergy, GradientIsThatOfDifferencesAlsoAlongCurves) {
         }
     }
 }
+
+TEST(SizeEnergy, GradientIsThatOfDifferencesAlsoAlongCurves) { expect_gradient_of_differences(false); }
+
+TEST(SizeEnergy, GradientIsThatOfDifferencesWithAMetricAndDirections) { expect_gradient_of_differences(true); }
 
 }  // namespace
 }  // namespace quadrille::refine

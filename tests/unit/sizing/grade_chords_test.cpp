@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../hand_made.hpp"
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "block/extract_blocks.hpp"
 
@@ -153,6 +154,38 @@ TEST(GradeChords, CountsAskedForTakeThePlaceOfSizes) {
   EXPECT_TRUE(p[1].is_prescribed);
   EXPECT_THROW(plans(hand_made::unit_square(), SizeField(0.1), SizeRule::nearest, {{2, 3}}), UsageError);
   EXPECT_THROW(plans(hand_made::unit_square(), SizeField(0.1), SizeRule::nearest, {{-1, 3}}), UsageError);
+}
+
+/// h along x and y.
+SizeField constant_metric(double along_x, double along_y) {
+  SizeSources sources;
+  sources.metric = {{{}, along_y, along_x, half_pi}};
+  return {1, sources, {}, 1.2};
+}
+
+TEST(GradeChords, OfAConstantMetricTheSidesOfQuadsHaveTheRatioOfItsLengths) {
+  for (const SizeRule rule : {SizeRule::nearest, SizeRule::at_most, SizeRule::error}) {
+    const BlockLayout layout = layout_of(hand_made::unit_square());
+    const MeasuredLayout measured(layout);
+    const std::vector<ChordPlan> of = grade_chords(measured, constant_metric(0.2, 0.05), rule, {});
+    for (int arc = 0; arc < measured.num_arcs(); ++arc) {
+      const Vec2 step = measured.chain(arc).position(1) - measured.chain(arc).position(0);
+      EXPECT_EQ(of[measured.chord_of(arc)].count, std::abs(step.x) > 0.5 ? 5 : 20);
+    }
+  }
+}
+
+TEST(ChordSections, OfAMetricTheLengthAlongTheArcCounts) {
+  // Along a quarter of a circle from the x axis to the y axis.
+  const BlockLayout layout = layout_of(hand_made::quarter_annulus());
+  const MeasuredLayout measured(layout);
+  const SizeField sizes = constant_metric(0.1, 0.2);
+  for (const double u : {0.0, 0.3, 0.8}) {
+    const ElementDensity d = density(measured, 1, sizes, u);
+    const curve::ChainPoint on_arc =
+        measured.chain(measured.chords()[1].arcs[0]).at(measured.arc_fraction(measured.chords()[1], 0, u));
+    EXPECT_NEAR(d.greatest, pi * std::hypot(on_arc.tangent.x / 0.1, on_arc.tangent.y / 0.2), 1e-9);
+  }
 }
 
 }  // namespace

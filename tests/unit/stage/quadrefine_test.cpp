@@ -14,7 +14,7 @@ struct Quadrefine : testing::Test {
   quadrille::Run run;  // a fixture has a member Run
 
   QuadMesh quads(const std::optional<Input<SizeSources>>& sources = {}) {
-    return quadrefine({layout, {"x.blocks.h5", "digest of the blocks"}}, sources, options, run);
+    return quadrefine({{layout, {"x.blocks.h5", "digest of the blocks"}}, sources}, options, run);
   }
 };
 
