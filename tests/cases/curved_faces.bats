@@ -99,3 +99,14 @@ setup() {
     assert_output --partial "CHA-R05"
   done
 }
+
+@test "places of a plane are refused on a curved face" {
+  printf 'x,y,h1,h2,angle\n0,0,.1,.2,0\n1,0,.1,.2,0\n0,1,.1,.2,0\n' >metric.csv
+  printf 'x,y,h\n0,0,.1\n1,0,.1\n0,1,.1\n' >sizes.csv
+  run -2 quadrefine "$stem.blocks.h5" --metric metric.csv -o no.quad.h5
+  assert_output --partial "this face is curved"
+  run -2 quadrefine "$stem.blocks.h5" --size-field sizes.csv -o no.quad.h5
+  assert_output --partial "this face is curved"
+  run -2 fieldsolve "$stem.tri.h5" --align metric.csv -o no.field.h5
+  assert_output --partial "this face is curved"
+}

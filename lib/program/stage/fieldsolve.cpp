@@ -163,8 +163,10 @@ Field fieldsolve(const FieldsolveInput& input, const FieldsolveOptions& options,
   run.begin_phase("solve");
   galerkin::LaplaceOptions solving = options.solve;
   solving.num_threads = run.threads();
-  if (input.alignment)
+  if (input.alignment) {
+    require_plane_for("--align", mesh.face);
     solving.alignment = field::make_alignment(input.alignment->model, options.align_strength, mesh.face.diameter);
+  }
   const std::vector<TriMesh> meshes = regions::split(mesh);
   std::vector<SolvedRegion> regions = solved(mesh, meshes, orders, input.nodes, solving, run.report());
   if (input.nodes)

@@ -246,10 +246,12 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   check::require_sound(layout, input.layout.file.name);
   std::vector<InputDigest> inputs{input.layout.file.digest("block-layout")};
   if (input.sizes) {
+    require_plane_for("--size-field", layout.face);
     sizes.sources = input.sizes->model;
     inputs.push_back(input.sizes->file.digest("size-field"));
   }
   if (input.metric) {
+    require_plane_for("--metric", layout.face);
     sizes.sources.metric = input.metric->model;
     inputs.push_back(input.metric->file.digest("metric"));
   }
