@@ -41,8 +41,9 @@ class PointBends {
   Vec2 mu_a_, mu_b_;
 };
 
-/// The second derivatives by (a, b), with the absolute values of its curvatures: positive semidefinite.
-Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight);
+/// The second derivatives by (a, b), with those of refine/skew_energy and the absolute values of their curvatures:
+/// positive semidefinite.
+Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight);
 
 /// Where the points of an element are as seen from a side: p along it, r away from it.
 struct SideFrame {

@@ -5,6 +5,7 @@
 
 #include "refine/point_energy.hpp"
 #include "refine/size_energy.hpp"
+#include "refine/skew_energy.hpp"
 
 namespace quadrille::refine {
 
@@ -19,9 +20,10 @@ void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum
     const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
     for (int c = 0; c < 4; ++c) {
       if (slopes[c] == Vec2{}) continue;
-      const std::array<double, 3> block =
-          bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
-      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * block[i];
+      const double by_s = inverse_size_[elem].x * slopes[c].x, by_t = inverse_size_[elem].y * slopes[c].y;
+      const std::array<double, 3> block = bends.block(by_s, by_t),
+                                  skew = skew_block(at.a[k], at.b[k], skew_weights[elem], by_s, by_t);
+      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * (block[i] + skew[i]);
     }
   }
 }
@@ -115,7 +117,7 @@ ElementHessian SizeEnergy::hessian(int elem) const {
   ElementHessian sum = ElementHessian::Zero();
   for (int k = 0; k < of.size; ++k) {
     const double weight = multiplicities[elem] * of.weight[k];
-    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem]);
+    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem], skew_weights[elem]);
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
   }

@@ -55,7 +55,8 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
       counts_(shorter_),
       inverse_(problem) {
   if (options.keeps_lengths)
-    for (double& weight : energy.shape_weights) weight *= step_constants.shape_first;
+    for (auto* weights : {&energy.shape_weights, &energy.skew_weights})
+      for (double& weight : *weights) weight *= step_constants.shape_first;
   set_sizes();
   value = energy.value(moves);
 }
