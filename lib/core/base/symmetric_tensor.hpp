@@ -20,6 +20,9 @@ constexpr Vec2 operator*(const SymmetricTensor& t, Vec2 a) {
 }
 constexpr double det(const SymmetricTensor& t) { return t.xx * t.yy - t.xy * t.xy; }
 
+/// The inverse of a tensor of determinant 1.
+constexpr SymmetricTensor inverse_of_unit(const SymmetricTensor& t) { return {t.yy, -t.xy, t.xx}; }
+
 /// Eigenvalues, and the angle of the first one's direction (radians).
 struct EigenPair {
   double first = 1, second = 1, angle = 0;
@@ -35,13 +38,6 @@ inline SymmetricTensor tensor_of(const EigenPair& of) {
   const Vec2 double_angle = unit(2 * of.angle);
   const double mean = (of.first + of.second) / 2, radius = (of.first - of.second) / 2;
   return {mean + radius * double_angle.x, radius * double_angle.y, mean - radius * double_angle.x};
-}
-
-/// Of a positive definite tensor.
-inline SymmetricTensor power(const SymmetricTensor& t, double exponent) {
-  if (exponent == 1) return t;
-  const EigenPair of = eigen_pair(t);
-  return tensor_of({std::pow(of.first, exponent), std::pow(of.second, exponent), of.angle});
 }
 
 }  // namespace quadrille

@@ -1,6 +1,7 @@
 #include "refine/point_energy.hpp"
 
 #include "refine/direction_energy.hpp"
+#include "refine/skew_energy.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -41,7 +42,7 @@ std::array<double, 3> PointBends::block(double along_s, double along_t) const {
   return sum;
 }
 
-Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, Vec2 target) {
+Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight, Vec2 target) {
   const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
   const double size = (aa * aa * aa + bb * bb * bb) / 2;
   const Vector4d x(a.x, a.y, b.x, b.y), det_x(b.y, -b.x, -a.y, a.x), mu_x = (x - mu * det_x) / det;
@@ -53,6 +54,7 @@ Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, Vec2 target) {
   const Matrix4d mu_xx = (Matrix4d::Identity() - symmetric_product(mu_x, det_x) - mu * det_xx) / det;
   Matrix4d sum = det * size_xx + symmetric_product(size_x, det_x) + size * det_xx +
                  3 * weight * mu * (mu * mu_xx + 2 * mu_x * mu_x.transpose());
+  sum += skew_hessian(a, b, skew_weight);
   if (target != Vec2{}) {
     sum.topLeftCorner<2, 2>() += direction_bend(a, target);
     sum.bottomRightCorner<2, 2>() += direction_bend(b, target);

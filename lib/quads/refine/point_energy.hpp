@@ -43,8 +43,9 @@ class PointBends {
   Vec2 angle_a_, angle_b_;
 };
 
-/// The second derivatives by (a, b), with the absolute values of its curvatures: positive semidefinite.
-Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, Vec2 target);
+/// The second derivatives by (a, b), with those of refine/skew_energy and of refine/direction_energy and the absolute
+/// values of their curvatures: positive semidefinite.
+Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight, Vec2 target);
 
 /// Where the points of an element are as seen from a side: p along it, r away from it.
 struct SideFrame {

@@ -5,6 +5,7 @@
 
 #include "refine/point_energy.hpp"
 #include "refine/size_energy.hpp"
+#include "refine/skew_energy.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -18,6 +19,15 @@ std::array<double, 3> stretched(const SymmetricTensor& s, const std::array<doubl
 
 }  // namespace
 
+/// Of the angle in the plane, by the vectors in the metric.
+Eigen::Matrix4d SizeEnergy::stretched_skew_hessian(int elem, Vec2 a, Vec2 b) const {
+  const SymmetricTensor back = inverse_of_unit(stretches[elem]);
+  Eigen::Matrix4d by_plane = Eigen::Matrix4d::Zero();
+  by_plane.topLeftCorner<2, 2>() << back.xx, back.xy, back.xy, back.yy;
+  by_plane.bottomRightCorner<2, 2>() = by_plane.topLeftCorner<2, 2>();
+  return by_plane * skew_hessian(back * a, back * b, skew_weights[elem]) * by_plane;
+}
+
 /// Adds the diagonal blocks of the Hessian without what may be negative, from the corners alone.
 void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
   const Rule& of = rule(elem);
@@ -29,10 +39,12 @@ void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum
     const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
     for (int c = 0; c < 4; ++c) {
       if (slopes[c] == Vec2{}) continue;
-      std::array<double, 3> block =
-          bends.block(inverse_size_[elem].x * slopes[c].x, inverse_size_[elem].y * slopes[c].y);
+      const double by_s = inverse_size_[elem].x * slopes[c].x, by_t = inverse_size_[elem].y * slopes[c].y;
+      std::array<double, 3> block = bends.block(by_s, by_t);
       if (!stretches.empty()) block = stretched(stretches[elem], block);
-      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * block[i];
+      const std::array<double, 3> skew =
+          skew_block(in_plane(elem, at.a[k]), in_plane(elem, at.b[k]), skew_weights[elem], by_s, by_t);
+      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * (block[i] + skew[i]);
     }
   }
 }
@@ -132,7 +144,10 @@ ElementHessian SizeEnergy::hessian(int elem) const {
   ElementHessian sum = ElementHessian::Zero();
   for (int k = 0; k < of.size; ++k) {
     const double weight = multiplicities[elem] * of.weight[k];
-    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem], direction(elem));
+    Eigen::Matrix4d bend = point_hessian(at.a[k], at.b[k], shape_weights[elem],
+                                         stretches.empty() ? skew_weights[elem] : 0, direction(elem));
+    if (!stretches.empty()) bend += stretched_skew_hessian(elem, at.a[k], at.b[k]);
+    bend *= weight;
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
   }
