@@ -38,7 +38,7 @@ TEST(DirectionEnergy, IsPartOfTheHessianAtAPoint) {
     const Vec2 by_p = of.by_a + DirectionEnergy(p, cross).by_a, by_q = of.by_b + DirectionEnergy(q, cross).by_a;
     return Eigen::Vector4d(by_p.x, by_p.y, by_q.x, by_q.y);
   };
-  const Eigen::Matrix4d hessian = point_hessian(x, y, 2, cross);
+  const Eigen::Matrix4d hessian = point_hessian(x, y, 2, 0, cross);
   for (int k = 0; k < 4; ++k) {
     const Eigen::Vector4d d = step * Eigen::Vector4d::Unit(k);
     EXPECT_LT((hessian.col(k) - (gradient(d) - gradient(-d)) / (2 * step)).norm(), 1e-6);
