@@ -40,23 +40,34 @@ constexpr double deflection = 1e-3;  // of the triangles from the surface, in di
 constexpr double angle = 0.2;        // between neighbours, radians
 constexpr double least_side = 1e-3;  // diameters
 
-/// The face with what triangles need and files leave out: parameter curves, the seam of a closed surface, poles. Curves
-/// and points are not changed.
-TopoDS_Face completed(const TopoDS_Face& face, const std::string& file) {
+TopoDS_Face only_face(const TopoDS_Shape& shape, const std::string& file) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  if (faces.Extent() != 1)
+    throw FormatError(fmt::format("{}: the boundary of the face divides it into {} parts: cut it in the CAD program",
+                                  file, faces.Extent()));
+  return TopoDS::Face(faces(1));
+}
+
+/// With `is_seam`: adds the seam of a closed surface, else parameter curves and poles. The kernel loses the parameter
+/// curves if it does both at once.
+TopoDS_Face completed(const TopoDS_Face& face, bool is_seam, const std::string& file) {
   const Handle(ShapeFix_Face) fix = new ShapeFix_Face(face);
   fix->FixSmallAreaWireMode() = 0, fix->FixIntersectingWiresMode() = 0, fix->FixSplitFaceMode() = 0;
   fix->RemoveSmallAreaFaceMode() = 0;
+  fix->FixMissingSeamMode() = is_seam ? 1 : 0, fix->FixWireMode() = is_seam ? 0 : 1;
   const Handle(ShapeFix_Wire) wire = fix->FixWireTool();
   wire->ModifyTopologyMode() = Standard_False, wire->ModifyGeometryMode() = Standard_True;
   wire->FixSmallMode() = 0, wire->FixSelfIntersectionMode() = 0, wire->FixNotchedEdgesMode() = 0;
   wire->FixGaps3dMode() = 0, wire->FixGaps2dMode() = 0;
   fix->Perform();
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(fix->Result(), TopAbs_FACE, faces);
-  if (faces.Extent() != 1)
-    throw FormatError(fmt::format("{}: the boundary of the face divides it into {} parts: cut it in the CAD program",
-                                  file, faces.Extent()));
-  return TopoDS::Face(faces(1));
+  return only_face(fix->Result(), file);
+}
+
+/// The face with what triangles need and files leave out: parameter curves, poles, seams. Curves and points are not
+/// changed.
+TopoDS_Face completed(const TopoDS_Face& face, const std::string& file) {
+  return completed(completed(face, false, file), true, file);
 }
 
 double size_of(const TopoDS_Face& face) {
