@@ -27,13 +27,15 @@ int main(int argc, char** argv) {
       "coarse: its elements follow the curves with polynomials of a high order, are small "
       "only where the boundary is strongly curved or two of its parts are close to each other, and are graded "
       "geometrically towards corners at which the field is singular. Every element is proved valid. Lengths are the "
-      "numbers of the file, in its own unit.";
+      "numbers of the file, in its own unit. The chart of a curved face (cad2chart) is read likewise: its triangles "
+      "are "
+      "those of the plane of the chart.";
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step --name axis=0 --name wall@0,1 -o named.tri.h5",
                    "cad2tri --list half_disc.step", "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
   tool.options = [&](Options& o) {
-    o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
+    o.input("SHAPE", input, "CAD file: STEP, IGES or BREP; or the chart of a curved face (x.chart.h5)");
     o.output(output, "triangle mesh to write (x.tri.h5)");
     declare(o, options);
   };
@@ -47,6 +49,8 @@ int main(int argc, char** argv) {
     }
     const io::InputFile file = io::read_input(input);
     stage::Cad2triInput from{{file.bytes, file}, {}};
+    std::optional<ChartedFace> chart;
+    if (io::is_chart(file)) from.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
     if (options.is_listing) return io::write_output(output, stage::list_faces(from.cad, s), false);
     if (!options.names_file.empty()) from.names.emplace(names, names_file);
     const stage::LoadedShape shape = stage::load_shape(from, options, s);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "../unit/chart_samples.hpp"
 #include "../unit/region_layout_samples.hpp"
 #include "io/describe.hpp"
 #include "io/stage_files.hpp"
@@ -133,6 +134,12 @@ int main(int argc, char** argv) {
     return 2;
   }
   root = argv[1];
+  write_samples(samples::charted_face(), "CHA-R05", [](ChartedFace& c) {
+    Chart chart = *c.face.chart;
+    chart.space_curves[1].poles.back().z += 1e-3;
+    c.face.chart = std::make_shared<const Chart>(chart);
+  });
+  write_valid("cap", samples::charted_cap());
   write_samples(samples::tri_mesh(), "TRI-R12", [](TriMesh& m) { m.curved_nodes[4].y += 1e-6; });
   write_samples(samples::field(), "FLD-R02", [](Field& f) { f.elem_order[1] = 2; });
   write_samples(samples::critical_points(), "CRT-R05", [](CriticalPoints& c) { c.corners[2].valence = 2; });

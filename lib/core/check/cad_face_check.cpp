@@ -215,7 +215,10 @@ constexpr Rule<CadFace> rules[] = {
 
 }  // namespace
 
-std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth) { return apply_rules(rules, face, depth); }
+std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth) {
+  const std::vector<Violation> violations = apply_rules(rules, face, depth);
+  return violations.empty() ? chart_violations(face, depth) : violations;
+}
 
 template std::vector<Violation> check_stage(const CadFace&, CheckDepth);
 

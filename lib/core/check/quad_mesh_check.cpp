@@ -4,7 +4,6 @@
 #include "check/rules.hpp"
 #include "model/interfaces.hpp"
 #include "model/quad_mesh.hpp"
-#include "spectral/quad_map.hpp"
 
 namespace quadrille::check {
 
@@ -28,6 +27,9 @@ void arrays_agree(const QuadMesh& mesh, Findings& findings) {
                  n);
   if (!mesh.elem_prescribed_length.empty() && mesh.elem_prescribed_length.size() != n)
     findings.add("elem_prescribed_length has {} entries for {} elements", mesh.elem_prescribed_length.size(), n);
+  if (const std::size_t expected = mesh.face.chart ? mesh.nodes.size() : 0; mesh.space_nodes.size() != expected)
+    findings.add("space_nodes has {} entries, not {}: one for each node of a curved face", mesh.space_nodes.size(),
+                 expected);
   if (!are_ascending_indices(mesh.unnamed_blocks, mesh.block_names.size()))
     findings.add("unnamed_blocks must be blocks in ascending order, each once");
 }
@@ -50,6 +52,7 @@ void indices_exist(const QuadMesh& mesh, Findings& findings) {
 }
 
 void numbers_are_finite(const QuadMesh& mesh, Findings& findings) {
+  if (!are_finite(mesh.space_nodes)) findings.add("space_nodes contain a number that is not finite");
   if (!are_finite(mesh.nodes)) findings.add("nodes contain a number that is not finite");
   if (!are_finite(mesh.elem_jacobian_bound) || !are_finite(mesh.elem_scaled_jacobian))
     findings.add("elem_jacobian_bound or elem_scaled_jacobian contains a number that is not finite");
@@ -189,19 +192,6 @@ void irregular_nodes_agree(const QuadMesh& mesh, Findings& findings) {
                  num_irregular);
 }
 
-void jacobians_are_as_stored(const QuadMesh& mesh, Findings& findings) {
-  std::vector<Vec2> nodes(nodes_per_elem(mesh));
-  for (int e = 0; e < mesh.num_elems(); ++e) {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodes[i] = mesh.nodes[mesh.elem_nodes[static_cast<std::size_t>(e) * nodes.size() + i]];
-    if (!(mesh.elem_jacobian_bound[e] > 0)) continue;
-    const double bound = spectral::quad_jacobian_lower_bound(mesh.order, nodes.data());
-    if (!(bound > 0))
-      findings.add("element {} is not proved valid: its Jacobian's lower bound is {:.3g}, at {}", e, bound,
-                   position_text(mesh.face, nodes[0]));
-  }
-}
-
 void root_tells_validity(const QuadMesh& mesh, Findings& findings) {
   const double least = *std::min_element(mesh.elem_jacobian_bound.begin(), mesh.elem_jacobian_bound.end());
   if (mesh.least_jacobian_bound != least)
@@ -304,6 +294,7 @@ constexpr Rule<QuadMesh> rules[] = {
     {"QUA-R12", RuleKind::full, interfaces_are_shared},
     {"QUA-R13", RuleKind::full, regions_fit},
     {"QUA-R14", RuleKind::full, interfaces_are_closed},
+    {"QUA-R15", RuleKind::full, boundary_is_on_curves_in_space},
 };
 
 }  // namespace

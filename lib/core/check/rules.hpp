@@ -14,6 +14,7 @@
 
 #include "base/message_text.hpp"
 #include "base/vec2.hpp"
+#include "base/vec3.hpp"
 #include "check/check.hpp"
 
 namespace quadrille::check {
@@ -69,6 +70,8 @@ std::vector<Violation> check_stage(const Model& model, CheckDepth depth) {
 }
 /// Of what other structs contain.
 std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth);
+/// Of the chart of a sound curved face; none of a planar one.
+std::vector<Violation> chart_violations(const CadFace& face, CheckDepth depth);
 std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth);
 
 /// The violations found in `part`, a member of the stage's struct; without any, the violations of `rules`.
@@ -102,7 +105,14 @@ void arcs_are_chains(const ArcGraph& graph, Findings& findings);
 void boundary_is_covered(const ArcGraph& graph, Findings& findings);
 void node_kinds_fit(const ArcGraph& graph, Findings& findings);
 
+// Rules of quad meshes.
+
+/// The proofs of elements, repeated.
+void jacobians_are_as_stored(const QuadMesh& mesh, Findings& findings);
+void boundary_is_on_curves_in_space(const QuadMesh& mesh, Findings& findings);
+
 inline bool is_finite(double x) { return std::isfinite(x); }
+inline bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 inline bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 template <typename T>
 bool are_finite(const std::vector<T>& values) {

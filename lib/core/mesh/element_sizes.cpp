@@ -34,16 +34,21 @@ double ratio_of(double a, double b) {
   return low > high / greatest_ratio ? high / low : greatest_ratio;
 }
 
+/// Of the parallelogram; in the plane with its sign.
+double area_of(Vec2 a, Vec2 b) { return cross(a, b); }
+double area_of(Vec3 a, Vec3 b) { return norm(cross(a, b)); }
+
 /// The nodes of an element as a grid of (N + 1) x (N + 1) positions.
+template <typename Point>
 class ElementGrid {
  public:
-  ElementGrid(const QuadMesh& mesh, int elem)
+  ElementGrid(const QuadMesh& mesh, const std::vector<Point>& nodes, int elem)
       : order_(mesh.order),
         rule_(spectral::table_per_order<LobattoRule>(mesh.order)),
-        nodes_(mesh.nodes),
+        nodes_(nodes),
         ids_(&mesh.elem_nodes[elem * mesh.nodes_per_elem()]) {}
 
-  Vec2 at(int i, int j) const { return nodes_[ids_[j * (order_ + 1) + i]]; }
+  Point at(int i, int j) const { return nodes_[ids_[j * (order_ + 1) + i]]; }
 
   double side_length(int side) const {
     double length = 0;
@@ -57,7 +62,7 @@ class ElementGrid {
     double area = 0;
     for (int j = 0; j <= order_; ++j)
       for (int i = 0; i <= order_; ++i)
-        area += rule_.weights[i] * rule_.weights[j] * cross(along(0, i, j), along(1, i, j));
+        area += rule_.weights[i] * rule_.weights[j] * area_of(along(0, i, j), along(1, i, j));
     return area;
   }
 
@@ -76,8 +81,8 @@ class ElementGrid {
 
  private:
   /// The derivative with respect to xi1 (direction 0) or xi2 (1) at node (i, j).
-  Vec2 along(int direction, int i, int j) const {
-    Vec2 sum;
+  Point along(int direction, int i, int j) const {
+    Point sum;
     for (int k = 0; k <= order_; ++k)
       sum += direction == 0 ? rule_.derivative(i, k) * at(k, j) : rule_.derivative(j, k) * at(i, k);
     return sum;
@@ -85,11 +90,12 @@ class ElementGrid {
 
   int order_;
   const LobattoRule& rule_;
-  const std::vector<Vec2>& nodes_;
+  const std::vector<Point>& nodes_;
   const int* ids_;
 };
 
-double edge_ratio(const ElementGrid& grid) {
+template <typename Point>
+double edge_ratio(const ElementGrid<Point>& grid) {
   std::array<double, 4> lengths{};
   for (int side = 0; side < 4; ++side) lengths[side] = grid.side_length(side);
   const auto [low, high] = std::minmax_element(lengths.begin(), lengths.end());
@@ -128,24 +134,29 @@ void measure_area_jumps(QuadMesh& mesh, const std::vector<double>& areas) {
 }
 
 Vec2 centre(const QuadMesh& mesh, int elem) {
-  const ElementGrid grid(mesh, elem);
+  const ElementGrid grid(mesh, mesh.nodes, elem);
   const int n = mesh.order;
   return (grid.at(0, 0) + grid.at(n, 0) + grid.at(n, n) + grid.at(0, n)) / 4 + mesh.face.origin;
 }
 
-}  // namespace
-
-void measure_element_sizes(QuadMesh& mesh) {
+template <typename Point>
+void measure_by(const std::vector<Point>& nodes, QuadMesh& mesh) {
   std::vector<double> areas;
   mesh.elem_edge_ratio.clear();
   mesh.elem_node_distance.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const ElementGrid grid(mesh, elem);
+    const ElementGrid grid(mesh, nodes, elem);
     mesh.elem_edge_ratio.push_back(edge_ratio(grid));
     mesh.elem_node_distance.push_back(grid.least_node_distance());
     areas.push_back(grid.area());
   }
   measure_area_jumps(mesh, areas);
+}
+
+}  // namespace
+
+void measure_element_sizes(QuadMesh& mesh) {
+  mesh.space_nodes.empty() ? measure_by(mesh.nodes, mesh) : measure_by(mesh.space_nodes, mesh);
 }
 
 ElementSizes worst_element_sizes(const QuadMesh& mesh) {
@@ -209,27 +220,44 @@ constexpr int most_points = 20 + extra_points;
 using Nodes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
 using Values = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_points, most_points>;
 
+/// A coordinate of the nodes of an element, in units of `length`, as xi1 x xi2.
+template <typename Coordinate>
+Nodes grid_of(const QuadMesh& mesh, int elem, double length, const Coordinate& coordinate) {
+  const int width = mesh.order + 1;
+  Nodes x(width, width);
+  for (int k = 0; k < width * width; ++k)
+    x(k % width, k / width) = coordinate(mesh.elem_nodes[elem * width * width + k]) / length;
+  return x;
+}
+
 /// Of one element, lengths in units of `length`.
 ElementPowers powers_of(const QuadMesh& mesh, int elem, double length) {
   const GaussTable& table = spectral::table_per_order<GaussTable>(mesh.order);
-  const int width = mesh.order + 1;
-  Nodes x(width, width), y(width, width);  // xi1 x xi2
-  for (int k = 0; k < width * width; ++k) {
-    const Vec2 node = mesh.nodes[mesh.elem_nodes[elem * width * width + k]] / length;
-    x(k % width, k / width) = node.x;
-    y(k % width, k / width) = node.y;
-  }
   const auto along = [](const Eigen::MatrixXd& of1, const Nodes& nodes, const Eigen::MatrixXd& of2) {
     const Nodes half = of1.lazyProduct(nodes);
     return Values(half.lazyProduct(of2.transpose()));
   };
+  const bool in_space = !mesh.space_nodes.empty();
+  const Nodes x =
+      grid_of(mesh, elem, length, [&](int i) { return in_space ? mesh.space_nodes[i].x : mesh.nodes[i].x; });
+  const Nodes y =
+      grid_of(mesh, elem, length, [&](int i) { return in_space ? mesh.space_nodes[i].y : mesh.nodes[i].y; });
   const Values x1 = along(table.slopes, x, table.values), y1 = along(table.slopes, y, table.values),
                x2 = along(table.values, x, table.slopes), y2 = along(table.values, y, table.slopes);
-  const Values area = (x1 * y2 - y1 * x2).abs() * table.weights.array();
-  const auto power = [&](const Values& a, const Values& b) {
-    return ((a.square() + b.square()).square().square() * area).sum();
+  const auto power = [&](const Values& squares, const Values& area) {
+    return (squares.square().square() * area).sum();
   };
-  return {{power(x1, y1), power(x2, y2)}, area.sum()};
+  if (!in_space) {
+    const Values area = (x1 * y2 - y1 * x2).abs() * table.weights.array();
+    return {{power(x1.square() + y1.square(), area), power(x2.square() + y2.square(), area)}, area.sum()};
+  }
+  const Nodes z = grid_of(mesh, elem, length, [&](int i) { return mesh.space_nodes[i].z; });
+  const Values z1 = along(table.slopes, z, table.values), z2 = along(table.values, z, table.slopes);
+  const Values area =
+      ((x1 * y2 - y1 * x2).square() + (y1 * z2 - z1 * y2).square() + (z1 * x2 - x1 * z2).square()).sqrt() *
+      table.weights.array();
+  return {{power(x1.square() + y1.square() + z1.square(), area), power(x2.square() + y2.square() + z2.square(), area)},
+          area.sum()};
 }
 
 }  // namespace

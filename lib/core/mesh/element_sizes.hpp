@@ -12,7 +12,8 @@
 namespace quadrille::mesh {
 
 /// Fills in elem_edge_ratio, elem_area_jump and elem_node_distance. Lengths and areas by Gauss-Lobatto-Legendre
-/// quadrature at the nodes; a ratio to nothing is 1e300. O(n log n) for n elements.
+/// quadrature at the nodes, in space if the mesh has nodes there; a ratio to nothing is 1e300. O(n log n) for n
+/// elements.
 void measure_element_sizes(QuadMesh& mesh);
 
 /// The worst of all elements and where they are, in the face's own coordinates (origin included).

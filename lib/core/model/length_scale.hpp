@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "model/arc_graph.hpp"
@@ -67,6 +69,15 @@ inline LengthScale length_scale(const CadFace& face, const ScaleRequest& request
   return result;
 }
 
+inline void scale_lengths(Chart& chart, double factor) {
+  for (Vec2& node : chart.nodes) node = factor * node;
+  for (Vec3& node : chart.space_nodes) node = factor * node;
+  for (NurbsSurface& surface : chart.surfaces)
+    for (Vec3& pole : surface.poles) pole = factor * pole;
+  for (SpaceCurve& curve : chart.space_curves)
+    for (Vec3& pole : curve.poles) pole = factor * pole;
+}
+
 inline void scale_lengths(CadFace& face, const LengthScale& scale) {
   const double factor = scale.factor;
   face.length_unit = scale.unit;
@@ -79,6 +90,10 @@ inline void scale_lengths(CadFace& face, const LengthScale& scale) {
     for (Vec2& pole : curve.poles) pole = factor * pole;
   for (Joint& joint : face.joints) joint.position = factor * joint.position;
   for (PeriodicPair& pair : face.periodic_pairs) pair.shift = factor * pair.shift;
+  if (!face.chart) return;
+  Chart chart = *face.chart;
+  scale_lengths(chart, factor);
+  face.chart = std::make_shared<const Chart>(std::move(chart));
 }
 
 inline void scale_lengths(ArcGraph& graph, const LengthScale& scale) {
@@ -93,6 +108,7 @@ inline void scale_lengths(QuadMesh& mesh, const LengthScale& scale) {
   const double factor = scale.factor;
   scale_lengths(mesh.face, scale);
   for (Vec2& node : mesh.nodes) node = factor * node;
+  for (Vec3& node : mesh.space_nodes) node = factor * node;
   for (double& bound : mesh.elem_jacobian_bound) bound *= factor * factor;
   mesh.least_jacobian_bound *= factor * factor;
   for (auto* lengths : {&mesh.elem_node_distance, &mesh.elem_prescribed_length})

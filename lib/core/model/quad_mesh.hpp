@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "base/vec3.hpp"
 #include "model/cad_face.hpp"
 #include "model/provenance.hpp"
 
@@ -27,10 +28,14 @@ struct QuadMesh {
   CadFace face;
   int order = 1;  ///< shape order N
   std::vector<Vec2> nodes;
+  /// Of a curved face (face.chart): the nodes on the surface, in the coordinates of the CAD file; `nodes` are those in
+  /// the chart. Elements are then the polynomials in space, and so are all measures. Empty: the mesh is planar.
+  std::vector<Vec3> space_nodes;
   std::vector<int> elem_nodes;
   std::vector<int> elem_block;
-  std::vector<double> elem_jacobian_bound;   ///< least Bernstein coefficient of det J: a proved lower bound
-  std::vector<double> elem_scaled_jacobian;  ///< least sampled det J / (|x_xi1| |x_xi2|)
+  /// Least Bernstein coefficient of det J, in space of the normal component (spectral/quad_map): a proved lower bound.
+  std::vector<double> elem_jacobian_bound;
+  std::vector<double> elem_scaled_jacobian;  ///< least sampled det J / (|x_xi1| |x_xi2|), in space of the sine
   // Lengths, which the scaled Jacobian does not see (mesh/element_sizes); empty in files before version 1.3.
   std::vector<double> elem_edge_ratio;     ///< longest over shortest side
   std::vector<double> elem_area_jump;      ///< greatest ratio of its area and a neighbour's, either way

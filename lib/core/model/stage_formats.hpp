@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "model/block_layout.hpp"
+#include "model/charted_face.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
 #include "model/quad_mesh.hpp"
@@ -18,7 +19,7 @@
 namespace quadrille {
 
 /// What a stage file holds.
-using StageModel = std::variant<TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh>;
+using StageModel = std::variant<ChartedFace, TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh>;
 
 enum class Storage { hdf5, json };
 
@@ -30,12 +31,13 @@ struct StageFormat {
 
 /// The formats of the alternatives of StageModel.
 constexpr auto stage_formats = std::to_array<StageFormat>({
-    {"tri-mesh", 1, 4, Storage::hdf5},
-    {"field", 2, 3, Storage::hdf5},
-    {"critical-points", 2, 2, Storage::json},
-    {"separatrix-graph", 2, 4, Storage::json},
-    {"block-layout", 2, 0, Storage::hdf5},
-    {"quad-mesh", 2, 1, Storage::hdf5},
+    {"chart", 1, 0, Storage::hdf5},
+    {"tri-mesh", 1, 5, Storage::hdf5},
+    {"field", 2, 4, Storage::hdf5},
+    {"critical-points", 2, 3, Storage::json},
+    {"separatrix-graph", 2, 5, Storage::json},
+    {"block-layout", 2, 1, Storage::hdf5},
+    {"quad-mesh", 2, 2, Storage::hdf5},
 });
 static_assert(stage_formats.size() == std::variant_size_v<StageModel>);
 
@@ -58,13 +60,14 @@ inline const Provenance& provenance_of(const StageModel& stage) {
 /// A tool that reads what others wrote.
 struct StageTool {
   std::string_view name;
-  std::string_view after;   ///< the tool whose file it reads first; empty: it reads a CAD file
+  std::string_view after;   ///< the tool whose file it reads first; empty: it reads a CAD file (cad2tri: or a chart)
   std::string_view writes;  ///< a format of stage_formats; empty: formats of other programs
   std::string_view ending;  ///< "tri.h5" of SHAPE.tri.h5
 };
 
 /// In the order of the chain.
 constexpr auto stage_tools = std::to_array<StageTool>({
+    {"cad2chart", "", "chart", "chart.h5"},
     {"cad2tri", "", "tri-mesh", "tri.h5"},
     {"fieldsolve", "cad2tri", "field", "solve.h5"},
     {"padapt", "fieldsolve", "field", "field.h5"},

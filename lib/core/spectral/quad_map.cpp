@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
+#include "spectral/quad_samples.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
@@ -225,19 +226,6 @@ ScaledJacobianMinimum least_at_corners(const BilinearElement& element) {
   return least;
 }
 
-/// Values and derivatives of the nodal basis at equispaced sample points, ends included.
-struct Samples {
-  Eigen::MatrixXd value, derivative;
-
-  explicit Samples(int order) {
-    const int count = 2 * order + 3;
-    std::vector<double> points(count);
-    for (int i = 0; i < count; ++i) points[i] = -1 + 2.0 * i / (count - 1);
-    value = interpolation_matrix(gll_points(order), points);
-    derivative = value * differentiation_matrix(gll_points(order));
-  }
-};
-
 }  // namespace
 
 BernsteinSquare quad_jacobian_det(int order, const Vec2* nodes) {
@@ -307,36 +295,33 @@ double quad_scaled_jacobian(int order, const Vec2* nodes) { return quad_scaled_j
 
 ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes) {
   if (const std::optional<BilinearElement> element = as_bilinear(order, nodes)) return least_at_corners(*element);
-  const Samples& s = table_per_order<Samples>(order);
-  const int n = order + 1;
-  Eigen::MatrixXd x(n, n), y(n, n);  // row: xi1, column: xi2
-  for (int k = 0; k < n * n; ++k) {
-    x.data()[k] = nodes[k].x - nodes[0].x;
-    y.data()[k] = nodes[k].y - nodes[0].y;
+  const int count = (order + 1) * (order + 1);
+  Vector x(count), y(count);
+  for (int k = 0; k < count; ++k) x[k] = nodes[k].x - nodes[0].x, y[k] = nodes[k].y - nodes[0].y;
+  const auto dx = sampled_derivatives(order, x), dy = sampled_derivatives(order, y);
+  std::vector<double> values(dx[0].size());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Vec2 a{dx[0][k], dy[0][k]}, b{dx[1][k], dy[1][k]};
+    const double scale = std::sqrt(norm2(a) * norm2(b));
+    values[k] = scale > 0 ? cross(a, b) / scale : 0.0;
   }
-  const Eigen::MatrixXd x1 = s.derivative * x * s.value.transpose(), x2 = s.value * x * s.derivative.transpose();
-  const Eigen::MatrixXd y1 = s.derivative * y * s.value.transpose(), y2 = s.value * y * s.derivative.transpose();
-  ScaledJacobianMinimum least;
-  for (Eigen::Index k = 0; k < x1.size(); ++k) {
-    const Vec2 a{x1.data()[k], y1.data()[k]}, b{x2.data()[k], y2.data()[k]};
-    const double det_j = cross(a, b), scale = std::sqrt(norm2(a) * norm2(b));
-    const double value = scale > 0 ? det_j / scale : 0.0;
-    const auto coordinate = [&](Eigen::Index i) {
-      return -1 + 2 * static_cast<double>(i) / static_cast<double>(x1.rows() - 1);
-    };
-    if (k == 0 || value < least.value)
-      least = {std::min(value, 1.0), {coordinate(k % x1.rows()), coordinate(k / x1.rows())}};
-  }
-  if (least.value <= 0) least.value = -1;
-  return least;
+  return least_sample(values);
 }
 
-Vec2 quad_position(int order, const Vec2* nodes, Vec2 xi) {
+namespace {
+
+template <typename Point>
+Point position_at(int order, const Point* nodes, Vec2 xi) {
   const Eigen::MatrixXd basis = interpolation_matrix(gll_points(order), {xi.x, xi.y});
-  Vec2 sum;
+  Point sum{};
   for (int j = 0; j <= order; ++j)
     for (int i = 0; i <= order; ++i) sum += basis(0, i) * basis(1, j) * nodes[j * (order + 1) + i];
   return sum;
 }
+
+}  // namespace
+
+Vec2 quad_position(int order, const Vec2* nodes, Vec2 xi) { return position_at(order, nodes, xi); }
+Vec3 quad_position(int order, const Vec3* nodes, Vec2 xi) { return position_at(order, nodes, xi); }
 
 }  // namespace quadrille::spectral

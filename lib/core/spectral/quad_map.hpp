@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "base/vec3.hpp"
 
 namespace quadrille::spectral {
 
@@ -48,7 +49,21 @@ struct ScaledJacobianMinimum {
 };
 ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes);
 
+// Elements in space. With the unit normal n0 at xi = 0, the normal component f = (X_xi1 x X_xi2) . n0 is det J of the
+// element projected along n0: where f > 0 the projection is a valid planar element, so that the element is regular and
+// nowhere folds over. The polynomial and its bounds are those of the plane (lib/method.md §12).
+
+/// The nodes in a plane normal to n0, counter-clockwise seen against it.
+std::vector<Vec2> quad_projection(int order, const Vec3* nodes);
+
+/// A proved lower bound of the normal component, rounding of the projection included.
+double quad_normal_lower_bound(int order, const Vec3* nodes, int depth = 4);
+
+/// Least sampled sine of the angle between X_xi1 and X_xi2; -1 where the normal component is <= 0.
+ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec3* nodes);
+
 /// Position at xi by interpolation.
 Vec2 quad_position(int order, const Vec2* nodes, Vec2 xi);
+Vec3 quad_position(int order, const Vec3* nodes, Vec2 xi);
 
 }  // namespace quadrille::spectral

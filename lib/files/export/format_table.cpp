@@ -74,6 +74,11 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
         fmt::format("the format {} supports quads up to order {}, this mesh has order {}: refine with a "
                     "lower --order",
                     format.name, format.max_order, mesh.order));
+  if (!mesh.space_nodes.empty() && !format.holds_space)
+    throw ComputeError(
+        fmt::format("the format {} supports meshes of the plane only, but this one lies on a curved face: choose msh, "
+                    "vtu, nektar or mfem",
+                    format.name));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_lengths(mesh, length);
   if (options.block_groups) separate_blocks(mesh);

@@ -131,8 +131,7 @@ GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
   GmshModel model;
   model.skeleton = mesh_skeleton(mesh);
   model.groups = mesh_groups(mesh);
-  model.positions.reserve(mesh.nodes.size());
-  for (const Vec2 x : equispaced_nodes(mesh)) model.positions.push_back(frame.at(x));
+  model.positions = positions(mesh, frame, ElementPoints::equispaced);
   classify_nodes(mesh, model);
   number_nodes(mesh, model);
   model.block_elems.resize(mesh.block_names.size());

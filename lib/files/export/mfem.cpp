@@ -4,6 +4,7 @@
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
 #include "export/periodic_edges.hpp"
+#include "export/renode.hpp"
 #include "export/writers.hpp"
 
 namespace quadrille::exports {
@@ -86,10 +87,10 @@ class MfemWriter : TextWriter {
     for (std::size_t k = 0; k < names.size(); ++k) print("{} 1 {}\n", mfem_quoted(names[k]), k + 1);
   }
 
-  int space_dim() const { return frame_.is_plane() ? 2 : 3; }
+  int space_dim() const { return space_dimension(mesh_, frame_); }
 
   void print_position(int node) {
-    const auto x = frame_.at(mesh_.nodes[node]);
+    const auto x = position(mesh_, frame_, node);
     print("{} {}", x[0], x[1]);
     if (space_dim() == 3) print(" {}", x[2]);
     print("\n");

@@ -88,7 +88,7 @@ class NektarWriter : TextWriter {
 
   std::string text() {
     print("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<NEKTAR>\n");
-    print("  <GEOMETRY DIM=\"2\" SPACE=\"{}\">\n", frame_.is_plane() ? 2 : 3);
+    print("  <GEOMETRY DIM=\"2\" SPACE=\"{}\">\n", space_dimension(mesh_, frame_));
     write_vertices();
     write_edges();
     write_elements();
@@ -103,7 +103,7 @@ class NektarWriter : TextWriter {
  private:
   /// With as many digits as needed to read back the same bits.
   void print_position(int node) {
-    const auto x = frame_.at(mesh_.nodes[node]);
+    const auto x = position(mesh_, frame_, node);
     print("{} {} {}", x[0], x[1], x[2]);
   }
 

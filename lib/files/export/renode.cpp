@@ -17,27 +17,49 @@ namespace quadrille::exports {
 
 namespace {
 
-void move_edge(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll, const std::vector<int>& edge,
-               std::vector<Vec2>& moved) {
-  for (int i = 1; i < mesh.order; ++i) {
-    Vec2 sum;
-    for (int k = 0; k <= mesh.order; ++k) sum += from_gll(i, k) * mesh.nodes[edge[k]];
+template <typename Point>
+void move_edge(const std::vector<Point>& nodes, const Eigen::MatrixXd& from_gll, const std::vector<int>& edge,
+               std::vector<Point>& moved) {
+  const int order = static_cast<int>(edge.size()) - 1;
+  for (int i = 1; i < order; ++i) {
+    Point sum;
+    for (int k = 0; k <= order; ++k) sum += from_gll(i, k) * nodes[edge[k]];
     moved[edge[i]] = sum;
   }
 }
 
-void move_inside(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll, const int* ids, std::vector<Vec2>& moved) {
-  const int n = mesh.order, width = n + 1;
-  std::vector<Vec2> half(width * width);
+template <typename Point>
+void move_inside(int n, const std::vector<Point>& nodes, const Eigen::MatrixXd& from_gll, const int* ids,
+                 std::vector<Point>& moved) {
+  const int width = n + 1;
+  std::vector<Point> half(width * width);
   for (int b = 0; b <= n; ++b)
     for (int i = 1; i < n; ++i)
-      for (int a = 0; a <= n; ++a) half[b * width + i] += from_gll(i, a) * mesh.nodes[ids[b * width + a]];
+      for (int a = 0; a <= n; ++a) half[b * width + i] += from_gll(i, a) * nodes[ids[b * width + a]];
   for (int j = 1; j < n; ++j)
     for (int i = 1; i < n; ++i) {
-      Vec2 sum;
+      Point sum;
       for (int b = 0; b <= n; ++b) sum += from_gll(j, b) * half[b * width + i];
       moved[ids[j * width + i]] = sum;
     }
+}
+
+template <typename Point>
+std::vector<Point> renoded_points(const QuadMesh& mesh, const std::vector<Point>& nodes,
+                                  const Eigen::MatrixXd& from_gll) {
+  std::vector<Point> moved = nodes;
+  if (mesh.order == 1) return moved;
+  std::vector<bool> done(nodes.size(), false);  // by the first inner node of an edge
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    for (int side = 0; side < 4; ++side) {
+      const std::vector<int> edge = side_nodes(mesh, elem, side);
+      if (done[edge[1]] || done[edge[mesh.order - 1]]) continue;
+      done[edge[1]] = true;
+      move_edge(nodes, from_gll, edge, moved);
+    }
+    move_inside(mesh.order, nodes, from_gll, &mesh.elem_nodes[elem * mesh.nodes_per_elem()], moved);
+  }
+  return moved;
 }
 
 /// Row i: the Bernstein polynomials of degree N at Gauss-Lobatto-Legendre point i.
@@ -55,28 +77,52 @@ Eigen::MatrixXd bernstein_at_gll(int order) {
 }  // namespace
 
 std::vector<Vec2> renoded(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll) {
-  std::vector<Vec2> moved = mesh.nodes;
-  if (mesh.order == 1) return moved;
-  std::vector<bool> done(mesh.nodes.size(), false);  // by the first inner node of an edge
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    for (int side = 0; side < 4; ++side) {
-      const std::vector<int> edge = side_nodes(mesh, elem, side);
-      if (done[edge[1]] || done[edge[mesh.order - 1]]) continue;
-      done[edge[1]] = true;
-      move_edge(mesh, from_gll, edge, moved);
-    }
-    move_inside(mesh, from_gll, &mesh.elem_nodes[elem * mesh.nodes_per_elem()], moved);
-  }
-  return moved;
+  return renoded_points(mesh, mesh.nodes, from_gll);
 }
 
-std::vector<Vec2> bezier_points(const QuadMesh& mesh) { return renoded(mesh, bernstein_at_gll(mesh.order).inverse()); }
+namespace {
+
+Eigen::MatrixXd bezier_from_gll(int order) { return bernstein_at_gll(order).inverse(); }
+
+Eigen::MatrixXd equispaced_from_gll(int order) {
+  std::vector<double> points;
+  for (int i = 0; i <= order; ++i) points.push_back(-1 + 2.0 * i / order);
+  return spectral::interpolation_matrix(spectral::gll_points(order), points);
+}
+
+/// Nodes of order 2 and below are equispaced.
+template <typename Point>
+std::vector<Point> points_of(const QuadMesh& mesh, const std::vector<Point>& nodes, ElementPoints points) {
+  if (points == ElementPoints::bezier) return renoded_points(mesh, nodes, bezier_from_gll(mesh.order));
+  return mesh.order <= 2 ? nodes : renoded_points(mesh, nodes, equispaced_from_gll(mesh.order));
+}
+
+std::array<double, 3> coordinates(Vec3 x) { return {x.x, x.y, x.z}; }
+
+}  // namespace
+
+std::vector<Vec2> bezier_points(const QuadMesh& mesh) { return points_of(mesh, mesh.nodes, ElementPoints::bezier); }
 
 std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh) {
-  if (mesh.order <= 2) return mesh.nodes;  // the same points
-  std::vector<double> points;
-  for (int i = 0; i <= mesh.order; ++i) points.push_back(-1 + 2.0 * i / mesh.order);
-  return renoded(mesh, spectral::interpolation_matrix(spectral::gll_points(mesh.order), points));
+  return points_of(mesh, mesh.nodes, ElementPoints::equispaced);
+}
+
+std::vector<std::array<double, 3>> positions(const QuadMesh& mesh, const Frame& frame, ElementPoints points) {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(mesh.nodes.size());
+  if (mesh.space_nodes.empty())
+    for (const Vec2 x : points_of(mesh, mesh.nodes, points)) result.push_back(frame.at(x));
+  else
+    for (const Vec3 x : points_of(mesh, mesh.space_nodes, points)) result.push_back(coordinates(x));
+  return result;
+}
+
+std::array<double, 3> position(const QuadMesh& mesh, const Frame& frame, int node) {
+  return mesh.space_nodes.empty() ? frame.at(mesh.nodes[node]) : coordinates(mesh.space_nodes[node]);
+}
+
+int space_dimension(const QuadMesh& mesh, const Frame& frame) {
+  return mesh.space_nodes.empty() && frame.is_plane() ? 2 : 3;
 }
 
 std::vector<double> chebyshev_lobatto_points(int order) {
@@ -88,11 +134,12 @@ std::vector<double> chebyshev_lobatto_points(int order) {
 namespace {
 
 /// The element rebuilt by the reader: nodes as in model/quad_mesh.hpp, from the sides of `nodes` alone.
-std::vector<Vec2> transfinite_element(int order, const Vec2* nodes) {
+template <typename Point>
+std::vector<Point> transfinite_element(int order, const Point* nodes) {
   const int n = order, width = n + 1;
   const std::vector<double>& points = spectral::gll_points(n);
   const auto at = [&](int i, int j) { return nodes[j * width + i]; };
-  std::vector<Vec2> rebuilt(nodes, nodes + width * width);
+  std::vector<Point> rebuilt(nodes, nodes + width * width);
   for (int j = 1; j < n; ++j)
     for (int i = 1; i < n; ++i) {
       const double s = (1 + points[i]) / 2, t = (1 + points[j]) / 2;
@@ -197,25 +244,41 @@ std::string length_text(double length, double diameter) {
   return fmt::format("{:.2g} ({:.2g} of the diameter)", length, length / diameter);
 }
 
-double distance_from_side_blend(const QuadMesh& mesh, int elem) {
+namespace {
+
+template <typename Point>
+double distance_from_blend(const QuadMesh& mesh, const std::vector<Point>& nodes, int elem) {
   const int count = mesh.nodes_per_elem();
-  std::vector<Vec2> ours;
-  for (int k = 0; k < count; ++k) ours.push_back(mesh.nodes[mesh.elem_nodes[elem * count + k]]);
-  const std::vector<Vec2> blend = transfinite_element(mesh.order, ours.data());
+  std::vector<Point> ours;
+  for (int k = 0; k < count; ++k) ours.push_back(nodes[mesh.elem_nodes[elem * count + k]]);
+  const std::vector<Point> blend = transfinite_element(mesh.order, ours.data());
   double largest = 0;
   for (int k = 0; k < count; ++k) largest = std::max(largest, distance(blend[k], ours[k]));
   return largest;
 }
 
-bool is_straight_edge(const QuadMesh& mesh, const std::vector<int>& edge_nodes) {
+template <typename Point>
+bool is_straight(const QuadMesh& mesh, const std::vector<Point>& nodes, const std::vector<int>& edge_nodes) {
   const std::vector<double>& points = spectral::gll_points(mesh.order);
-  const Vec2 start = mesh.nodes[edge_nodes.front()], end = mesh.nodes[edge_nodes.back()];
+  const Point start = nodes[edge_nodes.front()], end = nodes[edge_nodes.back()];
   const double tol = 1e-10 * distance(start, end) + 1e-14 * mesh.face.diameter;
   for (int k = 1; k < mesh.order; ++k) {
     const double s = (1 + points[k]) / 2;
-    if (distance((1 - s) * start + s * end, mesh.nodes[edge_nodes[k]]) > tol) return false;
+    if (distance((1 - s) * start + s * end, nodes[edge_nodes[k]]) > tol) return false;
   }
   return true;
+}
+
+}  // namespace
+
+double distance_from_side_blend(const QuadMesh& mesh, int elem) {
+  return mesh.space_nodes.empty() ? distance_from_blend(mesh, mesh.nodes, elem)
+                                  : distance_from_blend(mesh, mesh.space_nodes, elem);
+}
+
+bool is_straight_edge(const QuadMesh& mesh, const std::vector<int>& edge_nodes) {
+  return mesh.space_nodes.empty() ? is_straight(mesh, mesh.nodes, edge_nodes)
+                                  : is_straight(mesh, mesh.space_nodes, edge_nodes);
 }
 
 }  // namespace quadrille::exports

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "export/exported.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -29,6 +30,19 @@ std::vector<Vec2> bezier_points(const QuadMesh& mesh);
 /// One position for each of mesh.nodes: the node at Gauss-Lobatto-Legendre point (i, j) of an element moves to the
 /// equispaced point (i, j). Vertices keep their position bit for bit; an edge's nodes are evaluated once and shared.
 std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh);
+
+/// By which points a format defines an element.
+enum class ElementPoints { equispaced, bezier };
+
+/// One position in space for each of mesh.nodes: bezier_points or equispaced_nodes, of a planar face in the frame, of a
+/// curved one those of the elements in space.
+std::vector<std::array<double, 3>> positions(const QuadMesh& mesh, const Frame& frame, ElementPoints points);
+
+/// A node of the mesh in the frame or, of a curved face, in space.
+std::array<double, 3> position(const QuadMesh& mesh, const Frame& frame, int node);
+
+/// The number of coordinates that positions need.
+int space_dimension(const QuadMesh& mesh, const Frame& frame);
 
 /// The order + 1 Chebyshev-Gauss-Lobatto points, exactly antisymmetric about 0.
 std::vector<double> chebyshev_lobatto_points(int order);
@@ -54,12 +68,13 @@ TransfiniteLoss transfinite_loss(const QuadMesh& mesh, RebuiltFrom from, const s
 /// "3.1e-05 (1.5e-05 of the diameter)", or "less than 1e-12 of the diameter".
 std::string length_text(double length, double diameter);
 
-/// Largest distance of an inner node from the blend of the element's sides; 0 for order 1. Unit
-/// of the file.
+/// Largest distance of an inner node from the blend of the element's sides, in space of a curved face; 0 for order 1.
+/// Unit of the file.
 double distance_from_side_blend(const QuadMesh& mesh, int elem);
 
 /// Whether an edge is the straight line between its ends at constant speed, as a reader draws a side without nodes of
-/// its own; its nodes are at Gauss-Lobatto-Legendre points, ends included. Within 1e-10 of its length.
+/// its own; its nodes are at Gauss-Lobatto-Legendre points, ends included. Within 1e-10 of its length. Of a curved face
+/// it is that in space.
 bool is_straight_edge(const QuadMesh& mesh, const std::vector<int>& edge_nodes);
 
 }  // namespace quadrille::exports

@@ -151,11 +151,8 @@ std::vector<VtkArray<std::string>> texts_of(const QuadMesh& mesh, const Groups& 
 
 class VtuWriter {
  public:
-  VtuWriter(const QuadMesh& mesh, const Frame& frame, const std::vector<Vec2>& nodes, CellTypes types)
-      : mesh_(mesh), groups_(mesh_groups(mesh)), types_(types) {
-    positions_.reserve(nodes.size());
-    for (const Vec2 x : nodes) positions_.push_back(frame.at(x));
-  }
+  VtuWriter(const QuadMesh& mesh, const Frame& frame, ElementPoints points, CellTypes types)
+      : mesh_(mesh), groups_(mesh_groups(mesh)), types_(types), positions_(positions(mesh, frame, points)) {}
 
   VtkGrid quads() const {
     VtkGrid grid;
@@ -228,11 +225,11 @@ Exported vtu_files(const VtuWriter& writer) {
 }  // namespace
 
 Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame) {
-  return vtu_files(VtuWriter(mesh, frame, equispaced_nodes(mesh), lagrange_cells));
+  return vtu_files(VtuWriter(mesh, frame, ElementPoints::equispaced, lagrange_cells));
 }
 
 Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame) {
-  return vtu_files(VtuWriter(mesh, frame, bezier_points(mesh), bezier_cells));
+  return vtu_files(VtuWriter(mesh, frame, ElementPoints::bezier, bezier_cells));
 }
 
 }  // namespace quadrille::exports

@@ -14,6 +14,7 @@
 #include "base/enum_names.hpp"
 #include "base/name_text.hpp"
 #include "base/vec2.hpp"
+#include "base/vec3.hpp"
 
 namespace quadrille::io {
 
@@ -95,6 +96,17 @@ class Archive {
     if (!is_reading()) return;
     values.resize(flat.size() / 2);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = {flat[2 * i], flat[2 * i + 1]};
+  }
+  void field(const char* name, std::vector<Vec3>& values, Doc doc = {}) {
+    std::vector<double> flat;
+    if (!is_reading()) {
+      flat.reserve(3 * values.size());
+      for (const Vec3& p : values) flat.insert(flat.end(), {p.x, p.y, p.z});
+    }
+    real_list(name, flat, 3, doc);
+    if (!is_reading()) return;
+    values.resize(flat.size() / 3);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
   }
   template <std::size_t N>
   void field(const char* name, std::vector<std::array<int, N>>& values, Doc doc = {}) {

@@ -65,6 +65,7 @@ void describe_face(Archive& archive, CadFace& face) {
       b.field("is_corner", joint.is_corner, {"", "1 at a corner of the layout"});
     });
     describe_regions(a, face);
+    describe_chart(a, face);
   });
 }
 

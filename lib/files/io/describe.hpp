@@ -13,6 +13,7 @@
 
 namespace quadrille::io {
 
+void describe(Archive& archive, ChartedFace& charted);
 void describe(Archive& archive, TriMesh& mesh);
 void describe(Archive& archive, Field& field);
 void describe(Archive& archive, CriticalPoints& points);
@@ -23,6 +24,8 @@ void describe(Archive& archive, QuadMesh& mesh);
 // Parts of several formats.
 /// The face as the JSON object or HDF5 group `face` (formats/cad-face.md).
 void describe_face(Archive& archive, CadFace& face);
+/// The chart of a curved face as its member `chart`, which planar faces lack (formats/chart.md).
+void describe_chart(Archive& archive, CadFace& face);
 void describe_nurbs(Archive& archive, const char* name, std::vector<Nurbs>& curves);
 /// The triangles, in a file of their own or inside a field file.
 void describe_triangles(Archive& archive, TriMesh& mesh);

@@ -22,6 +22,8 @@ void describe(Archive& archive, QuadMesh& mesh) {
   describe_face(archive, mesh.face);
   archive.field("order", mesh.order, {"", "shape order N"});
   archive.field("nodes", mesh.nodes, {"length", "relative to face.origin"});
+  archive.nonempty_field("space_nodes", mesh.space_nodes,
+                         Doc{"length", "on the surface, in the coordinates of the file"});
   archive.field("elem_nodes", mesh.elem_nodes, {"", "(N+1)^2 nodes per element, xi1 fastest"});
   archive.field("elem_block", mesh.elem_block, {"", "block of each element"});
   archive.field("elem_jacobian_bound", mesh.elem_jacobian_bound, {"length^2", "proved lower bound of det J"});

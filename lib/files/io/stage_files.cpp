@@ -303,6 +303,10 @@ std::string stage_format(const InputFile& file) {
   return format;
 }
 
+bool is_chart(const InputFile& file) {
+  return looks_like_hdf5(file.bytes) && stage_format(file) == format_of<ChartedFace>().name;
+}
+
 CadFace read_face(const InputFile& file) {
   CadFace face;
   if (looks_like_hdf5(file.bytes))

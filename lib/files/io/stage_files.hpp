@@ -15,6 +15,9 @@ namespace quadrille::io {
 /// The name in stage_formats that the file states; throws FormatError for anything else.
 std::string stage_format(const InputFile& file);
 
+/// Whether it is a chart file, which cad2tri reads in place of a CAD file. Throws FormatError for a damaged one.
+bool is_chart(const InputFile& file);
+
 /// Reads the file of the struct that `stage` holds into it.
 void read_into(const InputFile& file, StageModel& stage);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <sstream>
 
 #include "base/message_text.hpp"
@@ -93,6 +94,8 @@ void triangulate_shape(ChainState& chain) {
     const io::InputFile file = read_input(chain, path);
     const Names names = boundary_names(chain);
     stage::Cad2triInput input{{file.bytes, file}, {}};
+    std::optional<ChartedFace> chart;
+    if (io::is_chart(file)) input.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
     if (names.file) input.names.emplace(names.content, *names.file);
     const stage::Cad2triOptions& options = chain.values.cad2tri;
     const stage::LoadedShape shape = stage::load_shape(input, options, run);

@@ -19,6 +19,7 @@
 #include "cad/load_face.hpp"
 #include "cad/periodic_sides.hpp"
 #include "cad/region_names.hpp"
+#include "check/check.hpp"
 #include "heal/blunt_cusps.hpp"
 #include "offset/embed_offsets.hpp"
 #include "stage/symmetry_option.hpp"
@@ -216,20 +217,48 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
            "ratio of the radii of successive layers of a fan");
 }
 
+namespace {
+
+LoadedShape face_of_cad(const Input<std::string>& cad, const Cad2triOptions& options, double blunt_width, Run& run) {
+  const std::string &name = cad.file.name, &bytes = cad.model;
+  run.begin_phase("load");
+  LoadedShape shape{cad::load_face_guarded(bytes, name,
+                                           {radians(options.corner_angle), options.heal_tolerance, options.face,
+                                            blunt_width, options.fit_tolerance},
+                                           run.report()),
+                    {cad.file.digest(digest_format(cad::cad_format(bytes, name)))}};
+  run.end_phase();
+  return shape;
+}
+
+/// Its curves in space are those of the chart, one by one.
+LoadedShape face_of_chart(const Input<ChartedFace>& chart, const Cad2triOptions& options) {
+  const auto refuse = [](bool is_given, const char* option) {
+    if (is_given)
+      throw UsageError(
+          fmt::format("{} is not for charts: the curves of a curved face stay as cad2chart read them", option));
+  };
+  refuse(!options.face.empty(), "--face");
+  refuse(!options.offsets.empty(), "--offset");
+  refuse(!options.periodic.empty(), "--periodic");
+  refuse(!options.healed_file.empty(), "--write-healed");
+  check::require_sound(chart.model, chart.file.name);
+  LoadedShape shape;
+  shape.face = chart.model.face;
+  shape.inputs = {chart.file.digest("chart")};
+  shape.before = chart.model.provenance;
+  return shape;
+}
+
+}  // namespace
+
 LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options, Run& run) {
   require_intervals(options);
   options.validate();
   const Wishes wishes = parsed(options);
-  const std::string& name = input.cad.file.name;
-  const std::string& bytes = input.cad.model;
   const double corner_angle = radians(options.corner_angle);
-  run.begin_phase("load");
-  LoadedShape shape{
-      cad::load_face_guarded(
-          bytes, name, {corner_angle, options.heal_tolerance, options.face, wishes.blunt_width, options.fit_tolerance},
-          run.report()),
-      {input.cad.file.digest(digest_format(cad::cad_format(bytes, name)))}};
-  run.end_phase();
+  LoadedShape shape =
+      input.chart ? face_of_chart(*input.chart, options) : face_of_cad(input.cad, options, wishes.blunt_width, run);
   if (input.names) shape.inputs.push_back(input.names->file.digest("boundary-names"));
   const std::vector<int> named_regions = cad::rename_regions(shape.face, wishes.region_names);
   if (!options.keep_joints) cad::merge_regions(shape.face, named_regions, corner_angle);
@@ -249,7 +278,7 @@ TriMesh cad2tri(const LoadedShape& shape, const Cad2triOptions& options, Run& ru
   run.begin_phase("triangulate");
   TriMesh mesh = triangulate_face(shape.face, options.elements, run);
   run.end_phase();
-  mesh.provenance = with_step({}, "cad2tri", options, shape.inputs);
+  mesh.provenance = with_step(shape.before, "cad2tri", options, shape.inputs);
   mesh.repairs = shape.repairs;
   run.info(fmt::format("{}, {}, {} of them curved", counted(shape.face.num_curves(), "curve"),
                        counted(mesh.num_elems(), "element"), mesh.curved_elems.size()));

@@ -8,6 +8,7 @@
 #include "base/options.hpp"
 #include "base/run.hpp"
 #include "cad/loaded_face.hpp"
+#include "model/charted_face.hpp"
 #include "model/name_rules.hpp"
 #include "model/tri_mesh.hpp"
 #include "outline/face_of_loops.hpp"
@@ -42,17 +43,19 @@ void declare(Options& options, Cad2triOptions& cad2tri);
 struct Cad2triInput {
   Input<std::string> cad;
   std::optional<Input<std::vector<NameRule>>> names;  ///< those of Cad2triOptions::curve_names override them
+  std::optional<Input<ChartedFace>> chart = {};       ///< in place of `cad`: what the file holds, x.chart.h5
 };
 
 /// A face that was read, what healing changed, and the digests of its files.
 struct LoadedShape : cad::LoadedFace {
   std::vector<InputDigest> inputs;
+  Provenance before = {};  ///< of a chart
 };
 
 /// Reads the face in a program with the CAD kernel (cad/load_face.hpp), names regions and curves, pairs periodic sides
 /// and embeds offset curves. Reports what the face has and what was healed. Throws UsageError for options that are
 /// wrong or do not fit the face, FormatError for a file without a valid planar face, ComputeError for offset curves
-/// that do not fit.
+/// that do not fit. The face of a chart is taken as it is, with new names: options that change curves are refused.
 LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options, Run& run);
 
 /// The mesh of the face (stage/triangulate_face.hpp), with repairs and provenance.

@@ -218,6 +218,7 @@ QuadMesh quadrefine(const Input<BlockLayout>& input, const std::optional<Input<S
   }
   sizes.symmetry = refine.symmetry = symmetry_names(layout.face, options.symmetry);
   set_first_heights(options, layout.face, refine);
+  sizes.scale = sizing::chart_scale(layout.face);
   const sizing::MeasuredLayout measured(layout);
   if (options.has_straight_sides) sizes.sags = layers::wall_sags(measured, refine.walls, greatest_sag);
   sizes = sizing::with_curve_sizes(measured, sizes, refine.size_rule);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/warning_codes.hpp"
@@ -18,18 +19,35 @@ namespace quadrille::stage {
 
 namespace {
 
-/// "X0,Y0,X1,Y1".
-draw::Window parsed_window(const std::string& text) {
-  std::array<double, 4> numbers{};
+/// N finite numbers with commas between them.
+template <std::size_t N>
+std::optional<std::array<double, N>> parsed_numbers(const std::string& text) {
+  std::array<double, N> numbers{};
   const char* at = text.c_str();
   bool is_sound = true;
-  for (std::size_t k = 0; k < 4 && is_sound; ++k) {
+  for (std::size_t k = 0; k < N && is_sound; ++k) {
     char* end = nullptr;
     numbers[k] = std::strtod(at, &end);
-    is_sound = end != at && std::isfinite(numbers[k]) && *end == (k < 3 ? ',' : '\0');
+    is_sound = end != at && std::isfinite(numbers[k]) && *end == (k + 1 < N ? ',' : '\0');
     at = end + 1;
   }
-  if (!is_sound || !(numbers[0] < numbers[2]) || !(numbers[1] < numbers[3]))
+  return is_sound ? std::optional(numbers) : std::nullopt;
+}
+
+/// "X,Y,Z" or "iso".
+draw::ViewDirection parsed_view(const std::string& text) {
+  if (text == "iso") return std::nullopt;
+  const auto numbers = parsed_numbers<3>(text);
+  const Vec3 towards = numbers ? Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]} : Vec3{};
+  if (!(norm(towards) > 0)) throw UsageError("--view: '" + text + "' is neither iso nor X,Y,Z, a direction");
+  return towards;
+}
+
+/// "X0,Y0,X1,Y1".
+draw::Window parsed_window(const std::string& text) {
+  const auto parsed = parsed_numbers<4>(text);
+  const std::array<double, 4> numbers = parsed.value_or(std::array<double, 4>{});
+  if (!parsed || !(numbers[0] < numbers[2]) || !(numbers[1] < numbers[3]))
     throw UsageError("--window: '" + text + "' is not X0,Y0,X1,Y1, two corners with X0 < X1 and Y0 < Y1");
   return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
 }
@@ -65,6 +83,7 @@ draw::DrawOptions draw_options(const StageviewOptions& options) {
   if (options.labels_all) draw.curve_labels = draw::CurveLabels::all;
   if (options.labels_none) draw.curve_labels = draw::CurveLabels::none;
   if (!options.window.empty()) draw.window = parsed_window(options.window);
+  if (!options.view.empty()) draw.view = parsed_view(options.view);
   return draw;
 }
 
@@ -73,6 +92,8 @@ std::string picture_of(const View& view, const StageviewOptions& options) {
   const View::Stage &first = view.stages.front(), &last = view.stages.back();
   if (view.is_comparison)
     return draw::draw_comparison(first.model, last.model, {base_name(first.file), base_name(last.file)}, draw);
+  if (draw.view && !std::holds_alternative<QuadMesh>(last.model))
+    throw UsageError("--view is for the quad mesh of a curved face, but " + last.file.name + " is another");
   draw.file = base_name(last.file);
   draw.field = std::get_if<Field>(&first.model);
   return std::visit([&](const auto& model) { return draw::draw_stage(model, draw); }, last.model);
@@ -105,6 +126,10 @@ void declare(Options& o, StageviewOptions& stageview) {
          "the part of the plane that a picture shows: its lower left and upper right corner in the coordinates and the "
          "unit of the file",
          false);
+  o.text("--view", stageview.view, "X,Y,Z|iso",
+         "in a picture, the mesh of a curved face as it is seen in space from this direction; iso: along a diagonal of "
+         "the axes, on the side of the face's normal; without it that beside the chart",
+         false);
   o.integer("--width", stageview.width, 200, 20000, "width of the picture in pixels");
 }
 
@@ -112,6 +137,9 @@ void require_view(const View& view, std::size_t num_files, bool has_report, cons
   if (!view.is_page && !view.is_comparison && num_files > 1)
     throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
   if (!options.window.empty()) static_cast<void>(parsed_window(options.window));
+  if (!options.view.empty()) static_cast<void>(parsed_view(options.view));
+  if (!options.view.empty() && (view.is_page || view.is_comparison || !options.window.empty()))
+    throw UsageError("--view is for the picture of one mesh: give no page, --compare or --window");
   if (!options.window.empty() && view.is_page) throw UsageError("--window is for pictures: a page zooms by itself");
   if (options.labels_all && options.labels_none)
     throw UsageError("--curve-labels and --no-curve-labels exclude each other");

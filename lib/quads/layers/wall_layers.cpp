@@ -252,9 +252,9 @@ void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Repo
     const std::string key = fmt::format("walls.{}.", i);
     report.set(key + "names", names(static_cast<int>(i)));
     report.set(key + "layers", plan.heights[i].size());
-    report.set(key + "first", plan.heights[i].front());
-    report.set(key + "thickness", plan.heights[i].back());
-    if (specs[i].own_blocks) report.set(key + "least_thickness", plan.least_thickness[i]);
+    report.set(key + "first", specs[i].scale * plan.heights[i].front());
+    report.set(key + "thickness", specs[i].scale * plan.heights[i].back());
+    if (specs[i].own_blocks) report.set(key + "least_thickness", specs[i].scale * plan.least_thickness[i]);
   }
   for (const auto& [a, b] : plan.sharing_a_chord)
     report.warn(warning::walls_share_a_chord,

@@ -11,6 +11,7 @@
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
 #include "refine/joint_vertices.hpp"
+#include "refine/lifted_split.hpp"
 #include "refine/lower_error.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
@@ -24,7 +25,8 @@ constexpr double default_size = 1.0 / 20;  ///< diameters
 
 sizing::SizeField size_field(const RefineOptions& options, const CadFace& face) {
   if (options.size_field) return *options.size_field;
-  return sizing::SizeField(options.size > 0 ? options.size : face.diameter * default_size);
+  return sizing::SizeField(options.size > 0 ? options.size : face.diameter * default_size)
+      .in_chart(sizing::chart_scale(face));
 }
 
 mesh::ScoreLimits score_limits(const RefineOptions& options, const CadFace& face) {
@@ -88,6 +90,40 @@ void report_prescribed(const SplitRequest& request, const SplitMesh& split,
                                  report);
 }
 
+/// The best mesh of the request, its vertices placed.
+SplitMesh placed_split(const SplitRequest& request) {
+  const RefineOptions& options = request.options;
+  SplitMesh split = best_split(request).split;
+  if (options.size_rule == sizing::SizeRule::error && options.blocks.empty()) {
+    lower_error(request, split);
+    return split;
+  }
+  place_vertices(request, split, options.least_progress);
+  if (std::optional<SplitMesh> shorter = with_shorter_elements(request, split)) {
+    place_vertices(request, *shorter, options.least_progress);
+    if (mesh::is_better(shorter->score, split.score)) split = std::move(*shorter);
+  }
+  set_prescribed_lengths(request, split);
+  return split;
+}
+
+/// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space.
+SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request) {
+  SplitMesh split = placed_split(request);
+  const double tolerance = request.limits.distance;
+  for (int round = 0; round < max_lifts; ++round) {
+    const LiftedMesh there = lifted(map, split.mesh, request.report.progress());
+    const std::vector<sizing::SizeSegment> finer = finer_sizes(map, there, request.sizes, tolerance);
+    if (finer.empty()) break;
+    request.sizes = request.sizes.with(finer);
+    request.sizes_at_bends = sizing::sizes_at_bends(request.equal.blocks().face, request.sizes);
+    SplitMesh next = placed_split(request);
+    if (next.mesh.num_elems() == split.mesh.num_elems() && next.mesh.nodes == split.mesh.nodes) break;
+    split = std::move(next);
+  }
+  return split;
+}
+
 }  // namespace
 
 QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Report& report) {
@@ -97,6 +133,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   const sizing::MeasuredLayout upright = measured.with_parameters(align_chords(measured));
   const sizing::MeasuredLayout aligned = sizing::with_lines_of_whole(upright, prescribed.symmetry);
   RefineOptions options = prescribed;
+  layers::plan_in_chart(options.walls, layout.face);
   // The growth from wall to wall determines counts; and vertices that stay have other parts of the error.
   if (options.size_rule == sizing::SizeRule::error && (!options.walls.empty() || options.relax != Relax::size))
     options.size_rule = sizing::SizeRule::nearest;
@@ -106,19 +143,16 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   const std::vector<prescribe::LayeredCount> layered = layered_counts(request);
   options.counts = prescribe::with_boundary_counts(measured, request.sizes, options.counts, options.boundary_counts,
                                                    layered, options.end_gradings, options.end_growth);
-  SplitMesh split = best_split(request).split;
-  if (options.size_rule == sizing::SizeRule::error && options.blocks.empty()) {
-    lower_error(request, split);
-  } else {
-    place_vertices(request, split, options.least_progress);
-    if (std::optional<SplitMesh> shorter = with_shorter_elements(request, split)) {
-      place_vertices(request, *shorter, options.least_progress);
-      if (mesh::is_better(shorter->score, split.score)) split = std::move(*shorter);
-    }
-    set_prescribed_lengths(request, split);
-  }
+  std::optional<mesh::ChartMap> map;
+  if (layout.face.chart) map.emplace(layout.face);
+  SplitMesh split = map ? lifted_split(*map, request) : placed_split(request);
   warn_of_joints(split.mesh, report);
   refine_nested(split.mesh, options, report);
+  if (map) {
+    LiftedMesh there = lifted(*map, std::move(split.mesh), report.progress());
+    split.mesh = std::move(there.mesh);
+    report_surface(there.distance, layout.face, request.limits.distance, report);
+  }
   report_split(request, split);
   report_prescribed(request, split, prescribed.counts, layered);
   if (!options.allow_invalid) require_valid_elements(split.mesh);

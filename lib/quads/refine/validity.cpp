@@ -41,9 +41,22 @@ void sort_equals(const QuadMesh& mesh, std::vector<int>& elems) {
   }
 }
 
+/// Where in the reference square the scaled Jacobian is least.
+Vec2 worst_point(const QuadMesh& mesh, int elem) {
+  if (mesh.space_nodes.empty())
+    return spectral::quad_scaled_jacobian_minimum(mesh.order, element_nodes(mesh, elem).data()).xi;
+  return spectral::quad_scaled_jacobian_minimum(mesh.order, element_space_nodes(mesh, elem).data()).xi;
+}
+
+/// The planar element whose det J is bounded: in space its projection along its normal.
+std::vector<Vec2> bounded_nodes(const QuadMesh& mesh, int elem) {
+  if (mesh.space_nodes.empty()) return element_nodes(mesh, elem);
+  return spectral::quad_projection(mesh.order, element_space_nodes(mesh, elem).data());
+}
+
 WorstElement look_at(const QuadMesh& mesh, int elem) {
   const std::vector<Vec2> nodes = element_nodes(mesh, elem);
-  const Vec2 xi = spectral::quad_scaled_jacobian_minimum(mesh.order, nodes.data()).xi;
+  const Vec2 xi = worst_point(mesh, elem);
   return {elem, spectral::quad_position(mesh.order, nodes.data(), xi) + mesh.face.origin,
           mesh.elem_scaled_jacobian[elem], mesh.elem_jacobian_bound[elem]};
 }
@@ -92,7 +105,20 @@ std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem) {
   return nodes;
 }
 
+std::vector<Vec3> element_space_nodes(const QuadMesh& mesh, int elem) {
+  std::vector<Vec3> nodes;
+  const int count = mesh.nodes_per_elem();
+  for (int k = 0; k < count; ++k) nodes.push_back(mesh.space_nodes[mesh.elem_nodes[elem * count + k]]);
+  return nodes;
+}
+
 void measure_element(QuadMesh& mesh, int elem) {
+  if (!mesh.space_nodes.empty()) {
+    const std::vector<Vec3> nodes = element_space_nodes(mesh, elem);
+    mesh.elem_jacobian_bound[elem] = spectral::quad_normal_lower_bound(mesh.order, nodes.data());
+    mesh.elem_scaled_jacobian[elem] = spectral::quad_scaled_jacobian_minimum(mesh.order, nodes.data()).value;
+    return;
+  }
   const std::vector<Vec2> nodes = element_nodes(mesh, elem);
   mesh.elem_jacobian_bound[elem] = spectral::quad_jacobian_lower_bound(mesh.order, nodes.data());
   mesh.elem_scaled_jacobian[elem] = spectral::quad_scaled_jacobian(mesh.order, nodes.data());
@@ -147,7 +173,7 @@ double least_jacobian_ratio(const QuadMesh& mesh) {
   double least = 1;
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     least = std::min(least,
-                     jacobian_ratio(spectral::quad_jacobian_det(mesh.order, element_nodes(mesh, elem).data()), least));
+                     jacobian_ratio(spectral::quad_jacobian_det(mesh.order, bounded_nodes(mesh, elem).data()), least));
   return least;
 }
 

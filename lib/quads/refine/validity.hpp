@@ -12,9 +12,12 @@ namespace quadrille::refine {
 
 /// The geometry nodes of one element, as model/quad_mesh.hpp numbers them.
 std::vector<Vec2> element_nodes(const QuadMesh& mesh, int elem);
+/// Those in space, of a curved face.
+std::vector<Vec3> element_space_nodes(const QuadMesh& mesh, int elem);
 
-/// Fills in the bounds and scaled Jacobians of all elements, the least bound and whether all are proved valid. `known`:
-/// a measured mesh of the same blocks, whose figures are taken where a block has the same elements.
+/// Fills in the bounds and scaled Jacobians of all elements, in space if the mesh has nodes there, the least bound and
+/// whether all are proved valid. `known`: a measured mesh of the same blocks, whose figures are taken where a block has
+/// the same elements.
 void measure_elements(QuadMesh& mesh, Progress* progress = nullptr, const QuadMesh* known = nullptr);
 
 /// Fills in bound and scaled Jacobian of one element of a measured mesh; summarise_validity is to follow.

@@ -194,17 +194,18 @@ Vec2 ChordSections::position(const Block& block, const ArcPoint& a, const ArcPoi
 }
 
 ElementDensity ChordSections::at(double u) const {
-  const double greatest = sizes_.greatest();
   Sum sum;
   const std::vector<ArcPoint> at = sizes_.is_uniform() ? std::vector<ArcPoint>(chord_.arcs.size()) : arc_points(u);
   for (std::size_t i = 0; i < at.size(); ++i)
-    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position, region_of(i)), greatest, 1);
+    sum.add(chain(static_cast<int>(i)).length(), sizes_.at(at[i].position, region_of(i)),
+            sizes_.greatest_at(at[i].position), 1);
   for (const Block& block : blocks_) {
     const double lines = static_cast<double>(block.left.size()) + 1;
     for (std::size_t line = 0; line < block.left.size(); ++line) {
       const double t = static_cast<double>(line + 1) / lines;
       const double length = (1 - t) * chain(block.a).length() + t * chain(block.b).length();
-      sum.add(length, sizes_.at(position(block, at[block.a], at[block.b], line), block.region), greatest, 1 / lines);
+      const Vec2 x = position(block, at[block.a], at[block.b], line);
+      sum.add(length, sizes_.at(x, block.region), sizes_.greatest_at(x), 1 / lines);
     }
   }
   return {std::exp(sum.weighted_log / sum.weight), sum.greatest};

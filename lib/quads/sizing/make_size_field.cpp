@@ -10,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
-#include "curve/chain.hpp"
 #include "curve/named_places.hpp"
 #include "curve/symmetry_lines.hpp"
 #include "model/name_rules.hpp"
@@ -45,7 +44,7 @@ std::vector<Run> runs_of_loop(const CadFace& face, int loop) {
     const int curve = begin + (first - begin + k) % (end - begin);
     if (begins_run(face, curve)) runs.emplace_back();
     runs.back().curves.push_back(curve);
-    runs.back().length += curve::ArcLength(face.curves[curve]).total();
+    runs.back().length += boundary_length(face, curve);
   }
   return runs;
 }
@@ -156,7 +155,7 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
   if (options.curvature > 0)
     for (const Nurbs& curve : face.curves)
       add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));
-  return {greatest, options.sources, segments, growth(options)};
+  return SizeField(greatest, options.sources, segments, growth(options)).in_chart(options.scale);
 }
 
 int parse_per_curve(const std::string& text) {

@@ -14,6 +14,7 @@
 // Runs shorter than a thousandth of the diameter per element count as so long: one tiny edge shall not make the mesh of
 // the whole face fine.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,9 @@ struct SizeOptions {
   double curvature = 0;  ///< elements per full turn of the boundary; 0: sizes do not depend on curvature
   double growth = 0;  ///< from one element to the next, > 1; 0: the growth of `sources`, else SizeField::default_growth
   SizeSources sources;
-  std::vector<std::string> symmetry;  ///< patterns of names of curves (curve/symmetry_lines.hpp)
-  void validate() const;              ///< throws UsageError
+  std::vector<std::string> symmetry;             ///< patterns of names of curves (curve/symmetry_lines.hpp)
+  std::shared_ptr<const ChartScale> scale = {};  ///< of a curved face: all sizes are lengths in space
+  void validate() const;                         ///< throws UsageError
 };
 
 /// The growth that applies: that of the options, of their sources, or the default.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "base/error.hpp"
@@ -222,8 +223,15 @@ SizeField SizeField::with(const std::vector<SizeSegment>& segments) const {
   return result;
 }
 
+SizeField SizeField::in_chart(std::shared_ptr<const ChartScale> scale) const {
+  SizeField result = *this;
+  result.scale_ = std::move(scale);
+  return result;
+}
+
 double SizeField::at(Vec2 x, int region) const {
-  return sources_ ? sources_->at(x, region, greatest_, slope_) : greatest_;
+  const double size = sources_ ? sources_->at(x, region, greatest_, slope_) : greatest_;
+  return scale_ ? size / scale_->at(x) : size;
 }
 
 }  // namespace quadrille::sizing

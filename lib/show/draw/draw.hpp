@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/vec2.hpp"
+#include "base/vec3.hpp"
 #include "model/stage_formats.hpp"
 
 namespace quadrille::draw {
@@ -17,11 +18,16 @@ struct Window {
   Vec2 lower, upper;
 };
 
+/// Towards the viewer; none: isometric, on the side of the face's normal.
+using ViewDirection = std::optional<Vec3>;
+
 struct DrawOptions {
   int width = 1000;                               ///< pixels
   CurveLabels curve_labels = CurveLabels::given;  ///< where the face is known
   std::string show = "psi";                       ///< of a field: "u", "v", "psi" or "order"
   std::optional<Window> window;                   ///< none: everything
+  /// Of a mesh of a curved face: seen in space from there; without it, seen isometrically, beside the chart.
+  std::optional<ViewDirection> view;
   std::string file;          ///< name of the file without folders, written beside the title; empty: none
   std::string title_prefix;  ///< "A: " in a comparison
   /// Drawn under critical points. Without it, the outline of the face, if the points have it, is all that is drawn of
@@ -30,6 +36,7 @@ struct DrawOptions {
 };
 
 /// The picture of a struct of StageModel.
+std::string draw_stage(const ChartedFace& charted, const DrawOptions& options);
 std::string draw_stage(const TriMesh& mesh, const DrawOptions& options);
 std::string draw_stage(const Field& field, const DrawOptions& options);
 std::string draw_stage(const CriticalPoints& points, const DrawOptions& options);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "base/error.hpp"
+#include "draw/draw_in_space.hpp"
 #include "draw/figures.hpp"
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
@@ -85,9 +87,7 @@ std::string caption(const QuadMesh& mesh) {
                      counted(mesh.num_irregular, "irregular node"), worst, sizes_text(mesh));
 }
 
-}  // namespace
-
-std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options) {
+std::string draw_plane(const QuadMesh& mesh, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Quad mesh", caption(mesh));
   picture.open_group("elems");
   for (int e = 0; e < mesh.num_elems(); ++e) {
@@ -119,6 +119,19 @@ std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options) {
   label_curves(picture, mesh.face, options.curve_labels);
   legend_scale(picture, mesh.face);
   return picture.str();
+}
+
+}  // namespace
+
+std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options) {
+  if (options.view && mesh.space_nodes.empty())
+    throw UsageError("--view is for meshes of curved faces, but this one is planar");
+  if (options.view) return draw_in_space(mesh, space_view(mesh, *options.view), options);
+  if (mesh.space_nodes.empty() || options.window) return draw_plane(mesh, options);
+  DrawOptions half = options;
+  half.width = options.width / 2;
+  return side_by_side({draw_plane(mesh, half), draw_in_space(mesh, space_view(mesh, {}), half)},
+                      "Quad mesh in the chart and in space", options.width);
 }
 
 }  // namespace quadrille::draw

@@ -7,6 +7,7 @@
 
 #include "base/enum_names.hpp"
 #include "base/error.hpp"
+#include "draw/embedded.hpp"
 #include "draw/picture.hpp"
 #include "mesh/element_sizes.hpp"
 
@@ -47,19 +48,6 @@ PictureBox widened(const PictureBox& box) {
   const double slack = 0.02 * std::max(size.x, size.y);
   return {box.lower - Vec2{slack, slack}, box.upper + Vec2{slack, slack}};
 }
-
-/// A picture as a part of another: placed, and with identifiers of its own. Texts contain no quotation mark (svg.hpp).
-std::string embedded(const std::string& svg, const std::string& prefix, double x) {
-  std::string part = svg.substr(svg.find("<svg "));
-  part.insert(5, fmt::format("x=\"{}\" ", svg_number(x)));
-  for (const std::string& mark : {std::string(" id=\""), std::string("\"url(#")})
-    for (std::size_t at = part.find(mark); at != std::string::npos; at = part.find(mark, at + 1))
-      part.insert(at + mark.size(), prefix);
-  return part;
-}
-
-/// The height that Picture::str wrote into the root element.
-double height_of(const std::string& svg) { return std::stod(svg.substr(svg.find("height=\"") + 8)); }
 
 /// Rows of label, A, B: the labels of both in their order, "–" where one has no such figure.
 std::vector<std::array<std::string, 3>> table_rows(const std::vector<Figure>& a, const std::vector<Figure>& b) {
@@ -137,12 +125,7 @@ std::string drawn_pair(const std::array<const Stage*, 2>& pair, const std::array
   const auto rows = table_rows(all_figures(*pair[0]), all_figures(*pair[1]));
   const double top = height + table_row;
   const double whole = top + table_row * static_cast<double>(rows.size()) + 10;
-  return fmt::format(
-             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" viewBox=\"0 0 {0} {1:.0f}\">\n"
-             "<title>Comparison</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-             options.width, whole) +
-         parts[0] + parts[1] + table(rows, top) + "</svg>\n";
+  return begin_parts("Comparison", options.width, whole) + parts[0] + parts[1] + table(rows, top) + "</svg>\n";
 }
 
 }  // namespace

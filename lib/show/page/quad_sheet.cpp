@@ -11,6 +11,7 @@
 #include "mesh/element_sizes.hpp"
 #include "model/quad_mesh.hpp"
 #include "page/sheet.hpp"
+#include "page/space_data.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -141,6 +142,7 @@ Sheet stage_sheet(const QuadMesh& mesh, const PageFrame& frame) {
                               mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(), mesh.order, draw::num_blocks(mesh));
   sheet.facts = draw::figures_of(mesh);
   sheet.layers.push_back(cells_layer(mesh, cells));
+  if (!mesh.space_nodes.empty()) sheet.space = space_data(mesh).str();
   return sheet;
 }
 

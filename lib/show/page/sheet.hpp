@@ -14,9 +14,11 @@ struct Sheet {
   std::string title, caption;
   std::vector<draw::Figure> facts;
   std::vector<JsonObject> layers;  ///< drawn in this order
+  std::string space;               ///< of a mesh of a curved face: JSON of page/space_data; else empty
 };
 
 /// The tab of a struct of StageModel.
+Sheet stage_sheet(const ChartedFace& charted, const PageFrame& frame);
 Sheet stage_sheet(const TriMesh& mesh, const PageFrame& frame);
 Sheet stage_sheet(const Field& field, const PageFrame& frame);
 Sheet stage_sheet(const CriticalPoints& points, const PageFrame& frame);

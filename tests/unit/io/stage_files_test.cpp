@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../chart_samples.hpp"
 #include "../region_layout_samples.hpp"
 #include "base/error.hpp"
 #include "scratch.hpp"
@@ -80,6 +81,57 @@ TEST_F(StageFiles, PhasesOfRegionsSurviveTheRoundTrip) {
     EXPECT_EQ(field.region_phases[r].prescribed, expected.region_phases[r].prescribed);
   }
   EXPECT_TRUE(field.phase.s.empty());
+}
+
+TEST_F(StageFiles, ChartsSurviveTheRoundTrip) {
+  expect_same_bytes(samples::charted_face());
+  const InputFile file = read_input(path("second"));
+  EXPECT_TRUE(is_chart(file));
+  const CadFace face = read_stage<ChartedFace>(file).face;
+  ASSERT_TRUE(face.chart);
+  const Chart &chart = *face.chart, &expected = *samples::charted_face().face.chart;
+  EXPECT_EQ(chart.elem2vertices, expected.elem2vertices);
+  EXPECT_EQ(chart.space_nodes, expected.space_nodes);
+  EXPECT_EQ(chart.uv, expected.uv);
+  EXPECT_EQ(chart.log_scale, expected.log_scale);
+  EXPECT_EQ(chart.closedness, expected.closedness);
+  ASSERT_EQ(chart.surfaces.size(), 1u);
+  EXPECT_EQ(chart.surfaces[0].poles, expected.surfaces[0].poles);
+  EXPECT_EQ(chart.surfaces[0].knots_v, expected.surfaces[0].knots_v);
+  ASSERT_EQ(chart.space_curves.size(), 4u);
+  EXPECT_EQ(chart.space_curves[2].poles, expected.space_curves[2].poles);
+  write_stage(path("plane"), samples::tri_mesh());
+  EXPECT_FALSE(is_chart(read_input(path("plane"))));
+  EXPECT_FALSE(is_chart({{"file", ""}, "ISO-10303-21;"}));
+}
+
+TEST_F(StageFiles, EveryStageOfACurvedFaceCarriesItsChart) {
+  const CadFace face = samples::sphere_face(1, 2);
+  const auto expect_chart = [&](auto stage, auto face_of) {
+    face_of(stage) = face;
+    expect_same_bytes(stage);
+    const auto read = read_stage<decltype(stage)>(read_input(path("second")));
+    ASSERT_TRUE(face_of(read).chart);
+    EXPECT_EQ(face_of(read).chart->space_nodes, face.chart->space_nodes);
+    EXPECT_EQ(face_of(read).chart->space_curves[3].poles, face.chart->space_curves[3].poles);
+  };
+  const auto own = [](auto& stage) -> auto& { return stage.face; };
+  expect_chart(samples::tri_mesh(), own);
+  expect_chart(
+      samples::field(), [](auto& field) -> auto& { return field.mesh.face; });
+  expect_chart(samples::resolved_points(), own);
+  expect_chart(samples::separatrix_graph(), own);
+  expect_chart(samples::block_layout(), own);
+  expect_chart(samples::quad_mesh(), own);
+}
+
+TEST_F(StageFiles, NodesInSpaceSurviveTheRoundTrip) {
+  QuadMesh mesh = samples::quad_mesh();
+  for (const Vec2 x : mesh.nodes) mesh.space_nodes.push_back(samples::on_sphere(x / 2));
+  expect_same_bytes(mesh);
+  EXPECT_EQ(read_stage<QuadMesh>(read_input(path("second"))).space_nodes, mesh.space_nodes);
+  EXPECT_EQ(stage_bytes(samples::quad_mesh()).find("space_nodes"), std::string::npos);
+  EXPECT_EQ(stage_bytes(samples::quad_mesh()).find("chart"), std::string::npos);
 }
 
 TEST_F(StageFiles, OneRegionHasNoArraysOfRegions) {
@@ -262,6 +314,7 @@ TEST_F(StageFiles, TheReaderOfAStructReadsItsFormatAlone) {
                           format == "tri-mesh" ? stage_bytes(samples::quad_mesh()) : stage_bytes(samples::tri_mesh())};
     EXPECT_THROW(read_stage<Model>(other), FormatError) << format;
   };
+  expect_own_format(samples::charted_face(), "chart");
   expect_own_format(samples::tri_mesh(), "tri-mesh");
   expect_own_format(samples::field(), "field");
   expect_own_format(samples::critical_points(), "critical-points");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../chart_samples.hpp"
 #include "../region_samples.hpp"
 #include "draw/palette.hpp"
 
@@ -29,6 +30,23 @@ TEST(Page, EveryStageIsATabWithLayers) {
     EXPECT_EQ(count(page, std::string("\"key\":\"") + key + '"'), 1u) << key;
   EXPECT_EQ(count(page, "\"key\":\"mesh\""), 3u);
   EXPECT_EQ(count(page, "\"key\":\"boundary\""), 5u) << "of every stage but the critical points";
+}
+
+TEST(Page, TheChartOfACurvedFaceIsATab) {
+  const std::string page = html_page({samples::charted_face()});
+  EXPECT_EQ(count(page, "{\"title\":\"Chart\",\"caption\":\"2 triangles of order 2 on 1 surface\""), 1u);
+  EXPECT_EQ(count(page, "\"key\":\"mesh\""), 1u);
+}
+
+TEST(Page, MeshesOfCurvedFacesHaveTheirShapeInSpace) {
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.face = samples::sphere_face(1, 2);
+  for (Vec2& x : mesh.nodes) x = x / 2;
+  for (const Vec2 x : mesh.nodes) mesh.space_nodes.push_back(samples::on_sphere(x));
+  const std::string page = html_page({mesh});
+  EXPECT_EQ(count(page, "\"space\":{\"points\":\""), 1u);
+  EXPECT_EQ(count(page, "\"samples\":4,\"extent\":"), 1u);
+  EXPECT_EQ(count(html_page({samples::quad_mesh()}), "\"space\":{"), 0u);
 }
 
 TEST(Page, ItReadsNothingFromElsewhereAndIsTheSameTwice) {

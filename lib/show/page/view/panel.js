@@ -187,6 +187,6 @@ function fillHelp() {
     const caps = names.split("  ").flatMap((name) => [element("kbd", {}, name), " "]);
     return element("tr", {}, element("td", {}, ...caps), element("td", {}, text));
   });
-  const about = "Drag to move, turn the wheel or pinch to zoom, point at an element to see its figures.";
+  const about = "Drag to move, turn the wheel or pinch to zoom, point at an element to see its figures. A mesh in space turns by dragging it.";
   byId("help").replaceChildren(element("h2", {}, "Keys"), element("table", {}, ...rows), element("p", {}, about));
 }

@@ -7,6 +7,7 @@ class Page {
     this.sheets.isComparison = data.comparison;
     this.current = data.comparison ? 0 : this.sheets.length - 1;
     this.scenes = [new Scene(byId("picture"), byId("overlay")), new Scene(byId("picture-b"), byId("overlay-b"))];
+    this.space = new SpacePane(byId("space"));
     this.isBeside = data.comparison;
     this.isReport = false;
     this.pointer = null; // {pane, at}: the pane that the pointer is over, and where in the plane
@@ -39,6 +40,10 @@ class Page {
   get panes() {
     return this.isBeside ? [0, 1] : [0];
   }
+  /** Whether the chosen stage is shown in space too, beside its chart. */
+  get isSpatial() {
+    return !this.isBeside && !this.isReport && Boolean(this.sheet.space);
+  }
   get limits() {
     const fit = Math.min(this.view.width / this.data.width, this.view.height / this.data.height);
     return [fit / 20, fit * 1e6];
@@ -57,9 +62,12 @@ class Page {
   resize() {
     byId("window").classList.toggle("beside", this.isBeside);
     byId("picture-b").parentElement.hidden = !this.isBeside;
+    byId("window").classList.toggle("spatial", this.isSpatial);
+    byId("space").hidden = !this.isSpatial;
     const { clientWidth, clientHeight } = byId("picture").parentElement;
     this.view.resize(clientWidth, clientHeight);
     for (const scene of this.scenes) scene.resize(clientWidth, clientHeight);
+    if (this.isSpatial) this.space.resize(clientWidth, clientHeight, this.scenes[0].ratio);
   }
 
   /** Tabs are the stages and, behind them, the report of the run if there is one. */
@@ -73,7 +81,13 @@ class Page {
   choose(number) {
     const chosen = (number + this.tabCount) % this.tabCount;
     this.isReport = chosen === this.sheets.length;
+    const wasSpatial = this.isSpatial;
     if (!this.isReport) this.current = chosen;
+    if (this.isSpatial) this.space.set(this.sheet.space);
+    if (this.isSpatial !== wasSpatial) {
+      this.resize();
+      this.fit();
+    }
     this.forget();
     byId("report").hidden = !this.isReport;
     showTabs(this.sheets, this.tab, (i) => this.choose(i), Boolean(this.data.report));
@@ -100,6 +114,7 @@ class Page {
     const added = new Set(this.isBeside ? [] : this.added);
     for (const pane of this.panes)
       this.scenes[pane].drawSharp(this.view, this.theme, this.shownIn(pane), added);
+    if (this.isSpatial) this.space.draw(this.theme, this.sheet.layers.find((layer) => layer.key === "mesh"));
     this.drawOverlay();
   }
 

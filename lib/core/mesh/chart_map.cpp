@@ -1,0 +1,157 @@
+#include "mesh/chart_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "surface/nurbs_surface.hpp"
+
+namespace quadrille::mesh {
+namespace {
+
+constexpr double farthest_outside = 0.5;  ///< of a triangle, in barycentric coordinates: polynomials are useless beyond
+constexpr double surface_tol = 1e-3;      ///< diameters: a projection that moves a point farther is at a wrong place
+
+/// The triangles' maps to a pair of nodal values.
+template <typename Pair>
+std::vector<spectral::TriMap> maps_of(const Chart& chart, const Pair& pair) {
+  std::vector<Vec2> values;
+  for (std::size_t i = 0; i < chart.nodes.size(); ++i) values.push_back(pair(i));
+  std::vector<spectral::TriMap> maps;
+  for (int e = 0; e < chart.num_elems(); ++e)
+    maps.emplace_back(chart.order, values.data() + e * chart.nodes_per_elem());
+  return maps;
+}
+
+int nearest_node(int order, Vec2 xi) {
+  const std::vector<Vec2>& nodes = spectral::tri_nodes(order);
+  return static_cast<int>(
+      std::min_element(nodes.begin(), nodes.end(), [&](Vec2 a, Vec2 b) { return norm2(a - xi) < norm2(b - xi); }) -
+      nodes.begin());
+}
+
+/// The nodes of the reference triangle, the nearest to xi first.
+std::vector<int> nodes_by_distance(int order, Vec2 xi) {
+  const std::vector<Vec2>& nodes = spectral::tri_nodes(order);
+  std::vector<int> sorted(nodes.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(), [&](int a, int b) {
+    const double da = norm2(nodes[a] - xi), db = norm2(nodes[b] - xi);
+    return da != db ? da < db : a < b;
+  });
+  return sorted;
+}
+
+}  // namespace
+
+TriMesh chart_triangles(const CadFace& face) {
+  const Chart& chart = *face.chart;
+  TriMesh mesh;
+  mesh.face = face;
+  mesh.order = chart.order;
+  std::map<int, int> vertices;
+  for (int e = 0; e < chart.num_elems(); ++e) {
+    std::array<int, 3> corners{};
+    for (int k = 0; k < 3; ++k) {
+      const auto [at, is_new] = vertices.try_emplace(chart.elem2vertices[e][k], static_cast<int>(mesh.vertices.size()));
+      if (is_new) mesh.vertices.push_back(chart.nodes[e * chart.nodes_per_elem() + k]);
+      corners[k] = at->second;
+    }
+    mesh.elem2vertices.push_back(corners);
+    mesh.curved_elems.push_back(e);
+  }
+  mesh.curved_nodes = chart.nodes;
+  mesh.elem_layer.assign(chart.num_elems(), -1);
+  return mesh;
+}
+
+ChartMap::ChartMap(const CadFace& face)
+    : face_(face),
+      chart_(*face.chart),
+      maps_(maps_of(chart_, [&](std::size_t i) { return chart_.nodes[i]; })),
+      space_xy_(maps_of(chart_,
+                        [&](std::size_t i) {
+                          return Vec2{chart_.space_nodes[i].x, chart_.space_nodes[i].y};
+                        })),
+      space_z_scale_(maps_of(chart_,
+                             [&](std::size_t i) {
+                               return Vec2{chart_.space_nodes[i].z, chart_.log_scale[i]};
+                             })),
+      locator_(chart_triangles(face), maps_) {}
+
+Location ChartMap::locate(Vec2 x) const {
+  if (const Location at = locator_.find(x); at.elem >= 0) return at;
+  Location nearest;
+  double least = HUGE_VAL;
+  for (int e = 0; e < chart_.num_elems(); ++e) {
+    Vec2 xi{-1.0 / 3, -1.0 / 3};
+    if (!maps_[e].invert(x, xi) || outside_reference(xi) > farthest_outside) continue;
+    const Vec2* corners = &chart_.nodes[e * chart_.nodes_per_elem()];
+    const double off =
+        outside_reference(xi) * std::max(distance(corners[0], corners[1]), distance(corners[0], corners[2]));
+    if (off < least) least = off, nearest = {e, xi};
+  }
+  if (nearest.elem >= 0) return nearest;
+  // Far outside: the nearest node of all.
+  const auto node = std::min_element(chart_.nodes.begin(), chart_.nodes.end(),
+                                     [&](Vec2 a, Vec2 b) { return norm2(a - x) < norm2(b - x); }) -
+                    chart_.nodes.begin();
+  return {static_cast<int>(node / chart_.nodes_per_elem()),
+          spectral::tri_nodes(chart_.order)[node % chart_.nodes_per_elem()]};
+}
+
+Vec3 ChartMap::on_polynomial(Location at) const {
+  const Vec2 xy = space_xy_[at.elem].position(at.xi);
+  return {xy.x, xy.y, space_z_scale_[at.elem].position(at.xi).x};
+}
+
+// A node at a pole of the parametrisation may lead nowhere: then the others are tried, near ones first.
+Vec3 ChartMap::projected(Vec3 position, Location at) const {
+  const NurbsSurface& surface = chart_.surfaces[chart_.elem_surface[at.elem]];
+  surface::SurfaceProjection best;
+  best.distance = HUGE_VAL;
+  const auto is_found_from = [&](int node) {
+    const Vec2 uv = chart_.uv[at.elem * chart_.nodes_per_elem() + node];
+    const surface::SurfaceProjection foot = surface::project(surface, position, uv);
+    if (foot.distance < best.distance) best = foot;
+    return foot.is_converged && foot.distance <= surface_tol * face_.diameter;
+  };
+  if (is_found_from(nearest_node(chart_.order, at.xi))) return best.position;
+  for (const int node : nodes_by_distance(chart_.order, at.xi))
+    if (is_found_from(node)) break;
+  return best.position;
+}
+
+Vec3 ChartMap::lift(Vec2 x) const {
+  const Location at = locate(x);
+  return projected(on_polynomial(at), at);
+}
+
+double ChartMap::log_scale(Vec2 x) const {
+  const Location at = locate(x);
+  return space_z_scale_[at.elem].position(at.xi).y;
+}
+
+std::optional<double> ChartMap::log_scale_inside(Vec2 x) const {
+  const Location at = locator_.find(x);
+  if (at.elem < 0) return std::nullopt;
+  return space_z_scale_[at.elem].position(at.xi).y;
+}
+
+Vec3 ChartMap::normal(Vec2 x) const {
+  const Location at = locate(x);
+  Vec2 values;
+  Mat2 xy, z;
+  space_xy_[at.elem].evaluate(at.xi, values, xy);
+  space_z_scale_[at.elem].evaluate(at.xi, values, z);
+  return normalized(cross(Vec3{xy.xx, xy.yx, z.xx}, Vec3{xy.xy, xy.yy, z.xy}));
+}
+
+Vec3 ChartMap::boundary_point(int curve, double t) const { return surface::point(chart_.space_curves[curve], t); }
+
+double ChartMap::distance_from_surface(Vec3 position, Vec2 x) const {
+  return distance(position, projected(position, locate(x)));
+}
+
+}  // namespace quadrille::mesh

@@ -1,0 +1,59 @@
+#pragma once
+// From the plane of a chart to the surface (method.md §12).
+//
+// A point of the chart lies in a triangle; the polynomial of its nodes in space is within the chart's accuracy of the
+// surface, and is projected to it. So every lifted point is on the exact surface, and only its place along the surface
+// has the error of the chart.
+
+#include <optional>
+#include <vector>
+
+#include "base/vec3.hpp"
+#include "mesh/locate.hpp"
+#include "model/cad_face.hpp"
+#include "model/tri_mesh.hpp"
+#include "spectral/tri_map.hpp"
+
+namespace quadrille::mesh {
+
+/// The triangles of the face's chart, all curved, as a mesh without boundary edges; vertices in the order in which
+/// elements name them.
+TriMesh chart_triangles(const CadFace& face);
+
+class ChartMap {
+ public:
+  /// The face must have a chart and outlive this.
+  explicit ChartMap(const CadFace& face);
+  ChartMap(const ChartMap&) = delete;
+  ChartMap& operator=(const ChartMap&) = delete;
+
+  /// The triangle of a point of the chart, relative to face.origin. Points outside all triangles (the boundary curves
+  /// and the triangles are two approximations) are in the nearest one, beyond its edge.
+  Location locate(Vec2 x) const;
+  /// The point of the exact surface, in the coordinates of the CAD file.
+  Vec3 lift(Vec2 x) const;
+  /// lambda: the logarithm of a length in space over one in the chart.
+  double log_scale(Vec2 x) const;
+  /// The same; no value outside all triangles.
+  std::optional<double> log_scale_inside(Vec2 x) const;
+  /// The unit normal of the surface, on the side from which the chart is seen counter-clockwise.
+  Vec3 normal(Vec2 x) const;
+  /// The exact point of the boundary at a parameter of curve i.
+  Vec3 boundary_point(int curve, double t) const;
+  /// How far a point in space, near the lifted one of the chart's point x, is from the surface.
+  double distance_from_surface(Vec3 position, Vec2 x) const;
+
+ private:
+  Vec3 on_polynomial(Location at) const;
+  /// The nearest point of the surface of the triangle.
+  Vec3 projected(Vec3 position, Location at) const;
+
+  const CadFace& face_;
+  const Chart& chart_;
+  std::vector<spectral::TriMap> maps_;           ///< to the chart
+  std::vector<spectral::TriMap> space_xy_;       ///< to x and y in space
+  std::vector<spectral::TriMap> space_z_scale_;  ///< to z in space and lambda
+  Locator locator_;
+};
+
+}  // namespace quadrille::mesh

@@ -1,0 +1,128 @@
+#include "mesh/lifted_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve/project.hpp"
+#include "spectral/lagrange.hpp"
+#include "spectral/per_order.hpp"
+#include "spectral/quadrature.hpp"
+#include "surface/nurbs_surface.hpp"
+
+namespace quadrille::mesh {
+namespace {
+
+/// A point of a boundary curve.
+struct CurvePoint {
+  int curve = 0;
+  double t = 0;
+};
+
+/// The nearest point of the edge's curve and of its neighbours in the loop: an edge may pass a joint.
+CurvePoint boundary_point_at(const CadFace& face, int curve, Vec2 x) {
+  curve::Projection nearest{0, {}, HUGE_VAL};
+  int nearest_curve = curve;
+  for (const int c : {curve, face.previous_in_loop(curve), face.next_in_loop(curve)})
+    if (const curve::Projection foot = curve::project(face.curves[c], x); foot.distance < nearest.distance)
+      nearest = foot, nearest_curve = c;
+  return {nearest_curve, nearest.t};
+}
+
+/// The distance from the curve, by Newton's method from the parameter t.
+double distance_from_curve(const SpaceCurve& curve, Vec3 x, double t) {
+  double least = distance(surface::point(curve, t), x);
+  for (int step = 0; step < 4; ++step) {
+    const auto [p, first, second] = surface::derivatives(curve, t);
+    const double slope = norm2(first) + dot(p - x, second);
+    if (!(slope > 0)) break;
+    t = std::clamp(t - dot(p - x, first) / slope, curve.begin(), curve.end());
+    least = std::min(least, distance(surface::point(curve, t), x));
+  }
+  return least;
+}
+
+/// From the nodes of an interval to samples between its ends.
+struct SampleMaps {
+  Eigen::MatrixXd inside, along_edge;
+
+  explicit SampleMaps(int order) {
+    const auto to_middles = [&](int count) {
+      std::vector<double> samples;
+      for (int i = 0; i < count; ++i) samples.push_back(-1 + (2.0 * i + 1) / count);
+      return spectral::interpolation_matrix(spectral::gll_points(order), samples);
+    };
+    inside = to_middles(order + 2);
+    along_edge = to_middles(4 * (order + 1));
+  }
+};
+
+/// Sample (i, j) of the element's polynomial through `nodes`.
+template <typename Point>
+Point inside_at(const QuadMesh& mesh, const std::vector<Point>& nodes, int elem, const Eigen::MatrixXd& map, int i,
+                int j) {
+  Point sum{};
+  const int* ids = &mesh.elem_nodes[elem * mesh.nodes_per_elem()];
+  for (int b = 0; b <= mesh.order; ++b)
+    for (int a = 0; a <= mesh.order; ++a) sum += map(i, a) * map(j, b) * nodes[ids[b * (mesh.order + 1) + a]];
+  return sum;
+}
+
+template <typename Point>
+Point edge_at(const std::vector<int>& ids, const std::vector<Point>& nodes, const Eigen::MatrixXd& map, int i) {
+  Point sum{};
+  for (std::size_t k = 0; k < ids.size(); ++k) sum += map(i, static_cast<Eigen::Index>(k)) * nodes[ids[k]];
+  return sum;
+}
+
+/// Takes the greatest distances.
+struct Worst {
+  SurfaceDistance result;
+
+  void add(int elem, double distance, Vec2 x) {
+    if (!(distance > result.elem[elem])) return;
+    result.elem[elem] = distance;
+    if (distance > result.worst() || elem == result.worst_elem) result.worst_elem = elem, result.position = x;
+  }
+};
+
+}  // namespace
+
+void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
+  mesh.space_nodes.assign(mesh.nodes.size(), {});
+  std::vector<bool> is_placed(mesh.nodes.size(), false);
+  for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
+    for (const QuadBoundaryEdge& edge : *edges)
+      for (const int node : side_nodes(mesh, edge.elem, edge.side)) {
+        if (is_placed[node]) continue;
+        const CurvePoint at = boundary_point_at(mesh.face, edge.curve, mesh.nodes[node]);
+        mesh.space_nodes[node] = map.boundary_point(at.curve, at.t);
+        is_placed[node] = true;
+      }
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+    if (!is_placed[node]) mesh.space_nodes[node] = map.lift(mesh.nodes[node]);
+}
+
+SurfaceDistance surface_distance(const ChartMap& map, const QuadMesh& mesh) {
+  const SampleMaps& maps = spectral::table_per_order<SampleMaps>(mesh.order);
+  Worst worst{{std::vector<double>(mesh.num_elems(), 0.0), 0, mesh.nodes.front()}};
+  const int count = static_cast<int>(maps.inside.rows());
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    for (int j = 0; j < count; ++j)
+      for (int i = 0; i < count; ++i) {
+        const Vec2 x = inside_at(mesh, mesh.nodes, elem, maps.inside, i, j);
+        const Vec3 position = inside_at(mesh, mesh.space_nodes, elem, maps.inside, i, j);
+        worst.add(elem, map.distance_from_surface(position, x), x);
+      }
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
+    const std::vector<int> ids = side_nodes(mesh, edge.elem, edge.side);
+    for (int i = 0; i < maps.along_edge.rows(); ++i) {
+      const Vec2 x = edge_at(ids, mesh.nodes, maps.along_edge, i);
+      const Vec3 position = edge_at(ids, mesh.space_nodes, maps.along_edge, i);
+      const CurvePoint at = boundary_point_at(mesh.face, edge.curve, x);
+      worst.add(edge.elem, distance_from_curve(mesh.face.chart->space_curves[at.curve], position, at.t), x);
+    }
+  }
+  return worst.result;
+}
+
+}  // namespace quadrille::mesh

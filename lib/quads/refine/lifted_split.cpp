@@ -1,0 +1,72 @@
+#include "refine/lifted_split.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/message_text.hpp"
+#include "base/tolerance.hpp"
+#include "base/warning_codes.hpp"
+#include "mesh/element_sizes.hpp"
+#include "refine/validity.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+constexpr double shorter_yet = 0.9;   ///< than the length at which the distance would be the tolerance
+constexpr double least_factor = 0.4;  ///< by which lengths are multiplied at once
+constexpr double unproved_factor = 0.5;
+
+Vec2 middle(const QuadMesh& mesh, int elem) {
+  Vec2 sum;
+  for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
+  return sum / 4;
+}
+
+}  // namespace
+
+LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress) {
+  mesh::lift_nodes(map, mesh);
+  for (int elem = 0; elem < static_cast<int>(mesh.elem_prescribed_length.size()); ++elem)
+    mesh.elem_prescribed_length[elem] *= std::exp(map.log_scale(middle(mesh, elem)));
+  measure_elements(mesh, progress);
+  mesh::measure_element_sizes(mesh);
+  mesh::SurfaceDistance distance = mesh::surface_distance(map, mesh);
+  return {std::move(mesh), std::move(distance)};
+}
+
+// The distance of an element of length h and order N is proportional to h^(N + 1).
+std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
+                                             const sizing::SizeField& sizes, double tolerance) {
+  std::vector<sizing::SizeSegment> segments;
+  const QuadMesh& mesh = lifted.mesh;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const double ratio = lifted.distance.elem[elem] / tolerance;
+    double factor = ratio > 1 + tolerance::tied
+                        ? std::max(least_factor, shorter_yet * std::pow(ratio, -1.0 / (mesh.order + 1)))
+                        : 1;
+    if (!(mesh.elem_jacobian_bound[elem] > 0)) factor = std::min(factor, unproved_factor);
+    if (factor == 1) continue;
+    const Vec2 x = middle(mesh, elem);
+    const double length = factor * sizes.at(x) * std::exp(map.log_scale(x));
+    segments.push_back({x, x, length, length});
+  }
+  return segments;
+}
+
+void report_surface(const mesh::SurfaceDistance& distance, const CadFace& face, double tolerance, Report& report) {
+  const Vec2 position = distance.position + face.origin;
+  report.set("surface.distance", distance.worst());
+  report.set("surface.position", std::vector<double>{position.x, position.y});
+  report.set("surface.tolerance", tolerance);
+  if (distance.worst() <= tolerance * (1 + tolerance::tied)) return;
+  report.warn(
+      warning::geometry_tol_missed,
+      fmt::format("elements deviate from the surface by up to {:.2g} diameters at {} of the chart, more than the "
+                  "geometric tolerance {:.2g}: raise --order or lower --size",
+                  distance.worst() / face.diameter, position_text(position), tolerance / face.diameter));
+}
+
+}  // namespace quadrille::refine

@@ -1,0 +1,34 @@
+#pragma once
+// From the mesh of a chart to the mesh on the surface (method.md §12). All of refine works in the chart; what exists in
+// space alone is measured here: the proof of elements and their distance from the surface. Where one fails, shorter
+// edges are prescribed and the mesh is made again.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mesh/lifted_mesh.hpp"
+#include "refine/split_mesh.hpp"
+
+namespace quadrille::refine {
+
+/// Times that a mesh is made again with shorter edges, at most.
+inline constexpr int max_lifts = 5;
+
+/// A lifted mesh, measured in space; prescribed lengths are lengths there.
+struct LiftedMesh {
+  QuadMesh mesh;
+  mesh::SurfaceDistance distance;
+};
+
+LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress);
+
+/// Sources of the edge lengths with which elements that are not proved would be, or that are farther than `tolerance`
+/// (a length) from the surface would be within it. Lengths are in space. Empty: the mesh is as it must be.
+std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
+                                             const sizing::SizeField& sizes, double tolerance);
+
+/// Reports the distance (surface.*), and warns if it is above the tolerance, a length.
+void report_surface(const mesh::SurfaceDistance& distance, const CadFace& face, double tolerance, Report& report);
+
+}  // namespace quadrille::refine

@@ -1,0 +1,121 @@
+#include "refine/lifted_split.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../chart_samples.hpp"
+#include "check/check.hpp"
+#include "mesh/element_sizes.hpp"
+#include "refine/refine.hpp"
+#include "refine/validity.hpp"
+#include "spectral/quad_map.hpp"
+
+namespace quadrille::refine {
+namespace {
+
+/// Two blocks on a patch of the unit sphere.
+BlockLayout patch_layout() {
+  BlockLayout layout = samples::block_layout();
+  layout.face = samples::sphere_face(4, 8);
+  for (Nurbs& spline : layout.splines)
+    for (Vec2& pole : spline.poles) pole = pole / 2;
+  for (GraphNode& node : layout.nodes) node.position = node.position / 2;
+  return layout;
+}
+
+QuadMesh refined(const RefineOptions& options, Report& report) { return refine(patch_layout(), options, report); }
+
+/// The greatest distance from the unit sphere, at points between the nodes.
+double distance_from_sphere(const QuadMesh& mesh) {
+  double worst = 0;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    const std::vector<Vec3> nodes = element_space_nodes(mesh, elem);
+    for (const double a : {-0.9, -0.35, 0.1, 0.77})
+      for (const double b : {-0.8, -0.2, 0.4, 0.95})
+        worst = std::max(worst, std::abs(norm(spectral::quad_position(mesh.order, nodes.data(), {a, b})) - 1));
+  }
+  return worst;
+}
+
+TEST(LiftedSplit, NodesAreOnTheSurfaceAndElementsProved) {
+  RefineOptions options;
+  options.size = 0.1;
+  Report report;
+  const QuadMesh mesh = refined(options, report);
+  ASSERT_EQ(mesh.space_nodes.size(), mesh.nodes.size());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    EXPECT_NEAR(norm(mesh.space_nodes[i]), 1, 1e-14);
+    EXPECT_NEAR(distance(mesh.space_nodes[i], samples::on_sphere(mesh.nodes[i])), 0, 1e-8);
+  }
+  for (const check::Violation& v : check::check_stage(mesh, check::CheckDepth::full))
+    ADD_FAILURE() << v.rule << ": " << v.text;
+  EXPECT_TRUE(mesh.is_valid);
+  EXPECT_GT(least_scaled_jacobian(mesh), 0.9);
+  EXPECT_LE(distance_from_sphere(mesh), 5e-7 * mesh.face.diameter);
+}
+
+TEST(LiftedSplit, AnglesAreThoseOfTheChart) {
+  RefineOptions options;
+  options.size = 0.1;
+  Report report;
+  QuadMesh mesh = refined(options, report);
+  const std::vector<double> there = mesh.elem_scaled_jacobian;
+  mesh.space_nodes.clear();
+  measure_elements(mesh);
+  for (std::size_t e = 0; e < there.size(); ++e) EXPECT_NEAR(there[e], mesh.elem_scaled_jacobian[e], 5e-4);
+}
+
+TEST(LiftedSplit, BoundaryNodesAreOnTheCurvesInSpace) {
+  RefineOptions options;
+  options.size = 0.2;
+  options.levels = 1;
+  Report report;
+  const QuadMesh mesh = refined(options, report);
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
+    if (edge.curve != 0) continue;
+    for (const int node : side_nodes(mesh, edge.elem, edge.side)) EXPECT_NEAR(mesh.space_nodes[node].y, 0, 1e-15);
+  }
+}
+
+TEST(LiftedSplit, SizesAreLengthsInSpace) {
+  // Lengths in space are 1.33 to 2 times those of the chart.
+  RefineOptions options;
+  options.size = 0.05;
+  options.size_rule = sizing::SizeRule::nearest;
+  Report report;
+  const QuadMesh mesh = refined(options, report);
+  double sum = 0, least = 1, greatest = 0;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    EXPECT_NEAR(mesh.elem_prescribed_length[elem], 0.05, 1e-5);
+    const double size = mesh::relative_sizes(mesh)[elem];
+    sum += std::log(size), least = std::min(least, size), greatest = std::max(greatest, size);
+  }
+  EXPECT_NEAR(std::exp(sum / mesh.num_elems()), 1, 0.08);
+  EXPECT_LT(greatest / least, 1.5) << "2.25 with equal sizes in the chart";
+}
+
+TEST(LiftedSplit, ElementsAreShorterWhereTheyWouldLeaveTheSurface) {
+  RefineOptions options;
+  options.size = 0.5;
+  options.order = 1;
+  options.geometry_tol = 0.1;
+  Report coarse_report;
+  const QuadMesh coarse = refined(options, coarse_report);
+  options.geometry_tol = 2e-3;
+  Report report;
+  const QuadMesh mesh = refined(options, report);
+  EXPECT_GT(mesh.num_elems(), 2 * coarse.num_elems());
+  EXPECT_GT(distance_from_sphere(coarse), 2e-3 * mesh.face.diameter);
+  EXPECT_LE(distance_from_sphere(mesh), 2e-3 * mesh.face.diameter);
+  EXPECT_TRUE(report.warnings().empty());
+}
+
+TEST(LiftedSplit, PlanarFacesHaveNoNodesInSpace) {
+  Report report;
+  EXPECT_TRUE(refine(samples::block_layout(), {}, report).space_nodes.empty());
+}
+
+}  // namespace
+}  // namespace quadrille::refine

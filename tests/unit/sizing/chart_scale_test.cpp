@@ -1,0 +1,38 @@
+#include "sizing/chart_scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../chart_samples.hpp"
+#include "sizing/size_field.hpp"
+
+namespace quadrille::sizing {
+namespace {
+
+TEST(ChartScale, ItIsThatOfTheChart) {
+  const ChartScale scale(samples::sphere_face(2, 8));
+  for (const Vec2 x : {Vec2{0.2, 0.3}, {0.01, 0.02}, {0.44, 0.13}, {0.25, 0.25}})
+    EXPECT_NEAR(scale.at(x) / std::exp(samples::sphere_log_scale(x)), 1, 1e-5);
+  for (const Vec2 x : {Vec2{0, 0}, {0.5, 0.2}, {0.5, 0.5}, {0.003, 0.498}})
+    EXPECT_NEAR(scale.at(x) / std::exp(samples::sphere_log_scale(x)), 1, 1e-4);
+  EXPECT_NEAR(scale.least(), 4.0 / 3, 1e-6);
+  EXPECT_NEAR(scale.greatest_gradient(), 2 * 0.5 / 1.25, 0.02) << "|grad lambda| = 2 r / (1 + r^2), along an axis";
+}
+
+TEST(ChartScale, LengthsOfCurvesAreThoseInSpace) {
+  EXPECT_NEAR(boundary_length(samples::sphere_face(), 0), 2 * std::atan(0.5), 1e-12);
+  EXPECT_NEAR(boundary_length(samples::face(), 0), 1, 1e-15);
+}
+
+TEST(ChartScale, SizesAreLengthsInSpace) {
+  const SizeField sizes = SizeField(0.1).in_chart(chart_scale(samples::sphere_face()));
+  EXPECT_FALSE(sizes.is_uniform());
+  EXPECT_NEAR(sizes.at({0.25, 0.25}), 0.1 * (1 + 0.125) / 2, 1e-6);
+  EXPECT_EQ(sizes.at({0.25, 0.25}), sizes.greatest_at({0.25, 0.25}));
+  EXPECT_NEAR(sizes.greatest(), 0.1 * 3 / 4, 1e-6);
+  EXPECT_EQ(chart_scale(samples::face()), nullptr);
+}
+
+}  // namespace
+}  // namespace quadrille::sizing
