@@ -14,7 +14,7 @@ void PoleBox::extend(const PoleBox& other) {
 }
 
 double PoleBox::distance_from(Vec2 x) const {
-  return norm({std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0})});
+  return norm(Vec2{std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0})});
 }
 
 PoleBox pole_box(const Nurbs& curve) {

@@ -27,7 +27,7 @@ struct Bounds {
     least = std::min(least, other.least);
   }
   double distance2_to(Vec2 x) const {
-    return norm2({std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y})});
+    return norm2(Vec2{std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y})});
   }
   Vec2 centre() const { return (low + high) / 2; }
 };
@@ -68,7 +68,7 @@ double along_segment(Vec2 x, Vec2 a, Vec2 b, double size_a, double size_b, doubl
   const double shift = std::abs(rise) < slope ? off * rise / std::sqrt(slope * slope - rise * rise)
                                               : std::copysign(length + std::abs(foot), rise);
   const double at = std::clamp(foot - shift, 0.0, length);
-  return size_a + rise * at + slope * norm({foot - at, off});
+  return size_a + rise * at + slope * norm(Vec2{foot - at, off});
 }
 
 /// The distance from the arc of at most half a turn, counter-clockwise from a to b.

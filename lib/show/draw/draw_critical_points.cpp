@@ -144,7 +144,7 @@ void draw_clusters(Picture& picture, const std::vector<Cluster>& clusters, Vec2 
         fmt::format("cluster of index {} at {}, radius {:.3g}, {}", cluster.index,
                     position_text(cluster.centre, origin), cluster.radius, counted(cluster.members.size(), "member"))));
     for (const Vec2 member : cluster.members) picture.add(circle_mark("member", picture.at(member), 2));
-    picture.text(at + (radius + 12) * normalized({1, 1}), "label", fmt::format("{:+}", cluster.index));
+    picture.text(at + (radius + 12) * normalized(Vec2{1, 1}), "label", fmt::format("{:+}", cluster.index));
   }
   if (!clusters.empty()) picture.legend_mark(circle_mark("cluster", {0, 0}, 7), "cluster and its index");
 }

@@ -216,7 +216,7 @@ TEST(MakeSizeField, SizesGrowFromTheLeftEndOfABoundaryToTheRightOne) {
 SeparatrixGraph rectangle(double width, double height) {
   CadFace face = hand_made::face({{curve::segment({0, 0}, {width, 0}), curve::segment({width, 0}, {width, height}),
                                    curve::segment({width, height}, {0, height}), curve::segment({0, height}, {0, 0})}},
-                                 norm({width, height}));
+                                 norm(Vec2{width, height}));
   return hand_made::one_block(std::move(face), {{0}, {1}, {2}, {3}});
 }
 
