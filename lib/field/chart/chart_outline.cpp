@@ -70,12 +70,8 @@ class ImageSampler {
       samples.points.push_back({t, image(edge, node_functions(*tables_, spectral::tri_edge_point(edge.edge, part)))});
     }
     const auto derivative = [&](bool at_end) {
-      const Vec2 step = spectral::tri_edge_point(edge.edge, 1) - spectral::tri_edge_point(edge.edge, 0);
-      const int node = (edge.edge + (at_end ? 1 : 0)) % 3;
-      const Eigen::RowVectorXd slope =
-          step.x * tables_->at_nodes_xi1.row(node) + step.y * tables_->at_nodes_xi2.row(node);
       const double speed = norm(surface::derivatives(length.curve(), at_end ? edge.t1 : edge.t0, at_end)[1]);
-      return image(edge, slope) * (speed / (s1 - s0));
+      return image_slope(*mesh_, edge, at_end) * (speed / (s1 - s0));
     };
     if (is_first)
       samples.start_derivative = derivative(false), samples.start_normal = mesh_->normals[first + edge.edge];

@@ -21,17 +21,18 @@ namespace {
 
 struct ChartConstants {
   int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
-  int most_meshes = 8;
-  double turn = 0.7;             ///< of the normal across an element, radians
+  int enough_meshes = 4, most_meshes = 8;
+  double aim = 0.03;             ///< of the tolerance, for which up to enough_meshes are made
+  double turn = 0.5;             ///< of the normal across an element, radians
   double edge_tolerance = 1e-2;  ///< of the straight triangles, whose edges are put onto the curves in space
-  double rough_outline = 2e-3, least_outline = 1e-9;   ///< tolerances of splines, diameters
-  double least_reduction = 0.2, most_reduction = 0.6;  ///< of the size of elements that are not accurate enough
+  double rough_outline = 2e-3, least_outline = 1e-9;  ///< tolerances of splines, diameters
+  double least_reduction = 0.2;                       ///< of the size of elements that are not accurate enough
 };
 constexpr ChartConstants constants;
 
 std::string place(Vec3 x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z); }
 
-/// Its middle in the image and in space, and its longest edge in space.
+/// Its middle in the image and in space, and its longest edge in the image.
 struct ElementPlace {
   Vec2 image;
   Vec3 middle;
@@ -43,7 +44,7 @@ ElementPlace place_of(const SurfaceMesh& mesh, int elem) {
   ElementPlace at;
   for (int k = 0; k < 3; ++k) {
     at.image += mesh.image[first + k] / 3, at.middle += mesh.nodes[first + k] / 3;
-    at.longest = std::max(at.longest, distance(mesh.nodes[first + k], mesh.nodes[first + (k + 1) % 3]));
+    at.longest = std::max(at.longest, distance(mesh.image[first + k], mesh.image[first + (k + 1) % 3]));
   }
   return at;
 }
@@ -58,7 +59,7 @@ std::vector<SizePoint> sizes_by_curvature(const SurfaceMesh& mesh, double diamet
       const std::size_t a = first + k, b = first + (k + 1) % 3;
       const double turn =
           std::atan2(norm(cross(mesh.normals[a], mesh.normals[b])), dot(mesh.normals[a], mesh.normals[b]));
-      curvature = std::max(curvature, turn / distance(mesh.nodes[a], mesh.nodes[b]));
+      curvature = std::max(curvature, turn / distance(mesh.image[a], mesh.image[b]));
     }
     if (curvature * diameter / 4 > constants.turn)
       sizes.push_back({place_of(mesh, e).image, constants.turn / curvature, 0});
@@ -69,13 +70,16 @@ std::vector<SizePoint> sizes_by_curvature(const SurfaceMesh& mesh, double diamet
 /// Smaller sizes where elements have more than their part of the square of the tolerated error.
 void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, double tolerance,
                         std::vector<SizePoint>& sizes) {
+  constexpr double size_of_longest = 0.75;  // elements of the prescribed size have longer edges, too
   const double part = tolerance * tolerance / 4 / mesh.num_elems();
   for (int e = 0; e < mesh.num_elems(); ++e) {
     if (fit.elem_squares[e] <= part) continue;
     const double reduction = std::pow(part / fit.elem_squares[e], 0.5 / (mesh.order + 1));
     const ElementPlace at = place_of(mesh, e);
-    sizes.push_back(
-        {at.image, at.longest * std::clamp(reduction, constants.least_reduction, constants.most_reduction), 0});
+    const double size = size_of_longest * at.longest * std::max(reduction, constants.least_reduction);
+    sizes.push_back({at.image, size, 0});
+    for (int k = 0; k < 3; ++k)
+      sizes.push_back({mesh.image[static_cast<std::size_t>(mesh.nodes_per_elem()) * e + k], size, 0});
   }
 }
 
@@ -101,7 +105,7 @@ void normalize(const SpaceFace& face, const std::vector<SpaceLength>& lengths, S
     for (int j = 0; j <= mesh.order; ++j) sum += rule.weights[j] / 2 * length * node(b, j);
     whole += length;
     if (b.curve != longest) continue;
-    if (norm2(first_step) == 0) first_step = node(b, 1) - node(b, 0);
+    if (norm2(first_step) == 0) first_step = image_slope(mesh, b, false);
     chord += node(b, mesh.order) - node(b, 0);
   }
   if (norm(chord) < closed * lengths[longest].total()) chord = first_step;
@@ -146,12 +150,14 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   for (const SpaceCurve& curve : space_face.curves) lengths.emplace_back(curve);
   MadeChart made;
   made.mesh = rough_chart(space_face);
+  normalize(space_face, lengths, made.mesh);
   std::vector<SizePoint> by_error;
+  const double aim = constants.aim * options.closedness;
   double tolerance = constants.rough_outline;
+  bool gains = true;  // whether the last mesh was much better than the one before
   for (;;) {
-    normalize(space_face, lengths, made.mesh);
     made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
-    if (made.num_meshes > 1 && made.fit.closedness <= options.closedness) return made;
+    if (made.num_meshes > 1 && made.fit.closedness <= (gains ? aim : options.closedness)) return made;
     if (made.num_meshes == constants.most_meshes) break;
     std::vector<SizePoint> sizes = sizes_by_curvature(made.mesh, made.face.diameter);
     sizes.insert(sizes.end(), by_error.begin(), by_error.end());
@@ -159,8 +165,35 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
     TriMesh plane = triangles_of(made.face, triangle_options(made.face.diameter, std::move(sizes), is_first));
     made.mesh = lifted_mesh(space_face, lengths, made.mesh, std::move(plane),
                             is_first ? constants.first_order : constants.order);
+    const double last = made.fit.closedness;
     made.fit = make_isothermal(made.mesh, space_face.face.loop_offsets);
-    if (++made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, options.closedness, by_error);
+    if (getenv("DBG2"))
+      for (size_t i = 0; i < made.mesh.nodes.size(); ++i) {
+        size_t n = made.mesh.nodes_per_elem(), f = i / n * n;
+        Vec2 xi = spectral::tri_nodes(made.mesh.order)[i % n];
+        Vec3 flat = -(xi.x + xi.y) / 2 * made.mesh.nodes[f] + (1 + xi.x) / 2 * made.mesh.nodes[f + 1] +
+                    (1 + xi.y) / 2 * made.mesh.nodes[f + 2];
+        bool b = false;
+        for (auto& e : made.mesh.plane.boundary_edges) b |= e.elem == int(i / n);
+        if (norm(made.mesh.nodes[i] - made.mesh.normals[i]) > 1e-9 ||
+            (!b && norm(made.mesh.nodes[i] - normalized(flat)) > 1e-9))
+          std::printf("node %zu elem %zu x %g %g %g n %g %g %g uv %g %g off %g %g\n", i % made.mesh.nodes_per_elem(),
+                      i / made.mesh.nodes_per_elem(), made.mesh.nodes[i].x, made.mesh.nodes[i].y, made.mesh.nodes[i].z,
+                      made.mesh.normals[i].x, made.mesh.normals[i].y, made.mesh.normals[i].z, made.mesh.uv[i].x,
+                      made.mesh.uv[i].y, norm(made.mesh.nodes[i] - made.mesh.normals[i]),
+                      norm(made.mesh.nodes[i] - normalized(flat)));
+      }
+    if (getenv("DBG")) {
+      auto w =
+          std::max_element(made.fit.elem_squares.begin(), made.fit.elem_squares.end()) - made.fit.elem_squares.begin();
+      auto at = place_of(made.mesh, (int)w);
+      std::printf("pass %d elems %d closed %g worst %g at %g %g %g size %g\n", made.num_meshes, made.mesh.num_elems(),
+                  made.fit.closedness, std::sqrt(made.fit.elem_squares[w]), at.middle.x, at.middle.y, at.middle.z,
+                  at.longest);
+    }
+    normalize(space_face, lengths, made.mesh);
+    gains = ++made.num_meshes < 3 || made.fit.closedness < last / 2;
+    if (made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, aim, by_error);
     tolerance = std::clamp(made.fit.closedness / 10, constants.least_outline, constants.rough_outline);
   }
   const auto worst = std::max_element(made.fit.elem_squares.begin(), made.fit.elem_squares.end());

@@ -82,6 +82,7 @@ Vec2 Lift::blend(const std::array<double, 3>& weights, const std::array<Vec2, 3>
 
 // Near a pole blended parameters say nothing: the nearest of the other guesses is taken where they are far off.
 Foot Lift::project(Vec3 x, Vec2 first, const std::array<Vec2, 3>& others, double size) const {
+  constexpr double rounding = 1e-12;
   const auto off = [&](Vec2 uv) { return distance(surface::point(face_->surface, uv), x); };
   Vec2 guess = first;
   double least = off(guess);
@@ -89,7 +90,7 @@ Foot Lift::project(Vec3 x, Vec2 first, const std::array<Vec2, 3>& others, double
     for (const Vec2 uv : others)
       if (const double d = off(uv); d < least) guess = uv, least = d;
   const surface::SurfaceProjection found = surface::project(face_->surface, x, guess);
-  if (!(found.distance <= std::max(least, 1e-12 * size)))
+  if (!(found.distance <= least + rounding * (norm(x) + size)))
     throw ComputeError(fmt::format("the surface has no point near ({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z));
   return {found.position, found.uv};
 }
@@ -230,8 +231,19 @@ SurfaceMesh Lift::lifted(TriMesh plane, int order) const {
 
 }  // namespace
 
+Vec2 image_slope(const SurfaceMesh& mesh, const BoundaryEdge& edge, bool at_end) {
+  const ElementTables& tables = element_tables(mesh.order);
+  const Vec2 step = spectral::tri_edge_point(edge.edge, 1) - spectral::tri_edge_point(edge.edge, 0);
+  const int node = (edge.edge + (at_end ? 1 : 0)) % 3, n = mesh.nodes_per_elem();
+  Vec2 slope;
+  for (int j = 0; j < n; ++j)
+    slope += (step.x * tables.at_nodes_xi1(node, j) + step.y * tables.at_nodes_xi2(node, j)) *
+             mesh.image[static_cast<std::size_t>(n) * edge.elem + j];
+  return slope;
+}
+
 Vec3 face_normal(const SpaceFace& face, Vec2 uv) {
-  constexpr double degenerate = 1e-7;  // of the angle between the derivatives, or of the ratio of their lengths
+  constexpr double degenerate = 1e-8;  // of the angle between the derivatives, or of the ratio of their lengths
   const surface::SurfacePoint p = surface::evaluate(face.surface, uv);
   const Vec3 normal = cross(p.xu, p.xv);
   const double longest = std::max(norm2(p.xu), norm2(p.xv));

@@ -23,6 +23,9 @@ struct SurfaceMesh {
   int nodes_per_elem() const { return (order + 1) * (order + 2) / 2; }
 };
 
+/// The derivative of the image at the start, or at the end, of a boundary edge with respect to the part of its length.
+Vec2 image_slope(const SurfaceMesh& mesh, const BoundaryEdge& edge, bool at_end);
+
 /// The unit normal of the face; zero where the parametrisation of the surface degenerates.
 Vec3 face_normal(const SpaceFace& face, Vec2 uv);
 

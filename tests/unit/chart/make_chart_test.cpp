@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "base/angle.hpp"
+#include "curve/nurbs.hpp"
 #include "space_faces.hpp"
 
 namespace quadrille {
@@ -23,9 +24,15 @@ CadFace chart_of(const SpaceFace& face, double closedness = 1e-6) {
   std::printf("cpu %.3f\n", double(clock() - t0) / CLOCKS_PER_SEC);
   for (const auto& [k, v] : report.entries()) {
     std::printf("%s ", k.c_str());
-    std::visit([](const auto& x) { if constexpr (std::is_arithmetic_v<std::decay_t<decltype(x)>>) std::printf("%g\n", double(x)); }, v);
+    std::visit(
+        [](const auto& x) {
+          if constexpr (std::is_arithmetic_v<std::decay_t<decltype(x)>>) std::printf("%g\n", double(x));
+        },
+        v);
   }
-  for (size_t i = 0; i < f.joints.size(); ++i) std::printf("joint %zu: angle %.12f corner %d poles %zu\n", i, f.joints[i].interior_angle, f.joints[i].is_corner, f.curves[i].poles.size());
+  for (size_t i = 0; i < f.joints.size(); ++i)
+    std::printf("joint %zu: angle %.12f corner %d poles %zu\n", i, f.joints[i].interior_angle, f.joints[i].is_corner,
+                f.curves[i].poles.size());
   return f;
 }
 
@@ -78,7 +85,7 @@ TEST(MakeChart, HalfCap) {
   const CadFace f = chart_of(face);
 }
 TEST(MakeChart, HalfSphere) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, 0, pi / 2), 0, 2*pi), {{0}}, 24, 12);
+  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, 0, pi / 2), 0, 2 * pi), {{0}}, 24, 12);
   const CadFace f = chart_of(face);
   const double e = misfit(*f.chart, [](Vec3 x) { return Complex(x.x, x.y) / (1 + x.z); });
   std::printf("misfit %g\n", e);
@@ -88,15 +95,32 @@ TEST(MakeChart, Torus) {
   const CadFace f = chart_of(face);
 }
 TEST(MakeChart, Tube) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::line({1, 0, 0}, {1, 0, 1}), 0, 2*pi), {{0},{2}}, 36, 5);
+  const SpaceFace face = tests::face_of(tests::swept(tests::line({1, 0, 0}, {1, 0, 1}), 0, 2 * pi), {{0}, {2}}, 36, 5);
   const CadFace f = chart_of(face);
-  const double e = misfit(*f.chart, [](Vec3 x) { return std::polar(std::exp(x.z), -std::atan2(x.y, x.x)); });
+  const double e = misfit(*f.chart, [](Vec3 x) { return std::polar(std::exp(-x.z), std::atan2(x.y, x.x)); });
   std::printf("misfit %g\n", e);
 }
 TEST(MakeChart, Zone) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, std::acos(0.8), 1.2), 0, 2*pi), {{0},{2}}, 36, 5);
+  const SpaceFace face =
+      tests::face_of(tests::swept(tests::profile_arc(0, 1, std::acos(0.8), 1.2), 0, 2 * pi), {{0}, {2}}, 36, 5);
   const CadFace f = chart_of(face);
   const double e = misfit(*f.chart, [](Vec3 x) { return Complex(x.x, x.y) / (1 + x.z) * 1.6; });
+  std::printf("misfit %g\n", e);
+}
+TEST(MakeChart, Hole) {
+  const SpaceFace face = tests::cap_with_hole(1, 0.4, 0.3, 36, 8);
+  const CadFace f = chart_of(face);
+}
+TEST(MakeChart, ExactSphere) {
+  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, 0, pi / 2), 0, 2*pi), {{0}}, 24, 12);
+  const CadFace f = chart_of(face, 1e-9);
+  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(x.x, x.y) / (1 + x.z); });
+  std::printf("misfit %g\n", e);
+}
+TEST(MakeChart, Exact) {
+  const SpaceFace face = tests::face_of(tests::swept(tests::line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 12, 5);
+  const CadFace f = chart_of(face, 1e-9);
+  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(2 * std::atan2(x.y, x.x), x.z); });
   std::printf("misfit %g\n", e);
 }
 

@@ -42,8 +42,8 @@ inline SpaceCurve side_curve(const NurbsSurface& s, int side) {
   return side >= 2 ? surface::reversed(curve) : curve;
 }
 
-/// The whole surface as a face: `loops` are lists of sides; sides in none are degenerate (poles) or seams. `nu` and `nv`
-/// steps of the grid.
+/// The whole surface as a face: `loops` are lists of sides; sides in none are degenerate (poles) or seams. `nu` and
+/// `nv` steps of the grid.
 inline SpaceFace face_of(const NurbsSurface& s, const std::vector<std::vector<int>>& loops, int nu, int nv) {
   SpaceFace f;
   f.surface = s;
@@ -89,13 +89,66 @@ inline SpaceFace face_of(const NurbsSurface& s, const std::vector<std::vector<in
     const double begin = side % 2 == 0 ? u0 : v0, range = side % 2 == 0 ? u1 - u0 : v1 - v0;
     for (int k = 0; k < n; ++k) {
       const auto at = [&](int m) {
-        return side == 0 ? vertex(m, 0) : side == 1 ? vertex(nu, m) : side == 2 ? vertex(nu - m, nv) : vertex(0, nv - m);
+        return side == 0   ? vertex(m, 0)
+               : side == 1 ? vertex(nu, m)
+               : side == 2 ? vertex(nu - m, nv)
+                           : vertex(0, nv - m);
       };
-      f.boundary_edges.push_back({{at(k), at(k + 1)}, side2curve[side], begin + range * k / n, begin + range * (k + 1) / n});
+      f.boundary_edges.push_back(
+          {{at(k), at(k + 1)}, side2curve[side], begin + range * k / n, begin + range * (k + 1) / n});
     }
   }
   std::stable_sort(f.boundary_edges.begin(), f.boundary_edges.end(),
                    [](const auto& a, const auto& b) { return a.curve != b.curve ? a.curve < b.curve : a.t0 < b.t0; });
+  return f;
+}
+
+/// A circle on the unit sphere about its point at `polar` from z, in the plane y = 0, at the polar angle `radius` from
+/// it; counter-clockwise seen from outside.
+inline SpaceCurve circle_on_sphere(double polar, double radius) {
+  SpaceCurve circle = profile_arc(0, std::sin(radius), 0, 2 * std::numbers::pi);
+  for (Vec3& p : circle.poles) {
+    const double x = p.x, y = p.z, z = std::cos(radius);
+    p = {x * std::cos(polar) + z * std::sin(polar), y, z * std::cos(polar) - x * std::sin(polar)};
+  }
+  return circle;
+}
+
+/// The cap of the unit sphere around z up to polar angle `outer`, with a round hole about `polar`. `n` vertices around.
+inline SpaceFace cap_with_hole(double outer, double polar, double inner, int n, int rings) {
+  SpaceFace f;
+  f.surface = sphere(1);
+  f.curves = {circle_on_sphere(0, outer), surface::reversed(circle_on_sphere(polar, inner))};
+  f.face.loop_offsets = {0, 1, 2};
+  f.face.curve_names = {"rim", "hole"}, f.face.curve_cad_edges = {0, 1};
+  const double turn = 2 * std::numbers::pi;
+  const auto plane = [](Vec3 x) { return Vec2{x.x, x.y} / (1 + x.z); };
+  std::vector<Vec2> uv;
+  for (int j = 0; j <= rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Vec3 a = surface::point(f.curves[0], turn * i / n), b = surface::point(f.curves[1], turn * (n - i) / n);
+      const double part = static_cast<double>(j) / rings;
+      const Vec2 z = (1 - part) * plane(a) + part * plane(b);
+      Vec3 x = Vec3{2 * z.x, 2 * z.y, 1 - norm2(z)} / (1 + norm2(z));
+      if (j == 0) x = a;
+      if (j == rings) x = b;
+      f.vertices.push_back(x);
+      const double u = std::atan2(x.y, x.x);
+      uv.push_back(surface::project(f.surface, x, {u < 0 ? u + turn : u, std::asin(x.z)}).uv);
+    }
+  const auto add = [&](int a, int b, int c) {
+    std::array<Vec2, 3> at{uv[a], uv[b], uv[c]};
+    for (Vec2& p : at) p.x -= turn * std::round((p.x - at[0].x) / turn);
+    f.triangles.push_back({a, b, c}), f.triangle_uv.push_back(at);
+  };
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * n + i, b = j * n + (i + 1) % n;
+      add(a, b, b + n), add(a, b + n, a + n);
+    }
+  for (int i = 0; i < n; ++i) f.boundary_edges.push_back({{i, (i + 1) % n}, 0, turn * i / n, turn * (i + 1) / n});
+  for (int i = 0; i < n; ++i)
+    f.boundary_edges.push_back({{rings * n + (n - i) % n, rings * n + n - i - 1}, 1, turn * i / n, turn * (i + 1) / n});
   return f;
 }
 
