@@ -8,6 +8,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "chart/element_tables.hpp"
+#include "chart/smooth_parameters.hpp"
 #include "curve/least_squares_spline.hpp"
 #include "curve/nurbs.hpp"
 #include "spectral/quadrature.hpp"
@@ -132,20 +133,64 @@ bool bisect_missed_spans(const Nurbs& spline, const std::vector<curve::FitPoint>
   return is_finer;
 }
 
-Nurbs fitted(const SpaceCurve& space_curve, const Samples& samples, const curve::FitEnds& ends, double tolerance,
-             bool is_rough) {
-  std::vector<curve::FitKnot> knots = knots_of(space_curve);
-  if (is_rough) knots = {knots.front(), knots.back()};
-  std::optional<Nurbs> best;
-  for (int round = 0; round < most_rounds; ++round) {
-    std::optional<Nurbs> spline = curve::least_squares_spline(fit_degree, knots, samples.points, ends);
-    if (!spline) break;
-    best = std::move(spline);
-    if (!bisect_missed_spans(*best, samples.points, tolerance, knots)) break;
+/// Knots of a periodic spline: each once, also at the seam; more of them than the degree.
+std::vector<curve::FitKnot> periodic_knots(std::vector<curve::FitKnot> knots,
+                                           const std::vector<curve::FitPoint>& points) {
+  for (curve::FitKnot& knot : knots) knot.multiplicity = 1;
+  if (knots.size() <= fit_degree + 1) knots = {knots.front(), knots.back()};
+  while (knots.size() <= fit_degree + 1) {
+    std::vector<curve::FitKnot> finer{knots.front()};
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+      finer.push_back({(knots[i - 1].parameter + knots[i].parameter) / 2, 1});
+      finer.push_back(knots[i]);
+    }
+    knots = std::move(finer);
   }
-  if (!best) best = curve::least_squares_spline(fit_degree, {knots.front(), knots.back()}, samples.points, ends);
-  if (!best) throw ComputeError("a curve of the boundary is too short for a chart");
-  return *std::move(best);
+  return points.size() > 2 * knots.size() ? knots : std::vector<curve::FitKnot>{};
+}
+
+/// Least squares with knots where the tolerance asks for them.
+class OutlineFit {
+ public:
+  OutlineFit(const Samples& samples, const curve::FitEnds& ends, double tolerance)
+      : samples_(&samples), ends_(ends), tolerance_(tolerance) {}
+
+  std::optional<Nurbs> open(const std::vector<curve::FitKnot>& knots) const {
+    return refined(knots,
+                   [&](const auto& k) { return curve::least_squares_spline(fit_degree, k, samples_->points, ends_); });
+  }
+  std::optional<Nurbs> periodic(const std::vector<curve::FitKnot>& knots) const {
+    if (knots.empty()) return std::nullopt;
+    return refined(
+        knots, [&](const auto& k) { return curve::periodic_least_squares_spline(fit_degree, k, samples_->points); });
+  }
+
+ private:
+  template <class Fit>
+  std::optional<Nurbs> refined(std::vector<curve::FitKnot> knots, const Fit& fit) const {
+    std::optional<Nurbs> best;
+    for (int round = 0; round < most_rounds; ++round) {
+      std::optional<Nurbs> spline = fit(knots);
+      if (!spline) break;
+      best = std::move(spline);
+      if (!bisect_missed_spans(*best, samples_->points, tolerance_, knots)) break;
+    }
+    return best;
+  }
+
+  const Samples* samples_;
+  curve::FitEnds ends_;
+  double tolerance_;
+};
+
+Nurbs fitted(const SpaceCurve& space_curve, const OutlineFit& fit, const Samples& samples, bool is_rough) {
+  const std::vector<curve::FitKnot> all = knots_of(space_curve), ends{all.front(), all.back()};
+  std::optional<Nurbs> spline;
+  if (has_smooth_seam(space_curve)) spline = fit.periodic(periodic_knots(is_rough ? ends : all, samples.points));
+  if (!spline && !is_rough) spline = fit.open(all);
+  if (!spline) spline = fit.open(ends);
+  if (!spline) throw ComputeError("a curve of the boundary is too short for a chart");
+  return *std::move(spline);
 }
 
 Vec2 rotated(Vec2 a, double angle) { return a.x * unit(angle) + a.y * left_of(unit(angle)); }
@@ -208,7 +253,8 @@ CadFace outline_of_image(const SpaceFace& space_face, const std::vector<SpaceLen
     const Samples &s = samples[i], &next = samples[space_face.face.next_in_loop(i)];
     const curve::FitEnds ends{s.points.front().position, s.start_derivative, next.points.front().position,
                               s.end_derivative};
-    face.curves.push_back(fitted(space_face.curves[i], s, ends, options.tolerance * size, mesh.order == 1));
+    const OutlineFit fit(s, ends, options.tolerance * size);
+    face.curves.push_back(fitted(space_face.curves[i], fit, s, mesh.order == 1));
   }
   for (int i = 0; i < face.num_curves(); ++i) face.joints.push_back(joint_of(face, i, angles[i], options.corner_angle));
   face.diameter = outline_diameter(face);

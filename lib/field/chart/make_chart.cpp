@@ -12,6 +12,7 @@
 #include "chart/isothermal.hpp"
 #include "chart/plane_chart.hpp"
 #include "chart/rough_chart.hpp"
+#include "chart/smooth_parameters.hpp"
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_map.hpp"
 #include "triangulate/triangulate.hpp"
@@ -241,10 +242,14 @@ void ChartOptions::validate() const {
 CadFace make_chart(const SpaceFace& space_face, const ChartOptions& options, Report& report) {
   options.validate();
   MadeChart made;
+  SpaceFace smooth_face;
+  const SpaceFace* used = &space_face;
   if (std::optional<PlaneChart> plane = plane_chart(space_face, options)) {
     made.face = std::move(plane->face), made.mesh = std::move(plane->mesh);
   } else {
-    made = curved_chart(space_face, options);
+    smooth_face = with_smooth_parameters(space_face);
+    used = &smooth_face;
+    made = curved_chart(smooth_face, options);
   }
   require_even_scale(made.mesh, options.greatest_scale_range);
   const auto [least, most] = std::minmax_element(made.mesh.scale.begin(), made.mesh.scale.end());
@@ -252,7 +257,7 @@ CadFace make_chart(const SpaceFace& space_face, const ChartOptions& options, Rep
   report.set("chart.meshes", made.num_meshes);
   report.set("chart.closedness", made.fit.closedness);
   report.set("chart.scale_range", std::exp(*most - *least));
-  made.face.chart = std::make_shared<Chart>(chart_of(space_face, made.mesh, made.fit.closedness));
+  made.face.chart = std::make_shared<Chart>(chart_of(*used, made.mesh, made.fit.closedness));
   return std::move(made.face);
 }
 

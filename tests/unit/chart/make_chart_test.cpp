@@ -33,6 +33,7 @@ CadFace chart_of(const SpaceFace& face, double closedness = 1e-6) {
   for (size_t i = 0; i < f.joints.size(); ++i)
     std::printf("joint %zu: angle %.12f corner %d poles %zu\n", i, f.joints[i].interior_angle, f.joints[i].is_corner,
                 f.curves[i].poles.size());
+  for (size_t i = 0; i < f.joints.size(); ++i) { for (double tol : {1e-7, 1e-5, 1e-3}) std::printf("breaks %zu: %zu of %zu spans, seam %d\n", i, curve::smoothness_breaks(f.curves[i],tol).size(), f.curves[i].knots.size(), curve::has_smooth_seam(f.curves[i],tol)); }
   return f;
 }
 
