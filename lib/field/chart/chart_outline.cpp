@@ -19,7 +19,7 @@ namespace quadrille::chart {
 namespace {
 
 constexpr int fit_degree = 7;
-/// Samples that each span of a spline needs, and the greatest number of bisections.
+/// Samples that each span of a spline needs, also of a straight edge, and the greatest number of bisections.
 constexpr int samples_per_span = 8, most_rounds = 24;
 
 /// The image of one curve: points with ascending parameters, and the derivatives by the parameter at both ends.
@@ -60,7 +60,7 @@ class ImageSampler {
   void add(const BoundaryEdge& edge, Samples& samples) const {
     const SpaceLength& length = (*lengths_)[edge.curve];
     const double s0 = length.at(edge.t0), s1 = length.at(edge.t1);
-    const int n = (mesh_->order == 1 ? 4 : 2 * mesh_->order) +
+    const int n = std::max(samples_per_span, 2 * mesh_->order) +
                   samples_per_span * num_knots_inside(length.curve().knots, edge.t0, edge.t1);
     const std::size_t first = static_cast<std::size_t>(mesh_->nodes_per_elem()) * edge.elem;
     const bool is_first = samples.points.empty();
@@ -85,13 +85,14 @@ class ImageSampler {
       return (s.points[j].position - s.points[i].position) / (s.points[j].parameter - s.points[i].parameter);
     };
     const std::size_t last = s.points.size() - 1;
-    if (last < 8) return;
+    constexpr std::size_t edge = samples_per_span;
+    if (last < 2 * edge) return;
     const auto at_end = [&](std::size_t a, std::size_t b, std::size_t c) {
       const double ab = s.points[b].parameter - s.points[a].parameter,
                    ac = s.points[c].parameter - s.points[a].parameter;
       return slope(a, b) + (slope(a, b) - slope(b, c)) * (ab / ac);
     };
-    s.start_derivative = at_end(0, 4, 8), s.end_derivative = at_end(last, last - 4, last - 8);
+    s.start_derivative = at_end(0, edge, 2 * edge), s.end_derivative = at_end(last, last - edge, last - 2 * edge);
   }
 
   const SurfaceMesh* mesh_;
