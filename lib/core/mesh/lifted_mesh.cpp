@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curve/project.hpp"
+#include "curve/nearest_along.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -11,22 +11,6 @@
 
 namespace quadrille::mesh {
 namespace {
-
-/// A point of a boundary curve.
-struct CurvePoint {
-  int curve = 0;
-  double t = 0;
-};
-
-/// The nearest point of the edge's curve and of its neighbours in the loop: an edge may pass a joint.
-CurvePoint boundary_point_at(const CadFace& face, int curve, Vec2 x) {
-  curve::Projection nearest{0, {}, HUGE_VAL};
-  int nearest_curve = curve;
-  for (const int c : {curve, face.previous_in_loop(curve), face.next_in_loop(curve)})
-    if (const curve::Projection foot = curve::project(face.curves[c], x); foot.distance < nearest.distance)
-      nearest = foot, nearest_curve = c;
-  return {nearest_curve, nearest.t};
-}
 
 /// The distance from the curve, by Newton's method from the parameter t.
 double distance_from_curve(const SpaceCurve& curve, Vec3 x, double t) {
@@ -88,13 +72,14 @@ struct Worst {
 }  // namespace
 
 void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
+  const curve::FaceBoundary boundary(mesh.face);
   mesh.space_nodes.assign(mesh.nodes.size(), {});
   std::vector<bool> is_placed(mesh.nodes.size(), false);
   for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
     for (const QuadBoundaryEdge& edge : *edges)
       for (const int node : side_nodes(mesh, edge.elem, edge.side)) {
         if (is_placed[node]) continue;
-        const CurvePoint at = boundary_point_at(mesh.face, edge.curve, mesh.nodes[node]);
+        const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, mesh.nodes[node]);
         mesh.space_nodes[node] = map.boundary_point(at.curve, at.t);
         is_placed[node] = true;
       }
@@ -113,12 +98,13 @@ SurfaceDistance surface_distance(const ChartMap& map, const QuadMesh& mesh) {
         const Vec3 position = inside_at(mesh, mesh.space_nodes, elem, maps.inside, i, j);
         worst.add(elem, map.distance_from_surface(position, x), x);
       }
+  const curve::FaceBoundary boundary(mesh.face);
   for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
     const std::vector<int> ids = side_nodes(mesh, edge.elem, edge.side);
     for (int i = 0; i < maps.along_edge.rows(); ++i) {
       const Vec2 x = edge_at(ids, mesh.nodes, maps.along_edge, i);
       const Vec3 position = edge_at(ids, mesh.space_nodes, maps.along_edge, i);
-      const CurvePoint at = boundary_point_at(mesh.face, edge.curve, x);
+      const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, x);
       worst.add(edge.elem, distance_from_curve(mesh.face.chart->space_curves[at.curve], position, at.t), x);
     }
   }
