@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "curve/nearest_along.hpp"
 #include "spectral/lagrange.hpp"
@@ -30,13 +31,12 @@ struct SampleMaps {
   Eigen::MatrixXd inside, along_edge;
 
   explicit SampleMaps(int order) {
-    const auto to_middles = [&](int count) {
-      std::vector<double> samples;
-      for (int i = 0; i < count; ++i) samples.push_back(-1 + (2.0 * i + 1) / count);
-      return spectral::interpolation_matrix(spectral::gll_points(order), samples);
-    };
-    inside = to_middles(order + 2);
-    along_edge = to_middles(4 * (order + 1));
+    const std::vector<double>& nodes = spectral::gll_points(order);
+    std::vector<double> middles, samples;
+    for (int i = 0; i < order; ++i) middles.push_back((nodes[i] + nodes[i + 1]) / 2);
+    for (int i = 0; i < 4 * (order + 1); ++i) samples.push_back(-1 + (i + 0.5) / (2 * (order + 1)));
+    inside = spectral::interpolation_matrix(nodes, middles);
+    along_edge = spectral::interpolation_matrix(nodes, samples);
   }
 };
 
@@ -91,13 +91,15 @@ SurfaceDistance surface_distance(const ChartMap& map, const QuadMesh& mesh) {
   const SampleMaps& maps = spectral::table_per_order<SampleMaps>(mesh.order);
   Worst worst{{std::vector<double>(mesh.num_elems(), 0.0), 0, mesh.nodes.front()}};
   const int count = static_cast<int>(maps.inside.rows());
-  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    std::optional<Vec2> uv;
     for (int j = 0; j < count; ++j)
       for (int i = 0; i < count; ++i) {
         const Vec2 x = inside_at(mesh, mesh.nodes, elem, maps.inside, i, j);
         const Vec3 position = inside_at(mesh, mesh.space_nodes, elem, maps.inside, i, j);
-        worst.add(elem, map.distance_from_surface(position, x), x);
+        worst.add(elem, map.distance_from_surface(position, x, uv), x);
       }
+  }
   const curve::FaceBoundary boundary(mesh.face);
   for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
     const std::vector<int> ids = side_nodes(mesh, edge.elem, edge.side);

@@ -107,6 +107,15 @@ SplitMesh placed_split(const SplitRequest& request) {
   return split;
 }
 
+/// No value if it would have too many elements.
+std::optional<SplitMesh> finer_split(const SplitRequest& request) {
+  try {
+    return placed_split(request);
+  } catch (const sizing::TooManyElements&) {
+    return std::nullopt;
+  }
+}
+
 /// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space; `there`:
 /// the lifted mesh.
 SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedMesh& there) {
@@ -117,9 +126,9 @@ SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedM
     if (finer.empty()) break;
     request.sizes = request.sizes.with(finer);
     request.sizes_at_bends = sizing::sizes_at_bends(request.equal.blocks().face, request.sizes);
-    SplitMesh next = placed_split(request);
-    if (next.mesh.num_elems() == split.mesh.num_elems() && next.mesh.nodes == split.mesh.nodes) break;
-    split = std::move(next);
+    std::optional<SplitMesh> next = finer_split(request);
+    if (!next || (next->mesh.num_elems() == split.mesh.num_elems() && next->mesh.nodes == split.mesh.nodes)) break;
+    split = std::move(*next);
     there = lifted(map, split.mesh, request.report.progress());
   }
   return split;
