@@ -23,18 +23,14 @@ setup() {
   for file in tri.h5 field.h5 crit.json sep.json blocks.h5 quad.h5; do
     run -0 stagecheck "$stem.$file"
   done
-  run -0 h5dump -H -d /face/chart/space_nodes "$stem.blocks.h5"
+  h5dump -H "$stem.blocks.h5" | grep -q space_nodes
   assert_equal "$(jq '.face.chart.closedness' "$stem.sep.json")" 1e-09
   assert_equal "$(jq -r '[.provenance[].tool] | join(" ")' "$stem.sep.json")" \
-    "cad2chart cad2tri fieldsolve padapt critpoints separatrix"
+    "cad2chart cad2tri fieldsolve padapt separatrix"
 }
 
 @test "elements are proved in space, within the tolerance of the surface" {
-  run -0 jq -c '.mesh // . | [.valid, ."surface.distance" // .surface.distance]' "$stem.json"
-  distance=$(jq '[.. | .distance? // empty] | max' "$stem.json")
-  tolerance=$(jq '[.. | .surface? // empty | .tolerance][0]' "$stem.json")
-  assert [ "$(jq -n "$distance <= $tolerance")" = true ]
-  assert_equal "$(jq '[.. | .valid? // empty][0]' "$stem.json")" true
+  assert_equal "$(jq -c '[.valid, .surface.distance <= .surface.tolerance, .warnings]' "$stem.json")" '[true,true,[]]'
 }
 
 @test "quadmesh makes the same of the chart in one command" {
@@ -71,7 +67,7 @@ setup() {
 @test "sizes are lengths in space" {
   for size in 0.2 0.1; do
     quadrefine "$stem.blocks.h5" --size $size --size-rule nearest --relax none -o a.quad.h5 --report a.json
-    jq '[.. | .quads? // empty][0]' a.json
+    jq .quads a.json
   done >counts
   # The area of the half cap is 2 pi 0.8^2 / (1 + 0.8^2) = 2.45.
   run -0 awk '{ r = $1 / (2.4519 / (NR == 1 ? .04 : .01)); if (r < .7 || r > 1.5) exit 1 }' counts

@@ -50,6 +50,17 @@ LoadedFace load_face_guarded(const std::string& bytes, const std::string& name, 
   return from_bytes(answer_about_file({CadTask::load, name, bytes, options, CadFace()}), report);
 }
 
+SpaceFace load_space_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
+                                  Report& report) {
+  return space_face_from_bytes(answer_about_file({CadTask::load_space, name, bytes, options, CadFace()}), report);
+}
+
+std::string face_kind_guarded(const std::string& bytes, const std::string& name, const std::string& face) {
+  LoadOptions options;
+  options.face = face;
+  return answer_about_file({CadTask::kind, name, bytes, options, CadFace()});
+}
+
 FaceList list_faces_guarded(const std::string& bytes, const std::string& name) {
   return list_from_bytes(answer_about_file({CadTask::list, name, bytes, LoadOptions(), CadFace()}));
 }

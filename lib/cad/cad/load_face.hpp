@@ -1,7 +1,7 @@
 #pragma once
-// Reads one planar face from a CAD file (STEP, IGES, BREP), and writes one. The work is done in a program for each
-// format (cad2tri-step, cad2tri-iges, cad2tri-brep in libexec), because loading the libraries of the CAD kernel takes
-// most of the time of a small shape, and because its readers can crash on malformed files.
+// Reads one face, planar or curved, from a CAD file (STEP, IGES, BREP), and writes a planar one. The work is done in a
+// program for each format (cad2tri-step, cad2tri-iges, cad2tri-brep in libexec), because loading the libraries of the
+// CAD kernel takes most of the time of a small shape, and because its readers can crash on malformed files.
 
 #include <string>
 
@@ -17,6 +17,15 @@ namespace quadrille::cad {
 /// reported as warnings. Throws Error (exit 70) if the program of the format cannot be started.
 LoadedFace load_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
                              Report& report);
+
+/// Reads the chosen face, planar or curved, in space (model/space_face.hpp), likewise. Throws FormatError for faces
+/// without an image in the plane (closed ones, and those with a handle), with kinks inside, and for those of which the
+/// CAD kernel finds no triangles.
+SpaceFace load_space_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
+                                  Report& report);
+
+/// The kind of the surface of the chosen face, as in ListedShape: "plane" for faces of one plane too.
+std::string face_kind_guarded(const std::string& bytes, const std::string& name, const std::string& face);
 
 /// All faces of a CAD file, planar or not, numbered from 0, read likewise.
 FaceList list_faces_guarded(const std::string& bytes, const std::string& name);

@@ -27,6 +27,14 @@ void members(auto& a, Is<CadFace> auto& f) {
   a(f.curves, f.curve_names, f.unnamed_curves, f.curve_cad_edges, f.loop_offsets, f.joints, f.name);
   a(f.region_loops, f.region_names, f.partners);
 }
+void members(auto& a, Is<SpaceCurve> auto& c) { a(c.degree, c.knots, c.poles, c.weights); }
+void members(auto& a, Is<NurbsSurface> auto& s) {
+  a(s.degree_u, s.degree_v, s.knots_u, s.knots_v, s.poles, s.weights, s.is_closed_u, s.is_closed_v);
+}
+void members(auto& a, Is<FineBoundaryEdge> auto& e) { a(e.vertices, e.curve, e.t0, e.t1); }
+void members(auto& a, Is<SpaceFace> auto& f) {
+  a(f.face, f.curves, f.surface, f.is_reversed, f.vertices, f.triangles, f.triangle_uv, f.boundary_edges);
+}
 void members(auto& a, Is<LoadedFace> auto& l) { a(l.face, l.repairs); }
 void members(auto& a, Is<LoadOptions> auto& o) {
   a(o.corner_angle, o.heal_tolerance, o.face, o.blunt_width, o.fit_tolerance);
@@ -137,6 +145,17 @@ void read_all(const std::string& bytes, Values&... values) {
   read.end();
 }
 
+template <class Face>
+Face face_and_report(const std::string& bytes, Report& report) {
+  Face face;
+  std::vector<std::pair<std::string, Report::Value>> entries;
+  std::vector<Report::Warning> warnings;
+  read_all(bytes, face, entries, warnings);
+  for (const auto& [key, value] : entries) report.set(key, value);
+  for (const Report::Warning& warning : warnings) report.warn(warning.code, warning.message);
+  return face;
+}
+
 }  // namespace
 
 std::string to_bytes(const CadRequest& request) { return bytes_of(request); }
@@ -159,14 +178,14 @@ std::string to_bytes(const LoadedFace& loaded, const Report& report) {
   return bytes_of(loaded, report.entries(), report.warnings());
 }
 
-LoadedFace from_bytes(const std::string& bytes, Report& report) {
-  LoadedFace loaded;
-  std::vector<std::pair<std::string, Report::Value>> entries;
-  std::vector<Report::Warning> warnings;
-  read_all(bytes, loaded, entries, warnings);
-  for (const auto& [key, value] : entries) report.set(key, value);
-  for (const Report::Warning& warning : warnings) report.warn(warning.code, warning.message);
-  return loaded;
+LoadedFace from_bytes(const std::string& bytes, Report& report) { return face_and_report<LoadedFace>(bytes, report); }
+
+std::string to_bytes(const SpaceFace& face, const Report& report) {
+  return bytes_of(face, report.entries(), report.warnings());
+}
+
+SpaceFace space_face_from_bytes(const std::string& bytes, Report& report) {
+  return face_and_report<SpaceFace>(bytes, report);
 }
 
 }  // namespace quadrille::cad

@@ -10,6 +10,7 @@
 #include "base/report.hpp"
 #include "model/cad_face.hpp"
 #include "model/repair.hpp"
+#include "model/space_face.hpp"
 
 namespace quadrille::cad {
 
@@ -22,16 +23,18 @@ struct LoadOptions {
 };
 
 enum class CadTask : int {
-  load,  ///< answered by to_bytes(LoadedFace, Report)
-  list,  ///< answered by to_bytes(FaceList)
-  write  ///< answered by the bytes of a CAD file
+  load,        ///< answered by to_bytes(LoadedFace, Report)
+  list,        ///< answered by to_bytes(FaceList)
+  write,       ///< answered by the bytes of a CAD file
+  load_space,  ///< answered by to_bytes(SpaceFace, Report)
+  kind         ///< answered by the kind of the chosen face's surface, as in ListedShape
 };
 
 struct CadRequest {
   CadTask task = CadTask::load;
   std::string name;     ///< of the file, for messages
-  std::string bytes;    ///< contents of the file to load or list
-  LoadOptions options;  ///< of load
+  std::string bytes;    ///< contents of the file to read
+  LoadOptions options;  ///< of load, load_space and kind
   CadFace face;         ///< to write
 };
 
@@ -62,7 +65,7 @@ struct FaceList {
 };
 
 // Exact serialisation of what cad2tri and the programs that are linked with the CAD kernel pass to each other: a
-// request, a LoadedFace with its Report, or a FaceList. Not a file format.
+// request, a LoadedFace or SpaceFace with its Report, or a FaceList. Not a file format.
 
 /// Serialises the face and the report.
 std::string to_bytes(const LoadedFace& loaded, const Report& report);
@@ -70,6 +73,10 @@ std::string to_bytes(const LoadedFace& loaded, const Report& report);
 /// Returns the face and adds the contents of the serialised report to `report`. Throws Defect for bytes that were not
 /// written by to_bytes.
 LoadedFace from_bytes(const std::string& bytes, Report& report);
+
+/// The same for a face in space.
+std::string to_bytes(const SpaceFace& face, const Report& report);
+SpaceFace space_face_from_bytes(const std::string& bytes, Report& report);
 
 /// The same for a list of faces.
 std::string to_bytes(const FaceList& list);

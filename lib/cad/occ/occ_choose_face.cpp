@@ -83,11 +83,6 @@ constexpr std::array curve_kinds{"line",   "circle", "ellipse", "hyperbola", "pa
 constexpr std::array surface_kinds{"plane",  "cylinder",   "cone",      "sphere", "torus", "spline",
                                    "spline", "revolution", "extrusion", "offset", "other"};
 
-std::string kind_of(const TopoDS_Face& face) {
-  if (BRep_Tool::Surface(face).IsNull()) return "other";
-  return plane_of(face) ? "plane" : surface_kinds.at(BRepAdaptor_Surface(face, false).GetType());
-}
-
 std::array<double, 3> numbers(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 // Sets length and place from the curves of `shape`.
@@ -216,6 +211,21 @@ std::string list_text(const std::vector<int>& numbers) {
 }
 
 }  // namespace
+
+std::string kind_of(const TopoDS_Face& face) {
+  if (BRep_Tool::Surface(face).IsNull()) return "other";
+  return plane_of(face) ? "plane" : surface_kinds.at(BRepAdaptor_Surface(face, false).GetType());
+}
+
+std::string not_planar_text(const FaceChoice& choice) {
+  const std::string kind = kind_of(choice.face), number = choice.piece.face;
+  if (kind == "other") return "has no surface that can be used";
+  const std::string name = kind == "spline" || kind == "revolution" || kind == "extrusion" || kind == "offset"
+                               ? fmt::format("not planar (surface of kind {})", kind)
+                               : fmt::format("not planar (a {})", kind);
+  return fmt::format("{}: cad2chart --face {} makes a chart of it, which cad2tri reads; quadmesh --face {} does both",
+                     name, number, number);
+}
 
 cad::FaceList list_faces(const OccModel& model) {
   cad::FaceList list;

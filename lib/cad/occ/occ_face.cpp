@@ -53,13 +53,6 @@ PlaneFrame frame_of(const gp_Pln& plane) {
   return frame;
 }
 
-std::string kind_of_surface(const TopoDS_Face& face) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  std::string type = surface.IsNull() ? "no surface" : surface->DynamicType()->Name();
-  if (type.rfind("Geom_", 0) == 0) type = type.substr(5);
-  return type;
-}
-
 // Converts edges to NURBS in the plane of a face.
 class EdgeReader {
  public:
@@ -234,18 +227,6 @@ std::vector<heal::RawEdge> free_edges(const OccModel& model, const std::vector<T
   return result;
 }
 
-// Under a scaled placement the kernel keeps the parameters of curves, and with them the old ends of lines.
-void require_unscaled(const TopoDS_Face& face, const std::string& file) {
-  for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
-    const double scale = e.Current().Location().Transformation().ScaleFactor();
-    if (!(std::abs(std::abs(scale) - 1) < 1e-9))
-      throw FormatError(
-          fmt::format("{}: the face is placed with a scale of {:.6g}: export it with its own geometry, or "
-                      "only rotated, mirrored and moved",
-                      file, std::abs(scale)));
-  }
-}
-
 /// Without edges.
 heal::RawFace blank_face(const OccModel& model, const PlaneFrame& frame, const std::string& file) {
   heal::RawFace raw;
@@ -262,10 +243,10 @@ heal::RawFace blank_face(const OccModel& model, const PlaneFrame& frame, const s
 heal::RawFace raw_face(const OccModel& model, const TopoDS_Face& face, const PlaneFrame& frame, const std::string& file,
                        Report& report) {
   require_unscaled(face, file);
-  heal::RawFace raw = blank_face(model, frame, file);
-  const ShapeLabel label = model.label_of(face);
-  raw.name = label.name, raw.layer = label.layer;
-  raw.shape_tolerance = BRep_Tool::Tolerance(face);
+  heal::RawFace raw = labels_of_face(model, face, file);
+  raw.plane_origin = frame.origin;
+  raw.plane_x = frame.e_x;
+  raw.plane_y = frame.e_y;
   FaceReader(model, face, frame, raw, report).read();
   return raw;
 }
@@ -301,6 +282,26 @@ gp_Pln plane_through(const std::vector<gp_Pnt>& points, const std::string& file)
 
 }  // namespace
 
+// Under a scaled placement the kernel keeps the parameters of curves, and with them the old ends of lines.
+void require_unscaled(const TopoDS_Face& face, const std::string& file) {
+  for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+    const double scale = e.Current().Location().Transformation().ScaleFactor();
+    if (!(std::abs(std::abs(scale) - 1) < 1e-9))
+      throw FormatError(
+          fmt::format("{}: the face is placed with a scale of {:.6g}: export it with its own geometry, or "
+                      "only rotated, mirrored and moved",
+                      file, std::abs(scale)));
+  }
+}
+
+heal::RawFace labels_of_face(const OccModel& model, const TopoDS_Face& face, const std::string& file) {
+  heal::RawFace raw = blank_face(model, PlaneFrame(), file);
+  const ShapeLabel label = model.label_of(face);
+  raw.name = label.name, raw.layer = label.layer;
+  raw.shape_tolerance = BRep_Tool::Tolerance(face);
+  return raw;
+}
+
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
   Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   if (surface.IsNull()) return std::nullopt;
@@ -315,8 +316,7 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
 FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, bool with_free_edges,
                         const std::string& file, Report& report) {
   const auto plane = plane_of(faces.front().face);
-  if (!plane)
-    throw FormatError(fmt::format("{}: the face is not planar ({})", file, kind_of_surface(faces.front().face)));
+  if (!plane) throw FormatError(fmt::format("{}: the face is {}", file, not_planar_text(faces.front())));
   const PlaneFrame frame = frame_of(*plane);
   FacesAndEdges result;
   for (const FaceChoice& choice : faces) result.faces.push_back(raw_face(model, choice.face, frame, file, report));

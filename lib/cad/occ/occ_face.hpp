@@ -32,6 +32,18 @@ struct FaceChoice {
 /// one is not planar. `file`: name of the file, for messages.
 std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& choice, const std::string& file);
 
+/// The kind of its surface: "plane", "cylinder", ..., "other".
+std::string kind_of(const TopoDS_Face& face);
+
+/// "not planar (a cylinder): ...", with what to do, for messages.
+std::string not_planar_text(const FaceChoice& choice);
+
+/// Name, layer, unit and tolerances of the face; no edges, and no plane.
+heal::RawFace labels_of_face(const OccModel& model, const TopoDS_Face& face, const std::string& file);
+
+/// Throws FormatError if an edge of the face has a placement with a scale.
+void require_unscaled(const TopoDS_Face& face, const std::string& file);
+
 /// The plane of the face in space; std::nullopt if the face is not planar.
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face);
 

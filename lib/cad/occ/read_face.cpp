@@ -4,6 +4,7 @@
 
 #include <Standard_Failure.hxx>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
@@ -15,8 +16,14 @@
 #include "heal/wire_edges.hpp"
 #include "occ/occ_face.hpp"
 #include "occ/occ_model.hpp"
+#include "occ/occ_triangles.hpp"
 #include "outline/assemble_face.hpp"
+#include "sew/one_sheet.hpp"
 #include "sew/sewn_face.hpp"
+#include "space/assemble_space_face.hpp"
+#include "space/improve_triangles.hpp"
+#include "space/space_curve.hpp"
+#include "space/surface_kinks.hpp"
 
 namespace quadrille::occ {
 
@@ -92,6 +99,53 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
   });
 }
 
+namespace {
+
+FaceChoice choose_one_face(const OccModel& model, const std::string& choice, const std::string& name) {
+  const std::vector<FaceChoice> choices = choose_faces(model, choice, name);
+  if (choices.size() > 1 || choices.front().piece.number >= 0)
+    throw FormatError(fmt::format(
+        "{}: {}", name,
+        choices.size() > 1 ? sew::face_choice_text : "only planar faces have pieces: choose the whole face"));
+  return choices.front();
+}
+
+void require_smooth(const space::RawSpaceFace& raw, double angle) {
+  if (const auto kink = space::kink_inside(raw, angle))
+    throw FormatError(
+        fmt::format("{}: the surface of the face has a kink of {:.3g} degrees along {} = {:.6g}, at {}: "
+                    "cut the face there in the CAD program",
+                    raw.labels.file, degrees(kink->angle), kink->is_u ? "u" : "v", kink->parameter,
+                    space::place_text(kink->position)));
+}
+
+/// Whether the face is planar, by its kind; several faces are, if they are read as one.
+std::string chosen_kind(const OccModel& model, const std::string& choice, const std::string& name) {
+  if (model.num_faces == 0) return "plane";
+  return kind_of(choose_faces(model, choice, name).front().face);
+}
+
+}  // namespace
+
+SpaceFace read_space_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
+                          const cad::LoadOptions& options, Report& report) {
+  report.set("input.format", cad::format_name(format.format));
+  return of_file(format, name, [&] {
+    const OccModel model = occ_load(format, bytes, name);
+    const FaceChoice choice = choose_one_face(model, options.face, name);
+    require_unscaled(choice.face, name);
+    space::RawSpaceFace raw;
+    raw.labels = labels_of_face(model, choice.face, name);
+    read_curved_face(model, choice.face, raw, report);
+    space::improve_triangles(raw);
+    cad::choose_names(raw.labels);
+    report.set("surface.kind", kind_of(choice.face));
+    SpaceFace face = space::assemble_space_face(raw, options.heal_tolerance, report);
+    require_smooth(raw, options.corner_angle);
+    return face;
+  });
+}
+
 std::string answer_request(const KernelFormat& format, const std::string& request) {
   const cad::CadRequest r = cad::request_from_bytes(request);
   if (r.task == cad::CadTask::write) {
@@ -100,7 +154,14 @@ std::string answer_request(const KernelFormat& format, const std::string& reques
   }
   if (r.task == cad::CadTask::list)
     return of_file(format, r.name, [&] { return cad::to_bytes(list_faces(occ_load(format, r.bytes, r.name))); });
+  if (r.task == cad::CadTask::kind)
+    return of_file(format, r.name,
+                   [&] { return chosen_kind(occ_load(format, r.bytes, r.name), r.options.face, r.name); });
   Report report;
+  if (r.task == cad::CadTask::load_space) {
+    const SpaceFace face = read_space_face(format, r.bytes, r.name, r.options, report);
+    return cad::to_bytes(face, report);
+  }
   const cad::LoadedFace loaded = read_face(format, r.bytes, r.name, r.options, report);
   return cad::to_bytes(loaded, report);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Reads one planar face, or a list of all faces, from a CAD file. No OpenCASCADE types.
+// Reads one face, planar or curved, or a list of all faces, from a CAD file. No OpenCASCADE types.
 
 #include <string>
 
@@ -14,6 +14,10 @@ namespace quadrille::occ {
 /// Construction points and curves beside the face are reported as warnings. OpenCASCADE's readers can crash on
 /// malformed files, and the process that calls them takes long to start: tools call cad::load_face_guarded().
 cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
+                          const cad::LoadOptions& options, Report& report);
+
+/// Reads the chosen face, planar or curved, in space; as cad::load_space_face_guarded().
+SpaceFace read_space_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
                           const cad::LoadOptions& options, Report& report);
 
 /// The main function of the program of one format (cad/load_face.hpp), without its input and output: does what

@@ -72,6 +72,35 @@ double in_interval(double t, const std::vector<double>& knots, bool is_closed) {
   return std::clamp(t - std::floor((t - begin) / (end - begin)) * (end - begin), begin, end);
 }
 
+/// Newton's method has no direction at a pole, a side whose points are one, and a wrong one beside it. If uv is not
+/// much farther from a pole than from x: parameters as far off as x, on the side of x.
+Vec2 beside_pole(const NurbsSurface& surface, Vec3 x, Vec2 uv) {
+  constexpr int num_directions = 32, num_distances = 6;
+  constexpr double distance_ratio = 0.3;
+  constexpr double part_of_turn = 0.125;  // which the way to x is at most along a parameter line for Newton's method
+  const SurfacePoint p = evaluate(surface, uv);
+  const double off = norm(x - p.x);
+  const auto range = [](const std::vector<double>& knots) { return knots.back() - knots.front(); };
+  const double width_u = norm(p.xu) * range(surface.knots_u), width_v = norm(p.xv) * range(surface.knots_v);
+  if (part_of_turn * std::min(width_u, width_v) >= off) return uv;
+  const bool is_u = width_u < width_v;  // the parameter along the side
+  const std::vector<double>&along = is_u ? surface.knots_u : surface.knots_v,
+        &across = is_u ? surface.knots_v : surface.knots_u;
+  const double middle = (across.front() + across.back()) / 2, at = is_u ? uv.y : uv.x;
+  const double speed = norm(is_u ? p.xv : p.xu), inwards = at < middle ? 1 : -1;
+  Vec2 best = uv;
+  double least = off;
+  // x may lie above the surface: its foot is at any distance up to `off`.
+  for (int k = 0; k < num_distances; ++k)
+    for (int i = 0; i <= num_directions; ++i) {
+      const double step = std::min(std::pow(distance_ratio, k) * off / speed, std::abs(middle - at));
+      const double t = along.front() + range(along) * i / num_directions, inner = at + inwards * step;
+      const Vec2 near = is_u ? Vec2{t, inner} : Vec2{inner, t};
+      if (const double d = norm(point(surface, near) - x); d < least) best = near, least = d;
+    }
+  return best;
+}
+
 /// All derivatives of order i in u and j in v with i + j <= 2, at [i][j], in homogeneous coordinates.
 std::array<std::array<Homogeneous, 3>, 3> homogeneous(const NurbsSurface& s, Vec2 uv, int highest) {
   const int ku = find_span(s.knots_u, s.degree_u, uv.x, false), kv = find_span(s.knots_v, s.degree_v, uv.y, false);
@@ -150,10 +179,12 @@ Vec3 point(const NurbsSurface& surface, Vec2 uv) {
   return h.x / h.w;
 }
 
+namespace {
+
 // Newton's method on f = |X - x|^2 / 2 with the Hessian H = [X_i . X_j + (X - x) . X_ij]. Where H is not positive
 // definite, or a step makes f greater by more than round-off, a diagonal is added and grows (Levenberg). It is scaled
 // by |X_u|, |X_v|, of which one vanishes at a pole.
-SurfaceProjection project(const NurbsSurface& surface, Vec3 x, Vec2 uv) {
+SurfaceProjection newton(const NurbsSurface& surface, Vec3 x, Vec2 uv) {
   constexpr int most_steps = 60;
   constexpr double first_damping = 1e-6, most_damping = 1e9, round_off = 1e-14;
   const double size = norm(x) + norm(surface.poles.front());
@@ -181,6 +212,17 @@ SurfaceProjection project(const NurbsSurface& surface, Vec3 x, Vec2 uv) {
   best.position = p.x;
   best.distance = norm(p.x - x);
   return best;
+}
+
+}  // namespace
+
+// Steps may end at a pole, too.
+SurfaceProjection project(const NurbsSurface& surface, Vec3 x, Vec2 uv) {
+  SurfaceProjection found = newton(surface, x, beside_pole(surface, x, in_domain(surface, uv)));
+  const Vec2 beside = beside_pole(surface, x, found.uv);
+  if (beside == found.uv) return found;
+  const SurfaceProjection other = newton(surface, x, beside);
+  return other.distance < found.distance ? other : found;
 }
 
 }  // namespace quadrille::surface

@@ -36,7 +36,7 @@ struct SurfaceProjection {
 };
 
 /// The point of the surface nearest to x near the first guess `uv`: Newton's method on the squared distance, damped
-/// where the surface's parametrisation degenerates (poles).
+/// where the surface's parametrisation degenerates; at a pole, the first guess is moved beside it.
 SurfaceProjection project(const NurbsSurface& surface, Vec3 x, Vec2 uv);
 
 }  // namespace quadrille::surface

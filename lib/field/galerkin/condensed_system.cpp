@@ -12,29 +12,34 @@ struct Numbering {
   const int& (*edge_order)(const int&, const int&);
 };
 
-DofMap make_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
-                const std::vector<int>& elem_order, const Numbering& numbering) {
-  const int num_vertices = static_cast<int>(mesh.vertices.size()), least = numbering.least_degree;
-  DofMap map;
-  std::vector<bool> is_on_boundary(num_vertices + topology.edge2elems.size(),
-                                   false);  // by entity: vertices, then edges
+// By entity: vertices, then edges.
+std::vector<bool> entities_on_boundary(const TriMesh& mesh, const mesh::TriTopology& topology) {
+  const std::size_t num_vertices = mesh.vertices.size();
+  std::vector<bool> is_on_boundary(num_vertices + topology.edge2elems.size(), false);
   for (std::size_t edge = 0; edge < topology.edge2elems.size(); ++edge) {
-    const auto [a, b] = topology.edge2elems[edge];
-    map.edge2order.push_back(b < 0 ? elem_order[a] : numbering.edge_order(elem_order[a], elem_order[b]));
-    if (b >= 0) continue;
+    if (topology.edge2elems[edge][1] >= 0) continue;
     is_on_boundary[num_vertices + edge] = true;
     for (const int vertex : topology.edge2vertices[edge]) is_on_boundary[vertex] = true;
   }
+  return is_on_boundary;
+}
+
+DofMap make_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
+                const std::vector<int>& elem_order, const std::vector<bool>& is_given, const Numbering& numbering) {
+  const int num_vertices = static_cast<int>(mesh.vertices.size()), least = numbering.least_degree;
+  DofMap map;
+  for (const auto& [a, b] : topology.edge2elems)
+    map.edge2order.push_back(b < 0 ? elem_order[a] : numbering.edge_order(elem_order[a], elem_order[b]));
   if (numbering.has_vertices) map.vertex2dof.assign(num_vertices, -1);
   map.edge2dof.assign(map.edge2order.size(), -1);
-  for (const bool boundary : {false, true}) {
+  for (const bool given : {false, true}) {
     for (const int entity : elimination_order) {
       const int edge = entity - num_vertices;
-      if (is_on_boundary[entity] != boundary || (edge < 0 && !numbering.has_vertices)) continue;
+      if (is_given[entity] != given || (edge < 0 && !numbering.has_vertices)) continue;
       (edge < 0 ? map.vertex2dof[entity] : map.edge2dof[edge]) = map.num_dofs;
       map.num_dofs += edge < 0 ? 1 : map.edge2order[edge] - least + 1;
     }
-    if (!boundary) map.num_unknowns = map.num_dofs;
+    if (!given) map.num_unknowns = map.num_dofs;
   }
   return map;
 }
@@ -94,7 +99,12 @@ std::vector<GivenMode> given_modes(const DofMap& map, int elem, const SparseColu
 
 DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                     const std::vector<int>& elem_order) {
-  DofMap map = make_map(mesh, topology, elimination_order, elem_order, {true, 2, std::min<int>});
+  return make_dof_map(mesh, topology, elimination_order, elem_order, entities_on_boundary(mesh, topology));
+}
+
+DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
+                    const std::vector<int>& elem_order, const std::vector<bool>& is_given) {
+  DofMap map = make_map(mesh, topology, elimination_order, elem_order, is_given, {true, 2, std::min<int>});
   map.elem2offset.push_back(0);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     for (const int vertex : mesh.elem2vertices[e]) map.elem2dofs.push_back(map.vertex2dof[vertex]);
@@ -107,7 +117,8 @@ DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, cons
 
 DofMap make_trace_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                       const std::vector<int>& elem_order) {
-  DofMap map = make_map(mesh, topology, elimination_order, elem_order, {false, 0, std::max<int>});
+  DofMap map = make_map(mesh, topology, elimination_order, elem_order, entities_on_boundary(mesh, topology),
+                        {false, 0, std::max<int>});
   map.elem2offset.push_back(0);
   for (int e = 0; e < mesh.num_elems(); ++e) {
     for (int k = 0; k < 3; ++k) add_edge(mesh, topology, e, k, 0, map.edge2order[topology.elem2edges[e][k]], map);

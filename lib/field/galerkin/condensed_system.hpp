@@ -33,6 +33,10 @@ struct DofMap {
 DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
                     const std::vector<int>& elem_order);
 
+/// The same with other given dofs than those on the boundary: of the entities (vertices, then edges) with `is_given`.
+DofMap make_dof_map(const TriMesh& mesh, const mesh::TriTopology& topology, const std::vector<int>& elimination_order,
+                    const std::vector<int>& elem_order, const std::vector<bool>& is_given);
+
 /// Numbers of the trace unknowns of the hybridised method: edge modes of degree 0..order, where order is the greater
 /// one of both elements (edge2order); vertices have none. Free edges are numbered in elimination order, then the
 /// boundary edges.

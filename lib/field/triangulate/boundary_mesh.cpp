@@ -262,14 +262,17 @@ void BoundaryMesh::refuse_contact(const std::vector<int>& near, const std::strin
                                  rounded_position_text(segments_[narrowest].samples[2] + face.origin), remedy));
 }
 
-void BoundaryMesh::grade(double growth) {
+void BoundaryMesh::grade(double growth, const std::vector<SizePoint>& size_points) {
   constexpr int max_rounds = 60;
+  const TriangleSizes limits({}, HUGE_VAL, growth, size_points);
   for (int round = 0; round < max_rounds; ++round) {
     const TriangleSizes sizes(segments_, fit_->outline().face().diameter, growth);
     std::vector<int> marked;
     for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
       const Segment& segment = segments_[i];
-      if (!segment.is_rim() && segment.length() > 2 * slack * sizes.at(segment.samples[2])) marked.push_back(i);
+      const Vec2 middle = segment.samples[2];
+      const double most = std::min(2 * sizes.at(middle), limits.at(middle));
+      if (!segment.is_rim() && segment.length() > slack * most) marked.push_back(i);
     }
     if (marked.empty()) return;
     for (const int i : marked) split(i);

@@ -36,8 +36,8 @@ class BoundaryMesh {
   /// Throws ComputeError, with the position, if curves touch.
   void resolve_gaps(double ratio);
   /// Bisects segments until, within a factor of 2, lengths grow by at most `growth` times the distance, both along and
-  /// across the boundary.
-  void grade(double growth);
+  /// across the boundary, and until none is longer than the sizes at points near it allow.
+  void grade(double growth, const std::vector<SizePoint>& size_points = {});
 
  private:
   void add_piece(int piece, int from, int to, double t0, double t1, const EdgeLimits& limits);

@@ -11,6 +11,7 @@
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "triangulate/outline.hpp"
+#include "triangulate/triangle_sizes.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -234,6 +235,7 @@ std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options
   const Outline& outline = fit.outline();
   const auto& junctions = outline.junctions();
   const Clearance clearance(outline);
+  const TriangleSizes sizes({}, limits.size, options.growth, options.size_points);
   std::map<int, std::vector<int>> places;
   for (int j = 0; j < static_cast<int>(junctions.size()); ++j) places[junctions[j].place].push_back(j);
   std::vector<Fan> fans;
@@ -248,7 +250,8 @@ std::vector<Fan> plan_fans(const EdgeFit& fit, const TriangulateOptions& options
       Fan fan;
       fan.junction = j;
       const SmoothPiece &out = outline.pieces()[j], &in = outline.pieces()[out.previous];
-      fan.radius = std::min({limits.size, clearance.at_junction(j) / 3, out.length() / 3, in.length() / 3});
+      fan.radius =
+          std::min({sizes.at(junctions[j].position), clearance.at_junction(j) / 3, out.length() / 3, in.length() / 3});
       fans_here.push_back(std::move(fan));
     }
     if (shape_fans(fit, options, limits, is_needed, fans_here))

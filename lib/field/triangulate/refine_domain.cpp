@@ -45,8 +45,9 @@ Circle circumcircle(Vec2 a, Vec2 b, Vec2 c) {
 
 }  // namespace
 
-DomainRefiner::DomainRefiner(BoundaryMesh& boundary, Draft& draft, double size, double growth)
-    : boundary_(&boundary), draft_(&draft), sizes_(boundary.segments(), size, growth) {
+DomainRefiner::DomainRefiner(BoundaryMesh& boundary, Draft& draft, double size, double growth,
+                             const std::vector<SizePoint>& size_points)
+    : boundary_(&boundary), draft_(&draft), sizes_(boundary.segments(), size, growth, size_points) {
   for (const Segment& segment : boundary.segments()) {
     add_point(segment.from);
     add_point(segment.to);

@@ -17,7 +17,8 @@ class DomainRefiner {
  public:
   /// Triangulates the given segments. `boundary` and `draft` must outlive the refiner. Throws ComputeError if segments
   /// cross.
-  DomainRefiner(BoundaryMesh& boundary, Draft& draft, double size, double growth);
+  DomainRefiner(BoundaryMesh& boundary, Draft& draft, double size, double growth,
+                const std::vector<SizePoint>& size_points = {});
 
   /// Refines until sizes and angles satisfy the limits. The size field is fixed at construction.
   void refine(Progress* progress = nullptr);

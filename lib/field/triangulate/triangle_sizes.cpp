@@ -21,11 +21,12 @@ double segment_distance(const Segment& a, const Segment& b) {
   return least;
 }
 
-TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth)
-    : size_(size), growth_(growth) {
-  sources_.reserve(3 * segments.size());
+TriangleSizes::TriangleSizes(const std::vector<Segment>& segments, double size, double growth,
+                             const std::vector<SizePoint>& further)
+    : sources_(further), size_(size), growth_(growth) {
+  sources_.reserve(further.size() + 3 * segments.size());
   for (const Segment& segment : segments)
-    for (const int k : {0, 2, 4}) sources_.push_back({segment.samples[k], segment.length()});
+    for (const int k : {0, 2, 4}) sources_.push_back({segment.samples[k], segment.length(), 0});
   nodes_.emplace_back(0, static_cast<int>(sources_.size()));
   for (int node = 0; node < static_cast<int>(nodes_.size()); ++node) split(node);
 }
@@ -45,7 +46,7 @@ void TriangleSizes::split(int id) {
     const Vec2 size = node.box.high - node.box.low;
     const bool is_wide = size.x > size.y;
     const int middle = (node.first + node.last) / 2;
-    std::nth_element(begin, sources_.begin() + middle, end, [is_wide](const Source& a, const Source& b) {
+    std::nth_element(begin, sources_.begin() + middle, end, [is_wide](const SizePoint& a, const SizePoint& b) {
       return is_wide ? a.position.x < b.position.x : a.position.y < b.position.y;
     });
     node.left = static_cast<int>(nodes_.size());
@@ -65,7 +66,7 @@ void TriangleSizes::search(int id, Vec2 x, double& least) const {
   if (node.left < 0) {
     for (int i = node.first; i < node.last; ++i) {
       // Only sources that can still attain the minimum need a square root.
-      const Source& source = sources_[i];
+      const SizePoint& source = sources_[i];
       const double reach = (least - source.size) / growth_;
       if (reach > 0 && norm2(x - source.position) < reach * reach)
         least = std::min(least, source.size + growth_ * norm(x - source.position));

@@ -1,12 +1,13 @@
 #pragma once
-// Prescribed element size at a position: min over the boundary segments of length + growth x distance, at most the
-// global size. Curvature and gaps enter through the lengths of the boundary segments.
+// Prescribed element size at a position: min over the boundary segments, and further points, of length + growth x
+// distance, at most the global size. Curvature and gaps enter through the lengths of the boundary segments.
 
 #include <array>
 #include <vector>
 
 #include "base/vec2.hpp"
 #include "curve/pole_box.hpp"
+#include "triangulate/triangulate_options.hpp"
 
 namespace quadrille::triangulate {
 
@@ -30,15 +31,12 @@ double segment_distance(const Segment& a, const Segment& b);
 /// The size field of a set of boundary segments.
 class TriangleSizes {
  public:
-  TriangleSizes(const std::vector<Segment>& segments, double size, double growth);
+  TriangleSizes(const std::vector<Segment>& segments, double size, double growth,
+                const std::vector<SizePoint>& further = {});
   /// The prescribed element size at x, a length. Cost: logarithmic in the number of segments, in general.
   double at(Vec2 x) const;
 
  private:
-  struct Source {
-    Vec2 position;
-    double size = 0;
-  };
   /// Sources first to last - 1 of a binary tree, whose halves are nodes `left` and `left` + 1; -1: a leaf.
   struct Node {
     Node(int first_source, int end_source) : first(first_source), last(end_source) {}
@@ -51,7 +49,7 @@ class TriangleSizes {
   double lower_bound(const Node& node, Vec2 x) const;
   void search(int node, Vec2 x, double& least) const;
 
-  std::vector<Source> sources_;
+  std::vector<SizePoint> sources_;
   std::vector<Node> nodes_;
   double size_, growth_;
 };

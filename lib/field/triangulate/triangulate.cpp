@@ -117,8 +117,8 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
   build_fans(outline, fans, draft);
   BoundaryMesh boundary(fit, fans, limits, draft);
   boundary.resolve_gaps(mesh_constants.gap_ratio);
-  boundary.grade(options.growth);
-  DomainRefiner refiner(boundary, draft, limits.size, options.growth);
+  boundary.grade(options.growth, options.size_points);
+  DomainRefiner refiner(boundary, draft, limits.size, options.growth, options.size_points);
   const Progress::Part part(progress, "round");
   for (int round = 1;; ++round) {
     part.advance();

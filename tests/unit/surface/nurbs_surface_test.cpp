@@ -53,6 +53,27 @@ TEST(NurbsSurface, NearestPointsAreFoundAcrossTheSeam) {
   EXPECT_GT(found.uv.x, 6);
 }
 
+TEST(NurbsSurface, NearestPointsAreFoundFromAGuessAtAPole) {
+  const NurbsSurface s = tests::sphere(1);
+  for (const double u : {0.0, 1.0, 4.0, 5.1}) {
+    const Vec3 x = normalized(Vec3{-0.02, 0.05, 1});
+    const double from_pole = u > 5 ? 3e-8 : 0;
+    const auto found = surface::project(s, 1.01 * x, {u, std::numbers::pi / 2 - from_pole});
+    EXPECT_TRUE(found.is_converged);
+    EXPECT_LT(norm(found.position - x), 1e-13);
+  }
+}
+
+TEST(NurbsSurface, NearestPointsAreFoundOnTheOtherSideOfAPole) {
+  const NurbsSurface s = tests::sphere(1);
+  for (int i = 0; i < 500; ++i) {
+    const double far = std::pow(10, -(i % 10) * 0.4 - 0.5), near = far * (0.05 + 0.05 * (i % 13)), a = i * 0.7;
+    const Vec3 x = normalized(Vec3{far * std::cos(a), far * std::sin(a), 1});
+    const Vec2 guess{std::fmod(i * 1.3, 6.28), std::numbers::pi / 2 - near};
+    EXPECT_LT(norm(surface::project(s, 0.97 * x, guess).position - x), 1e-9);
+  }
+}
+
 TEST(NurbsSurface, NearestPointsAreFoundNearAPoleAndAtIt) {
   const NurbsSurface s = tests::sphere(1);
   for (const double off : {0.0, 1e-9, 1e-5, 1e-2}) {

@@ -1,0 +1,54 @@
+#pragma once
+// The edges of a curved OpenCASCADE face: their numbers in the file, and their curves in space.
+
+#include <Geom_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <vector>
+
+#include "base/report.hpp"
+#include "occ/occ_model.hpp"
+#include "space/raw_space_face.hpp"
+
+namespace quadrille::occ {
+
+/// A part of an edge of the file, or the whole, between two parameters of the kernel's curve.
+struct EdgePart {
+  TopoDS_Edge edge;
+  int number = 0;  ///< index into the edges of the file
+  double first = 0, last = 0;
+};
+
+/// The edges of a face as the file has them.
+class EdgeTable {
+ public:
+  /// Sets the wire of `labels`, with numbers, names, layers and colours.
+  EdgeTable(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels);
+
+  /// The edge of the file of which `edge`, of the same face after the kernel changed its topology, is a part; -1 if
+  /// there is none.
+  int number_of(const TopoDS_Edge& edge) const;
+  int size() const { return static_cast<int>(edges_.size()); }
+
+ private:
+  std::vector<TopoDS_Edge> edges_;
+};
+
+/// A curve in space, and how its parameters come from those of the kernel.
+class ConvertedCurve {
+ public:
+  /// The curve of `edge` from `first` to `last`. `tolerance`: as in occ_curves.hpp, plane_curve. Throws FormatError.
+  ConvertedCurve(const TopoDS_Edge& edge, double first, double last, double tolerance);
+
+  const SpaceCurve& curve() const { return curve_; }
+  double error() const { return error_; }  ///< of the approximation, a length
+  double parameter(double t) const;        ///< of the point that the kernel has at t
+
+ private:
+  Handle(Geom_Curve) exact_;
+  double first_ = 0, last_ = 1;
+  SpaceCurve curve_;
+  double error_ = 0;
+};
+
+}  // namespace quadrille::occ

@@ -1,0 +1,264 @@
+#include "chart/make_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/error.hpp"
+#include "chart/chart_outline.hpp"
+#include "chart/isothermal.hpp"
+#include "chart/plane_chart.hpp"
+#include "chart/rough_chart.hpp"
+#include "chart/smooth_parameters.hpp"
+#include "spectral/quadrature.hpp"
+#include "spectral/tri_map.hpp"
+#include "triangulate/triangulate.hpp"
+
+namespace quadrille::chart {
+namespace {
+
+struct ChartConstants {
+  int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
+  int enough_meshes = 4, most_meshes = 8;
+  double aim = 0.03;             ///< of the tolerance, for which up to enough_meshes are made
+  double turn = 0.5;             ///< of the normal across an element, radians
+  double edge_tolerance = 1e-2;  ///< of the straight triangles, whose edges are put onto the curves in space
+  double rough_outline = 2e-3, least_outline = 1e-9;  ///< tolerances of splines, diameters
+  double least_reduction = 0.2;                       ///< of the size of elements that are not accurate enough
+};
+constexpr ChartConstants constants;
+
+std::string place(Vec3 x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z); }
+
+/// Its middle in the image and in space, and its longest edge in the image.
+struct ElementPlace {
+  Vec2 image;
+  Vec3 middle;
+  double longest = 0;
+};
+
+ElementPlace place_of(const SurfaceMesh& mesh, int elem) {
+  const std::size_t first = static_cast<std::size_t>(mesh.nodes_per_elem()) * elem;
+  ElementPlace at;
+  for (int k = 0; k < 3; ++k) {
+    at.image += mesh.image[first + k] / 3, at.middle += mesh.nodes[first + k] / 3;
+    at.longest = std::max(at.longest, distance(mesh.image[first + k], mesh.image[first + (k + 1) % 3]));
+  }
+  return at;
+}
+
+/// Sizes at which the normal turns by no more than the limit across an element.
+std::vector<SizePoint> sizes_by_curvature(const SurfaceMesh& mesh, double diameter) {
+  std::vector<SizePoint> sizes;
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    const std::size_t first = static_cast<std::size_t>(mesh.nodes_per_elem()) * e;
+    double curvature = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t a = first + k, b = first + (k + 1) % 3;
+      const double turn =
+          std::atan2(norm(cross(mesh.normals[a], mesh.normals[b])), dot(mesh.normals[a], mesh.normals[b]));
+      curvature = std::max(curvature, turn / distance(mesh.image[a], mesh.image[b]));
+    }
+    if (curvature * diameter / 4 > constants.turn)
+      sizes.push_back({place_of(mesh, e).image, constants.turn / curvature, 0});
+  }
+  return sizes;
+}
+
+/// Smaller sizes where elements have more than their part of the square of the tolerated error.
+void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, double tolerance,
+                        std::vector<SizePoint>& sizes) {
+  constexpr double size_of_longest = 0.75;  // elements of the prescribed size have longer edges, too
+  const double part = tolerance * tolerance / 4 / mesh.num_elems();
+  for (int e = 0; e < mesh.num_elems(); ++e) {
+    if (fit.elem_squares[e] <= part) continue;
+    const double reduction = std::pow(part / fit.elem_squares[e], 0.5 / (mesh.order + 1));
+    const ElementPlace at = place_of(mesh, e);
+    const double size = size_of_longest * at.longest * std::max(reduction, constants.least_reduction);
+    sizes.push_back({at.image, size, 0});
+    for (int k = 0; k < 3; ++k)
+      sizes.push_back({mesh.image[static_cast<std::size_t>(mesh.nodes_per_elem()) * e + k], size, 0});
+  }
+}
+
+/// Moves the image: the longest curve runs to the right (the first of equal ones), from its start to its end or, if it
+/// is closed, at its start; the middle of the outline is at the origin.
+void normalize(const SpaceFace& face, const std::vector<SpaceLength>& lengths, SurfaceMesh& mesh) {
+  constexpr double longer = 1 + 1e-6, closed = 1e-6;
+  const int num_outline_curves = face.face.loop_offsets[1];
+  int longest = 0;
+  for (int i = 1; i < num_outline_curves; ++i)
+    if (lengths[i].total() > longer * lengths[longest].total()) longest = i;
+  const int n = mesh.nodes_per_elem();
+  const spectral::Quadrature rule =
+      mesh.order == 1 ? spectral::gauss_lobatto(2) : spectral::gauss_lobatto(mesh.order + 1);
+  const auto node = [&](const BoundaryEdge& b, int j) {
+    return mesh.image[static_cast<std::size_t>(n) * b.elem + spectral::tri_edge_node(mesh.order, b.edge, j)];
+  };
+  Vec2 sum, chord, first_step;
+  double whole = 0;
+  for (const BoundaryEdge& b : mesh.plane.boundary_edges) {
+    if (b.curve >= num_outline_curves) break;
+    const double length = lengths[b.curve].at(b.t1) - lengths[b.curve].at(b.t0);
+    for (int j = 0; j <= mesh.order; ++j) sum += rule.weights[j] / 2 * length * node(b, j);
+    whole += length;
+    if (b.curve != longest) continue;
+    if (norm2(first_step) == 0) first_step = image_slope(mesh, b, false);
+    chord += node(b, mesh.order) - node(b, 0);
+  }
+  if (norm(chord) < closed * lengths[longest].total()) chord = first_step;
+  const Vec2 right = normalized(chord), centre = sum / whole;
+  for (std::vector<Vec2>* positions : {&mesh.image, &mesh.plane.vertices})
+    for (Vec2& x : *positions) x = {dot(x - centre, right), cross(right, x - centre)};
+}
+
+triangulate::TriangulateOptions triangle_options(double diameter, std::vector<SizePoint> sizes, bool is_first) {
+  triangulate::TriangulateOptions options;
+  options.order = constants.first_order;
+  options.size = diameter / 4;
+  options.curve_tol = constants.edge_tolerance;
+  options.size_points = std::move(sizes);
+  if (is_first) options.fan_layers = 0;
+  return options;
+}
+
+TriMesh triangles_of(const CadFace& outline, const triangulate::TriangulateOptions& options) {
+  Report unused;
+  try {
+    return triangulate::triangulate(outline, options, unused);
+  } catch (const ComputeError& error) {
+    throw ComputeError(fmt::format(
+        "the face has no chart that is one plane region, as it overlaps itself or nearly so when it is flattened: "
+        "cut it in two in the CAD system ({})",
+        error.what()));
+  }
+}
+
+struct MadeChart {
+  CadFace face;
+  SurfaceMesh mesh;
+  IsothermalFit fit;
+  int num_meshes = 0;
+};
+
+/// Meshes the outline of the last image and makes a new one, until it is closed or no longer becomes better.
+MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options) {
+  std::vector<SpaceLength> lengths;
+  lengths.reserve(space_face.curves.size());
+  for (const SpaceCurve& curve : space_face.curves) lengths.emplace_back(curve);
+  MadeChart made;
+  made.mesh = rough_chart(space_face);
+  normalize(space_face, lengths, made.mesh);
+  std::vector<SizePoint> by_error;
+  const double aim = constants.aim * options.closedness;
+  double tolerance = constants.rough_outline;
+  bool gains = true;  // whether the last mesh was much better than the one before
+  for (;;) {
+    made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
+    if (made.num_meshes > 1 && made.fit.closedness <= (gains ? aim : options.closedness)) return made;
+    if (made.num_meshes == constants.most_meshes) break;
+    std::vector<SizePoint> sizes = sizes_by_curvature(made.mesh, made.face.diameter);
+    sizes.insert(sizes.end(), by_error.begin(), by_error.end());
+    const bool is_first = made.num_meshes == 0;
+    TriMesh plane = triangles_of(made.face, triangle_options(made.face.diameter, std::move(sizes), is_first));
+    made.mesh = lifted_mesh(space_face, lengths, made.mesh, std::move(plane),
+                            is_first ? constants.first_order : constants.order);
+    const double last = made.fit.closedness;
+    made.fit = make_isothermal(made.mesh, space_face.face.loop_offsets);
+    if (getenv("DBG2"))
+      for (size_t i = 0; i < made.mesh.nodes.size(); ++i) {
+        size_t n = made.mesh.nodes_per_elem(), f = i / n * n;
+        Vec2 xi = spectral::tri_nodes(made.mesh.order)[i % n];
+        Vec3 flat = -(xi.x + xi.y) / 2 * made.mesh.nodes[f] + (1 + xi.x) / 2 * made.mesh.nodes[f + 1] +
+                    (1 + xi.y) / 2 * made.mesh.nodes[f + 2];
+        bool b = false;
+        for (auto& e : made.mesh.plane.boundary_edges) b |= e.elem == int(i / n);
+        if (norm(made.mesh.nodes[i] - made.mesh.normals[i]) > 1e-9 ||
+            (!b && norm(made.mesh.nodes[i] - normalized(flat)) > 1e-9))
+          std::printf("node %zu elem %zu x %g %g %g n %g %g %g uv %g %g off %g %g\n", i % made.mesh.nodes_per_elem(),
+                      i / made.mesh.nodes_per_elem(), made.mesh.nodes[i].x, made.mesh.nodes[i].y, made.mesh.nodes[i].z,
+                      made.mesh.normals[i].x, made.mesh.normals[i].y, made.mesh.normals[i].z, made.mesh.uv[i].x,
+                      made.mesh.uv[i].y, norm(made.mesh.nodes[i] - made.mesh.normals[i]),
+                      norm(made.mesh.nodes[i] - normalized(flat)));
+      }
+    if (getenv("DBG")) {
+      auto w =
+          std::max_element(made.fit.elem_squares.begin(), made.fit.elem_squares.end()) - made.fit.elem_squares.begin();
+      auto at = place_of(made.mesh, (int)w);
+      std::printf("pass %d elems %d closed %g worst %g at %g %g %g size %g\n", made.num_meshes, made.mesh.num_elems(),
+                  made.fit.closedness, std::sqrt(made.fit.elem_squares[w]), at.middle.x, at.middle.y, at.middle.z,
+                  at.longest);
+    }
+    normalize(space_face, lengths, made.mesh);
+    gains = ++made.num_meshes < 3 || made.fit.closedness < last / 2;
+    if (made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, aim, by_error);
+    tolerance = std::clamp(made.fit.closedness / 10, constants.least_outline, constants.rough_outline);
+  }
+  const auto worst = std::max_element(made.fit.elem_squares.begin(), made.fit.elem_squares.end());
+  const Vec3 at = place_of(made.mesh, static_cast<int>(worst - made.fit.elem_squares.begin())).middle;
+  throw ComputeError(fmt::format(
+      "the chart of the face misses its angles by {:.1e} radians, more than {:.1e}, above all near {}: the surface has "
+      "a kink or a tip there; cut the face there in the CAD system",
+      made.fit.closedness, options.closedness, place(at)));
+}
+
+void require_even_scale(const SurfaceMesh& mesh, double greatest_range) {
+  const auto [least, most] = std::minmax_element(mesh.scale.begin(), mesh.scale.end());
+  const double range = std::exp(*most - *least);
+  if (range <= greatest_range) return;
+  throw ComputeError(fmt::format(
+      "the chart of the face would have scales between 1 and {:.3g}, which is more than {:.3g}, with the extremes near "
+      "{} and {}: cut the face between them in the CAD system",
+      range, greatest_range, place(mesh.nodes[least - mesh.scale.begin()]),
+      place(mesh.nodes[most - mesh.scale.begin()])));
+}
+
+Chart chart_of(const SpaceFace& face, const SurfaceMesh& mesh, double closedness) {
+  Chart chart;
+  chart.order = mesh.order;
+  chart.elem2vertices = mesh.plane.elem2vertices;
+  chart.nodes = mesh.image;
+  chart.space_nodes = mesh.nodes;
+  chart.uv = mesh.uv;
+  for (const double s : mesh.scale) chart.log_scale.push_back(-s);
+  chart.elem_surface.assign(mesh.num_elems(), 0);
+  chart.surfaces = {face.surface};
+  chart.space_curves = face.curves;
+  chart.closedness = closedness;
+  return chart;
+}
+
+}  // namespace
+
+void ChartOptions::validate() const {
+  if (!(closedness > 0 && closedness <= 1e-2)) throw UsageError("the closedness must lie in (0, 0.01]");
+  if (!(corner_angle >= 0 && corner_angle <= half_pi)) throw UsageError("the corner angle must lie in 0..90 degrees");
+  if (!(greatest_scale_range > 1)) throw UsageError("the greatest range of scales must be above 1");
+}
+
+CadFace make_chart(const SpaceFace& space_face, const ChartOptions& options, Report& report) {
+  options.validate();
+  MadeChart made;
+  SpaceFace smooth_face;
+  const SpaceFace* used = &space_face;
+  if (std::optional<PlaneChart> plane = plane_chart(space_face, options)) {
+    made.face = std::move(plane->face), made.mesh = std::move(plane->mesh);
+  } else {
+    smooth_face = with_smooth_parameters(space_face);
+    used = &smooth_face;
+    made = curved_chart(smooth_face, options);
+  }
+  require_even_scale(made.mesh, options.greatest_scale_range);
+  const auto [least, most] = std::minmax_element(made.mesh.scale.begin(), made.mesh.scale.end());
+  report.set("chart.elements", made.mesh.num_elems());
+  report.set("chart.meshes", made.num_meshes);
+  report.set("chart.closedness", made.fit.closedness);
+  report.set("chart.scale_range", std::exp(*most - *least));
+  made.face.chart = std::make_shared<Chart>(chart_of(*used, made.mesh, made.fit.closedness));
+  return std::move(made.face);
+}
+
+}  // namespace quadrille::chart

@@ -1,0 +1,13 @@
+#pragma once
+// A chart of the fine triangulation of a face by linear elements: where good triangles go.
+
+#include "chart/surface_mesh.hpp"
+#include "model/space_face.hpp"
+
+namespace quadrille::chart {
+
+/// The fine triangles with an image that keeps angles, and lengths on the outline, up to the size of the triangles.
+/// Throws ComputeError if the triangulation is not connected.
+SurfaceMesh rough_chart(const SpaceFace& face);
+
+}  // namespace quadrille::chart

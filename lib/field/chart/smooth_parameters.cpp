@@ -1,0 +1,160 @@
+#include "chart/smooth_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/angle.hpp"
+#include "chart/space_length.hpp"
+#include "curve/least_squares_spline.hpp"
+#include "surface/nurbs_surface.hpp"
+
+namespace quadrille::chart {
+namespace {
+
+constexpr int degree = 7, smooth_derivatives = 3, fewest_spans = 8, most_spans = 256, samples_per_fit_span = 12;
+constexpr double fit_tolerance = 1e-13, worst_fit = 1e-12;  ///< of the length of the curve
+constexpr double same_direction = 1e-7, same_slope = 1e-2;  ///< of tangent and curvature, and of the curvature's slope
+
+/// Tangent, curvature vector, and its derivative by arc length, which is a difference.
+struct Bend {
+  Vec3 tangent, curvature, slope;
+};
+
+Vec3 curvature_at(const SpaceCurve& curve, double t, bool from_left) {
+  const auto [x, d, dd] = surface::derivatives(curve, t, from_left);
+  return (dd - dot(dd, d) / norm2(d) * d) / norm2(d);
+}
+
+/// `span`: length of the knot span on this side.
+Bend bend_at(const SpaceCurve& curve, double t, bool from_left, double span) {
+  constexpr double part = 1e-3;
+  const double step = from_left ? -part * span : part * span;
+  const Vec3 d = surface::derivatives(curve, t, from_left)[1];
+  const Vec3 here = curvature_at(curve, t, from_left), there = curvature_at(curve, t + step, from_left);
+  return {normalized(d), here, (there - here) / (step * norm(d))};
+}
+
+bool are_same(const Bend& a, const Bend& b, double length) {
+  const double curvature = 1 / length + norm(a.curvature) + norm(b.curvature);
+  const double slope = curvature / length + curvature * curvature + norm(a.slope) + norm(b.slope);
+  return norm(a.tangent - b.tangent) < same_direction && norm(a.curvature - b.curvature) < same_direction * curvature &&
+         norm(a.slope - b.slope) < same_slope * slope;
+}
+
+struct Knot {
+  double t = 0;
+  int multiplicity = 0;
+};
+
+std::vector<Knot> knots_of_curve(const SpaceCurve& curve) {
+  std::vector<Knot> knots;
+  for (const double t : curve.knots) {
+    if (knots.empty() || t > knots.back().t) knots.push_back({t, 0});
+    ++knots.back().multiplicity;
+  }
+  return knots;
+}
+
+/// Whether derivatives by the parameter jump at a knot, and none by the arc length does.
+bool has_rough_parameters(const SpaceCurve& curve, double length) {
+  const std::vector<Knot> knots = knots_of_curve(curve);
+  bool is_rough = false;
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
+    if (curve.degree - knots[i].multiplicity >= smooth_derivatives) continue;
+    is_rough = true;
+    const double t = knots[i].t;
+    if (!are_same(bend_at(curve, t, true, t - knots[i - 1].t), bend_at(curve, t, false, knots[i + 1].t - t), length))
+      return false;
+  }
+  return is_rough;
+}
+
+/// Points of the curve by arc length: x and y, and z.
+struct SpacePoints {
+  std::vector<curve::FitPoint> xy, z;
+};
+
+std::optional<SpaceCurve> fitted(const SpaceLength& length, bool is_closed, int num_spans) {
+  const SpaceCurve& curve = length.curve();
+  const double total = length.total();
+  std::vector<curve::FitKnot> knots;
+  for (int i = 0; i <= num_spans; ++i) knots.push_back({total * i / num_spans, 1});
+  SpacePoints points;
+  const int n = num_spans * samples_per_fit_span;
+  for (int i = 0; i <= n; ++i) {
+    const double s = total * i / n;
+    const Vec3 x = surface::point(curve, length.parameter(s));
+    points.xy.push_back({s, {x.x, x.y}}), points.z.push_back({s, {x.z, 0}});
+  }
+  const auto fit = [&](const std::vector<curve::FitPoint>& p, auto&& part) {
+    if (is_closed) return curve::periodic_least_squares_spline(degree, knots, p);
+    const Vec3 a = normalized(surface::derivatives(curve, curve.begin())[1]),
+               b = normalized(surface::derivatives(curve, curve.end(), true)[1]);
+    return curve::least_squares_spline(degree, knots, p, {p.front().position, part(a), p.back().position, part(b)});
+  };
+  const std::optional<Nurbs> xy = fit(points.xy,
+                                      [](Vec3 a) {
+                                        return Vec2{a.x, a.y};
+                                      }),
+                             z = fit(points.z, [](Vec3 a) {
+                               return Vec2{a.z, 0};
+                             });
+  if (!xy || !z) return std::nullopt;
+  SpaceCurve spline{degree, xy->knots, {}, xy->weights};
+  for (std::size_t i = 0; i < xy->poles.size(); ++i)
+    spline.poles.push_back({xy->poles[i].x, xy->poles[i].y, z->poles[i].x});
+  return spline;
+}
+
+double distance_of(const SpaceLength& length, const SpaceCurve& spline) {
+  double most = 0;
+  const std::size_t n = 7 * spline.poles.size();
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double s = length.total() * static_cast<double>(i) / static_cast<double>(n);
+    most = std::max(most, distance(surface::point(spline, s), surface::point(length.curve(), length.parameter(s))));
+  }
+  return most;
+}
+
+std::optional<SpaceCurve> by_arc_length(const SpaceLength& length) {
+  const bool is_closed = has_smooth_seam(length.curve());
+  std::optional<SpaceCurve> best;
+  double least = worst_fit * length.total();
+  for (int spans = fewest_spans; spans <= most_spans; spans *= 2) {
+    std::optional<SpaceCurve> spline = fitted(length, is_closed, spans);
+    if (!spline) break;
+    if (const double off = distance_of(length, *spline); off < least) least = off, best = std::move(spline);
+    if (least < fit_tolerance * length.total()) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+bool has_smooth_seam(const SpaceCurve& curve) {
+  constexpr double same_point = 1e-9;
+  const double length = SpaceLength(curve).total();
+  if (distance(curve.poles.front(), curve.poles.back()) > same_point * length) return false;
+  const std::vector<Knot> knots = knots_of_curve(curve);
+  return are_same(bend_at(curve, curve.end(), true, knots.back().t - knots[knots.size() - 2].t),
+                  bend_at(curve, curve.begin(), false, knots[1].t - knots[0].t), length);
+}
+
+SpaceFace with_smooth_parameters(SpaceFace face) {
+  for (std::size_t c = 0; c < face.curves.size(); ++c) {
+    const SpaceLength length(face.curves[c]);
+    if (!has_rough_parameters(face.curves[c], length.total())) continue;
+    std::optional<SpaceCurve> spline = by_arc_length(length);
+    if (!spline) continue;
+    for (FineBoundaryEdge& edge : face.boundary_edges)
+      if (edge.curve == static_cast<int>(c)) edge.t0 = length.at(edge.t0), edge.t1 = length.at(edge.t1);
+    // The ends are those of its neighbours in the loop, bit for bit.
+    if (spline->poles.front() != spline->poles.back())
+      spline->poles.front() = face.curves[c].poles.front(), spline->poles.back() = face.curves[c].poles.back();
+    face.curves[c] = *std::move(spline);
+  }
+  return face;
+}
+
+}  // namespace quadrille::chart

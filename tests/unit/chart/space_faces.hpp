@@ -1,0 +1,155 @@
+#pragma once
+// Faces that are the whole domain of a surface of revolution, with fine triangles of a grid in its parameters.
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "../curved_surfaces.hpp"
+#include "model/space_face.hpp"
+#include "surface/nurbs_surface.hpp"
+
+namespace quadrille::tests {
+
+/// As revolved(), from angle a0 to a1.
+inline NurbsSurface swept(const SpaceCurve& profile, double a0, double a1) {
+  const SpaceCurve circle = profile_arc(0, 1, a0, a1);
+  NurbsSurface s;
+  s.degree_u = 2, s.knots_u = circle.knots;
+  s.degree_v = profile.degree, s.knots_v = profile.knots;
+  s.is_closed_u = a1 - a0 > 6.28;
+  for (std::size_t i = 0; i < circle.poles.size(); ++i)
+    for (std::size_t j = 0; j < profile.poles.size(); ++j) {
+      const Vec3 c = circle.poles[i], p = profile.poles[j];
+      s.poles.push_back({p.x * c.x, p.x * c.z, p.z});
+      s.weights.push_back(circle.weights[i] * profile.weights[j]);
+    }
+  return s;
+}
+
+/// The curve in which the surface ends: side 0: v least, 1: u greatest, 2: v greatest, 3: u least; with the domain on
+/// its left in the plane of u and v.
+inline SpaceCurve side_curve(const NurbsSurface& s, int side) {
+  const bool along_u = side % 2 == 0;
+  SpaceCurve curve{along_u ? s.degree_u : s.degree_v, along_u ? s.knots_u : s.knots_v, {}, {}};
+  const int nu = s.num_poles_u(), nv = s.num_poles_v();
+  for (int k = 0; k < (along_u ? nu : nv); ++k) {
+    const int i = along_u ? k : (side == 1 ? nu - 1 : 0), j = along_u ? (side == 2 ? nv - 1 : 0) : k;
+    curve.poles.push_back(s.poles[i * nv + j]);
+    curve.weights.push_back(s.weights[i * nv + j]);
+  }
+  return side >= 2 ? surface::reversed(curve) : curve;
+}
+
+/// The whole surface as a face: `loops` are lists of sides; sides in none are degenerate (poles) or seams. `nu` and
+/// `nv` steps of the grid.
+inline SpaceFace face_of(const NurbsSurface& s, const std::vector<std::vector<int>>& loops, int nu, int nv) {
+  SpaceFace f;
+  f.surface = s;
+  f.face.loop_offsets = {0};
+  std::array<int, 4> side2curve{-1, -1, -1, -1};
+  for (const auto& loop : loops) {
+    for (const int side : loop) {
+      side2curve[side] = static_cast<int>(f.curves.size());
+      f.curves.push_back(side_curve(s, side));
+      f.face.curve_names.push_back("curve" + std::to_string(side));
+      f.face.unnamed_curves.push_back(side2curve[side]);
+      f.face.curve_cad_edges.push_back(side);
+    }
+    f.face.loop_offsets.push_back(static_cast<int>(f.curves.size()));
+  }
+  const double u0 = s.knots_u.front(), u1 = s.knots_u.back(), v0 = s.knots_v.front(), v1 = s.knots_v.back();
+  const auto uv = [&](int i, int j) { return Vec2{u0 + (u1 - u0) * i / nu, v0 + (v1 - v0) * j / nv}; };
+  const bool pole0 = side2curve[0] < 0, pole1 = side2curve[2] < 0;
+  std::map<std::pair<int, int>, int> numbers;
+  const auto vertex = [&](int i, int j) {
+    if ((j == 0 && pole0) || (j == nv && pole1)) i = 0;
+    if (s.is_closed_u && i == nu) i = 0;
+    const auto [found, is_new] = numbers.try_emplace({i, j}, static_cast<int>(f.vertices.size()));
+    if (is_new) f.vertices.push_back(surface::point(s, uv(i, j)));
+    return found->second;
+  };
+  const auto add = [&](std::array<std::pair<int, int>, 3> corners) {
+    std::array<int, 3> v{};
+    std::array<Vec2, 3> at;
+    for (int k = 0; k < 3; ++k)
+      v[k] = vertex(corners[k].first, corners[k].second), at[k] = uv(corners[k].first, corners[k].second);
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return;
+    f.triangles.push_back(v), f.triangle_uv.push_back(at);
+  };
+  for (int i = 0; i < nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      add({std::pair(i, j), std::pair(i + 1, j), std::pair(i + 1, j + 1)});
+      add({std::pair(i, j), std::pair(i + 1, j + 1), std::pair(i, j + 1)});
+    }
+  for (int side = 0; side < 4; ++side) {
+    if (side2curve[side] < 0) continue;
+    const int n = side % 2 == 0 ? nu : nv;
+    const double begin = side % 2 == 0 ? u0 : v0, range = side % 2 == 0 ? u1 - u0 : v1 - v0;
+    for (int k = 0; k < n; ++k) {
+      const auto at = [&](int m) {
+        return side == 0   ? vertex(m, 0)
+               : side == 1 ? vertex(nu, m)
+               : side == 2 ? vertex(nu - m, nv)
+                           : vertex(0, nv - m);
+      };
+      f.boundary_edges.push_back(
+          {{at(k), at(k + 1)}, side2curve[side], begin + range * k / n, begin + range * (k + 1) / n});
+    }
+  }
+  std::stable_sort(f.boundary_edges.begin(), f.boundary_edges.end(),
+                   [](const auto& a, const auto& b) { return a.curve != b.curve ? a.curve < b.curve : a.t0 < b.t0; });
+  return f;
+}
+
+/// A circle on the unit sphere about its point at `polar` from z, in the plane y = 0, at the polar angle `radius` from
+/// it; counter-clockwise seen from outside.
+inline SpaceCurve circle_on_sphere(double polar, double radius) {
+  SpaceCurve circle = profile_arc(0, std::sin(radius), 0, 2 * std::numbers::pi);
+  for (Vec3& p : circle.poles) {
+    const double x = p.x, y = p.z, z = std::cos(radius);
+    p = {x * std::cos(polar) + z * std::sin(polar), y, z * std::cos(polar) - x * std::sin(polar)};
+  }
+  return circle;
+}
+
+/// The cap of the unit sphere around z up to polar angle `outer`, with a round hole about `polar`. `n` vertices around.
+inline SpaceFace cap_with_hole(double outer, double polar, double inner, int n, int rings) {
+  SpaceFace f;
+  f.surface = sphere(1);
+  f.curves = {circle_on_sphere(0, outer), surface::reversed(circle_on_sphere(polar, inner))};
+  f.face.loop_offsets = {0, 1, 2};
+  f.face.curve_names = {"rim", "hole"}, f.face.curve_cad_edges = {0, 1};
+  const double turn = 2 * std::numbers::pi;
+  const auto plane = [](Vec3 x) { return Vec2{x.x, x.y} / (1 + x.z); };
+  std::vector<Vec2> uv;
+  for (int j = 0; j <= rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Vec3 a = surface::point(f.curves[0], turn * i / n), b = surface::point(f.curves[1], turn * (n - i) / n);
+      const double part = static_cast<double>(j) / rings;
+      const Vec2 z = (1 - part) * plane(a) + part * plane(b);
+      Vec3 x = Vec3{2 * z.x, 2 * z.y, 1 - norm2(z)} / (1 + norm2(z));
+      if (j == 0) x = a;
+      if (j == rings) x = b;
+      f.vertices.push_back(x);
+      const double u = std::atan2(x.y, x.x);
+      uv.push_back(surface::project(f.surface, x, {u < 0 ? u + turn : u, std::asin(x.z)}).uv);
+    }
+  const auto add = [&](int a, int b, int c) {
+    std::array<Vec2, 3> at{uv[a], uv[b], uv[c]};
+    for (Vec2& p : at) p.x -= turn * std::round((p.x - at[0].x) / turn);
+    f.triangles.push_back({a, b, c}), f.triangle_uv.push_back(at);
+  };
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * n + i, b = j * n + (i + 1) % n;
+      add(a, b, b + n), add(a, b + n, a + n);
+    }
+  for (int i = 0; i < n; ++i) f.boundary_edges.push_back({{i, (i + 1) % n}, 0, turn * i / n, turn * (i + 1) / n});
+  for (int i = 0; i < n; ++i)
+    f.boundary_edges.push_back({{rings * n + (n - i) % n, rings * n + n - i - 1}, 1, turn * i / n, turn * (i + 1) / n});
+  return f;
+}
+
+}  // namespace quadrille::tests
