@@ -260,6 +260,8 @@ class CurveReader {
         polygon.parameters.push_back(curve.parameter(nodes->Parameter(i) + part.first - first));
       }
     }
+    if (std::count(polygon.vertices.begin(), polygon.vertices.end(), -1) > 0)
+      throw FormatError("the CAD kernel's triangles of the face do not reach it: repair the face in the CAD program");
     raw_.polygons.push_back(std::move(polygon));
   }
 

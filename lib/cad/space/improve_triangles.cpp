@@ -18,7 +18,8 @@ namespace {
 constexpr double bad_shape = 0.05;   // of 1, that of an equilateral triangle
 constexpr double least_gain = 1e-6;  // of a shape, so that rounding errors swap nothing
 constexpr double most_off = 1e-3;    // of the size of the face: the distance of a side from the surface
-constexpr int most_passes = 20, few_passes = 3;
+constexpr int most_passes = 20;
+constexpr std::size_t most_triangles = 40000;
 
 struct Corner {
   int vertex = 0;
@@ -51,9 +52,9 @@ class Improver {
 
   void improve() {
     reshape();
-    split_where([&](int t) { return is_off(triangles_[t]); }, most_passes);
+    split_where([&](int t) { return is_off(triangles_[t]); });
     reshape();
-    split_where([&](int t) { return shapes_[t] < bad_shape; }, few_passes);
+    split_where([&](int t) { return shapes_[t] < bad_shape; });
     reshape();
   }
 
@@ -188,9 +189,9 @@ class Improver {
   }
 
   /// Splits triangles by their longest sides, until none of them has the fault.
-  void split_where(const std::function<bool(int)>& has_fault, int most) {
+  void split_where(const std::function<bool(int)>& has_fault) {
     bool has_split = true;
-    for (int pass = 0; pass < most && has_split; ++pass) {
+    for (int pass = 0; pass < most_passes && has_split && triangles_.size() < most_triangles; ++pass) {
       has_split = false;
       const int num_triangles = static_cast<int>(triangles_.size());  // new ones wait for the next pass
       for (int t = 0; t < num_triangles; ++t)
