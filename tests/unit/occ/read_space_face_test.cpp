@@ -15,8 +15,6 @@
 
 namespace quadrille::occ {
 
-inline int inverted;
-inline double worst;
 namespace {
 
 SpaceFace read(const std::string& file, const std::string& face, Report& report) {
