@@ -11,18 +11,18 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
   run -0 "$quadmesh" "$curved/half_cylinder.step" --face 0 -o a.msh
   assert_output --regexp '^[0-9]+ blocks?, [0-9]+ irregular nodes, [0-9]+ quads, '
   run -0 awk '{ off = sqrt($1 * $1 + $2 * $2) - 1; if (off < 0) off = -off; if (off > most) most = off }
-    END { print (NR > 20 && most < 1e-12) }' <(nodes a.msh)
+    END { print (NR > 20 && most < 1e-8) }' <(nodes a.msh)
   assert_output 1
 }
 
 @test "the single commands give the same stage files" {
-  "$quadmesh" "$curved/torus_patch.step" --face 0 --workdir stages -o a.msh
-  cad2chart "$curved/torus_patch.step" --face 0 -o stages/torus_patch.chart.h5.again
-  cmp stages/torus_patch.chart.h5 stages/torus_patch.chart.h5.again
-  run -0 "$quadmesh" "$curved/torus_patch.step" --face 0 --workdir stages -o b.msh --dry-run
-  assert_line --index 0 --regexp 'cad2chart .*torus_patch.step --face 0 -o stages/torus_patch.chart.h5$'
-  assert_line --index 1 --regexp '^cad2tri stages/torus_patch.chart.h5 -o stages/torus_patch.tri.h5'
-  stagecheck stages/torus_patch.chart.h5 stages/torus_patch.tri.h5 stages/torus_patch.quad.h5
+  "$quadmesh" "$curved/sphere_cap.step" --face 0 --workdir stages -o a.msh
+  cad2chart "$curved/sphere_cap.step" --face 0 -o stages/sphere_cap.chart.h5.again
+  cmp stages/sphere_cap.chart.h5 stages/sphere_cap.chart.h5.again
+  run -0 "$quadmesh" "$curved/sphere_cap.step" --face 0 --workdir stages -o b.msh --dry-run
+  assert_line --index 0 --regexp 'cad2chart .*sphere_cap.step --face 0 -o stages/sphere_cap.chart.h5$'
+  assert_line --index 1 --regexp '^cad2tri stages/sphere_cap.chart.h5 -o stages/sphere_cap.tri.h5'
+  stagecheck stages/sphere_cap.chart.h5 stages/sphere_cap.tri.h5 stages/sphere_cap.quad.h5
 }
 
 @test "every sample of a curved face is meshed" {

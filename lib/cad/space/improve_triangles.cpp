@@ -51,11 +51,11 @@ class Improver : public SurfaceTriangles {
 
   /// The side from corner k to the next one, a b, becomes c d.
   bool swap_if_better(int t, int k) {
-    const Corner a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
+    const SurfaceCorner a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
     const std::vector<int> both = triangles_with(a.vertex, b.vertex);
     if (both.size() != 2) return false;
     const int s = both[0] == t ? both[1] : both[0], at_b = position(s, b.vertex);
-    Corner d = triangles_[s][(at_b + 2) % 3];
+    SurfaceCorner d = triangles_[s][(at_b + 2) % 3];
     if (d.vertex == c.vertex || !triangles_with(c.vertex, d.vertex).empty()) return false;
     d.uv += whole_periods(b.uv - triangles_[s][at_b].uv);
     Triangle one{a, d, c}, other{d, b, c};
@@ -81,7 +81,7 @@ class Improver : public SurfaceTriangles {
   /// Whether the middle of a side lies off the surface.
   bool is_off(const Triangle& t) const {
     for (int k = 0; k < 3; ++k) {
-      const Corner &a = t[k], &b = t[(k + 1) % 3];
+      const SurfaceCorner &a = t[k], &b = t[(k + 1) % 3];
       const Vec3 chord = (raw_.vertices[a.vertex] + raw_.vertices[b.vertex]) / 2.0;
       if (distance(surface::point(raw_.surface, middle(a, b)), chord) > most_off * size_) return true;
     }
@@ -90,23 +90,24 @@ class Improver : public SurfaceTriangles {
 
   /// The side from corner k to the next one.
   void split_side(int t, int k) {
-    const Corner a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
+    const SurfaceCorner a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
     const std::vector<int> both = triangles_with(a.vertex, b.vertex);
     const bool is_boundary = both.size() == 1;
-    const Corner m =
-        is_boundary ? split_edge(a, b)
-                    : Corner{new_vertex(surface::point(raw_.surface, middle(a, b)), middle(a, b), false), middle(a, b)};
+    const SurfaceCorner m =
+        is_boundary
+            ? split_edge(a, b)
+            : SurfaceCorner{new_vertex(surface::point(raw_.surface, middle(a, b)), middle(a, b), false), middle(a, b)};
     replace(t, {a, m, c}), add({m, b, c});
     if (is_boundary) return;
     const int s = both[0] == t ? both[1] : both[0], at_b = position(s, b.vertex);
-    const Corner other_b = triangles_[s][at_b], other_a = triangles_[s][(at_b + 1) % 3],
-                 d = triangles_[s][(at_b + 2) % 3];
-    const Corner other_m{m.vertex, middle(other_a, other_b)};
+    const SurfaceCorner other_b = triangles_[s][at_b], other_a = triangles_[s][(at_b + 1) % 3],
+                        d = triangles_[s][(at_b + 2) % 3];
+    const SurfaceCorner other_m{m.vertex, middle(other_a, other_b)};
     replace(s, {other_b, other_m, d}), add({other_m, other_a, d});
   }
 
   /// In the middle of the parameters of its curve.
-  Corner split_edge(const Corner& a, const Corner& b) {
+  SurfaceCorner split_edge(const SurfaceCorner& a, const SurfaceCorner& b) {
     for (EdgePolygon& polygon : raw_.polygons)
       for (std::size_t i = 0; i + 1 < polygon.vertices.size(); ++i) {
         const std::pair side{polygon.vertices[i], polygon.vertices[i + 1]};
@@ -141,7 +142,7 @@ class Improver : public SurfaceTriangles {
     for (const int t : around_[v]) {
       if (position(t, w) >= 0) continue;
       Triangle triangle = triangles_[t];
-      Corner& corner = triangle[position(t, v)];
+      SurfaceCorner& corner = triangle[position(t, v)];
       corner = {w, w_uv + whole_periods(corner.uv - v_uv)};
       set_poles(triangle);
       result.emplace_back(t, triangle);

@@ -18,7 +18,7 @@ SurfaceTriangles::SurfaceTriangles(RawSpaceFace& raw)
   for (std::size_t t = 0; t < raw.triangles.size(); ++t) {
     Triangle triangle{};
     for (int k = 0; k < 3; ++k) triangle[k] = {raw.triangles[t][k], raw.triangle_uv[t][k]};
-    for (const Corner& c : triangle) around_[c.vertex].push_back(static_cast<int>(t));
+    for (const SurfaceCorner& c : triangle) around_[c.vertex].push_back(static_cast<int>(t));
     triangles_.push_back(triangle);
   }
   for (const Vec3& x : raw.vertices) size_ = std::max(size_, distance(x, raw.vertices.front()));
@@ -67,7 +67,7 @@ void SurfaceTriangles::fix_vertices() {
   for (const EdgePolygon& polygon : raw_.polygons)
     for (const int v : polygon.vertices) is_fixed_[v] = true;
   for (const Triangle& t : triangles_)
-    for (const Corner& c : t) {
+    for (const SurfaceCorner& c : t) {
       const auto p = surface::evaluate(raw_.surface, c.uv);
       const double xu = norm(p.xu), xv = norm(p.xv), least = 1e-9 * std::max(xu, xv);
       if (xu <= least) free_[c.vertex] = &Vec2::x;
@@ -96,34 +96,34 @@ std::vector<int> SurfaceTriangles::triangles_with(int a, int b) const {
 }
 
 void SurfaceTriangles::replace(int t, const Triangle& triangle) {
-  for (const Corner& c : triangles_[t]) std::erase(around_[c.vertex], t);
-  for (const Corner& c : triangle) around_[c.vertex].push_back(t);
+  for (const SurfaceCorner& c : triangles_[t]) std::erase(around_[c.vertex], t);
+  for (const SurfaceCorner& c : triangle) around_[c.vertex].push_back(t);
   triangles_[t] = triangle;
   set_poles(triangles_[t]);
   shapes_[t] = shape(triangles_[t]);
 }
 
 void SurfaceTriangles::add(const Triangle& triangle) {
-  for (const Corner& c : triangle) around_[c.vertex].push_back(static_cast<int>(triangles_.size()));
+  for (const SurfaceCorner& c : triangle) around_[c.vertex].push_back(static_cast<int>(triangles_.size()));
   triangles_.push_back(triangle);
   set_poles(triangles_.back());
   shapes_.push_back(shape(triangles_.back()));
 }
 
 void SurfaceTriangles::remove(int t) {
-  for (const Corner& c : triangles_[t]) std::erase(around_[c.vertex], t);
+  for (const SurfaceCorner& c : triangles_[t]) std::erase(around_[c.vertex], t);
   triangles_[t][0].vertex = -1, shapes_[t] = 1;
 }
 
 std::set<int> SurfaceTriangles::neighbours(int v) const {
   std::set<int> found;
   for (const int t : around_[v])
-    for (const Corner& c : triangles_[t])
+    for (const SurfaceCorner& c : triangles_[t])
       if (c.vertex != v) found.insert(c.vertex);
   return found;
 }
 
-Vec2 SurfaceTriangles::middle(const Corner& a, const Corner& b) const {
+Vec2 SurfaceTriangles::middle(const SurfaceCorner& a, const SurfaceCorner& b) const {
   Vec2 uv = (a.uv + b.uv) / 2;
   if (const auto free = free_[a.vertex]) uv.*free = b.uv.*free;
   if (const auto free = free_[b.vertex]) uv.*free = a.uv.*free;

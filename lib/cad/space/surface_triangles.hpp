@@ -10,11 +10,11 @@
 namespace quadrille::space {
 
 /// Corners of a triangle have parameters that are continuous in it, as in SpaceFace.
-struct Corner {
+struct SurfaceCorner {
   int vertex = 0;
   Vec2 uv;
 };
-using Triangle = std::array<Corner, 3>;
+using Triangle = std::array<SurfaceCorner, 3>;
 
 class SurfaceTriangles {
  public:
@@ -36,7 +36,7 @@ class SurfaceTriangles {
   std::set<int> neighbours(int v) const;
   int longest_side(int t) const;
   /// Parameters in the middle of a side.
-  Vec2 middle(const Corner& a, const Corner& b) const;
+  Vec2 middle(const SurfaceCorner& a, const SurfaceCorner& b) const;
   /// Whole periods of the surface nearest to the difference of two parameters.
   Vec2 whole_periods(Vec2 difference) const;
 
