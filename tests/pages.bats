@@ -59,7 +59,7 @@ chain_with_reports() {
 
 @test "every key that the tools write is on the page" {
   chain_with_reports half_disc
-  for tool in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck; do
+  for tool in cad2chart cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck; do
     check keys "$tool" "$tool".*json
   done
   run -3 padapt half_disc.msh --report failed.json

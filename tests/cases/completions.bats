@@ -1,7 +1,7 @@
 # Completions for bash, zsh and fish, made from --help (pipelines/completions).
 load ../tools/common
 
-commands="cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck quadmesh
+commands="cad2chart cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck quadmesh
   quadplace points2step"
 
 # completion SHELL NAME: what pipelines/completions prints for the command.

@@ -1,7 +1,7 @@
 # The contract of every command, looped over all tools.
 load common
 
-TOOLS="cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck"
+TOOLS="cad2chart cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck"
 
 setup_file() {
   stage_chain half_disc "$BATS_FILE_TMPDIR"
@@ -16,7 +16,7 @@ setup() {
 # inputs_of TOOL: its input files in the half disc's chain.
 inputs_of() {
   case $1 in
-    cad2tri) echo "$stem.step" ;;
+    cad2chart | cad2tri) echo "$stem.step" ;;
     fieldsolve) echo "$stem.tri.h5" ;;
     padapt) echo "$stem.solve.h5" ;;
     critpoints) echo "$stem.field.h5" ;;

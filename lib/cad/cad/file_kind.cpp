@@ -69,6 +69,10 @@ std::string format_name(CadFormat format) {
   return format == CadFormat::step ? "STEP" : format == CadFormat::iges ? "IGES" : "BREP";
 }
 
+std::string format_stem(CadFormat format) {
+  return format == CadFormat::step ? "step" : format == CadFormat::iges ? "iges" : "brep";
+}
+
 CadFormat cad_format(const std::string& bytes, const std::string& name) {
   if (bytes.empty()) throw FormatError(name + ": the file is empty");
   const std::string extension = lower_extension(name);

@@ -10,6 +10,9 @@ enum class CadFormat { step, iges, brep };
 /// "STEP", "IGES", "BREP".
 std::string format_name(CadFormat format);
 
+/// "step", "iges", "brep": in names of programs and in digests of files.
+std::string format_stem(CadFormat format);
+
 /// Throws FormatError if `bytes` is empty, has none of the formats, is cut off before its end mark, or if the extension
 /// of `name` belongs to another format. A name without extension (a pipe) is accepted.
 CadFormat cad_format(const std::string& bytes, const std::string& name);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/child_process.hpp"
@@ -22,9 +21,8 @@ constexpr int most_seconds = 60;
 
 // What the program of the format answers.
 std::string answer(CadFormat format, const CadRequest& request, const std::string& crash) {
-  std::string name = format_name(format);
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return run_program(helper_program("cad2tri-" + name), to_bytes(request), crash, {.cpu_seconds = most_seconds});
+  return run_program(helper_program("cad2tri-" + format_stem(format)), to_bytes(request), crash,
+                     {.cpu_seconds = most_seconds});
 }
 
 // The answer about a file, with the fault of the file in the error after a crash.

@@ -36,7 +36,7 @@ const Geom_Curve* stored_curve(const TopoDS_Edge& edge, double& first, double& l
 
 }  // namespace
 
-EdgeTable::EdgeTable(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels) {
+FaceEdges::FaceEdges(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels) {
   labels.wires.assign(1, {});
   int number = 0;
   for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next()) {
@@ -57,7 +57,7 @@ EdgeTable::EdgeTable(const OccModel& model, const TopoDS_Face& face, heal::RawFa
   }
 }
 
-int EdgeTable::number_of(const TopoDS_Edge& edge) const {
+int FaceEdges::number_of(const TopoDS_Edge& edge) const {
   for (int i = 0; i < size(); ++i)
     if (edges_[i].IsSame(edge)) return i;
   double begin = 0, end = 0;

@@ -20,10 +20,10 @@ struct EdgePart {
 };
 
 /// The edges of a face as the file has them.
-class EdgeTable {
+class FaceEdges {
  public:
   /// Sets the wire of `labels`, with numbers, names, layers and colours.
-  EdgeTable(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels);
+  FaceEdges(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels);
 
   /// The edge of the file of which `edge`, of the same face after the kernel changed its topology, is a part; -1 if
   /// there is none.

@@ -48,10 +48,7 @@ Extent extent(double begin, double end, double least, double most, bool is_close
   constexpr double near = 1e-6;
   Extent e{begin, end, least, most, is_periodic ? most - least : 0, false};
   e.is_closed = is_closed && end - begin > (most - least) * (1 - near);
-  if (e.is_closed) {
-    if (!is_periodic || std::abs(begin - least) < near * (most - least)) e.begin = least;
-    e.end = e.begin + (most - least);
-  }
+  if (e.is_closed) e.begin = least, e.end = most;  // parameters of the face may be whole periods away
   return e;
 }
 

@@ -198,16 +198,16 @@ class Triangles {
 /// Parts of the edges of the file, and their polygons.
 class CurveReader {
  public:
-  CurveReader(const EdgeTable& table, const Triangles& triangles, space::RawSpaceFace& raw, Report& report)
-      : table_(table), triangles_(triangles), raw_(raw), report_(report) {}
+  CurveReader(const FaceEdges& edges, const Triangles& triangles, space::RawSpaceFace& raw, Report& report)
+      : edges_(edges), triangles_(triangles), raw_(raw), report_(report) {}
 
   void read() {
-    raw_.curves.resize(table_.size());
+    raw_.curves.resize(edges_.size());
     std::map<int, std::vector<EdgePart>> parts;
     for (int i = 0; i < triangles_.num_edges(); ++i) {
       const TopoDS_Edge edge = triangles_.edge(i);
       if (BRep_Tool::Degenerated(edge) || triangles_.polygon(edge).IsNull() || triangles_.is_seam(edge)) continue;
-      EdgePart part{edge, table_.number_of(edge), 0, 0};
+      EdgePart part{edge, edges_.number_of(edge), 0, 0};
       BRep_Tool::Range(edge, part.first, part.last);
       if (part.number >= 0) parts[part.number].push_back(part);
     }
@@ -260,10 +260,12 @@ class CurveReader {
         polygon.parameters.push_back(curve.parameter(nodes->Parameter(i) + part.first - first));
       }
     }
+    if (std::count(polygon.vertices.begin(), polygon.vertices.end(), -1) > 0)
+      throw FormatError("the CAD kernel's triangles of the face do not reach it: repair the face in the CAD program");
     raw_.polygons.push_back(std::move(polygon));
   }
 
-  const EdgeTable& table_;
+  const FaceEdges& edges_;
   const Triangles& triangles_;
   space::RawSpaceFace& raw_;
   Report& report_;
@@ -296,7 +298,7 @@ void report_deviation(const ConvertedSurface& surface, const TopoDS_Face& face, 
 
 void read_curved_face(const OccModel& model, const TopoDS_Face& face, space::RawSpaceFace& raw, Report& report) {
   const std::string& file = raw.labels.file;
-  const EdgeTable table(model, face, raw.labels);
+  const FaceEdges edges(model, face, raw.labels);
   raw.is_reversed = face.Orientation() == TopAbs_REVERSED;
   const TopoDS_Face whole = completed(TopoDS::Face(face.Oriented(TopAbs_FORWARD)), file);
   const double size = size_of(whole);
@@ -305,7 +307,7 @@ void read_curved_face(const OccModel& model, const TopoDS_Face& face, space::Raw
   report_deviation(surface, whole, size, file, report);
   Triangles triangles(whole, file);
   triangles.copy_to(raw, surface);
-  CurveReader(table, triangles, raw, report).read();
+  CurveReader(edges, triangles, raw, report).read();
 }
 
 }  // namespace quadrille::occ

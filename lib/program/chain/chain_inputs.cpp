@@ -6,8 +6,10 @@
 #include <sstream>
 
 #include "base/message_text.hpp"
+#include "cad/load_face.hpp"
 #include "chain/end_of_run.hpp"
 #include "cli/messages.hpp"
+#include "cli/outcome.hpp"
 #include "io/alignment_io.hpp"
 #include "io/name_rules_io.hpp"
 #include "io/size_field_io.hpp"
@@ -86,22 +88,87 @@ std::string cad_file(ChainState& chain) {
   return made;
 }
 
+/// The options of cad2chart for a curved face, which the options of cad2tri name; no value for a planar one.
+std::optional<stage::Cad2chartOptions> chart_options(const ChainState& chain, const std::string& path) {
+  const stage::Cad2triOptions& options = chain.values.cad2tri;
+  if (!chain.is_due(ChainStage::cad2tri) || options.face.empty()) return std::nullopt;
+  std::string kind;
+  const cli::Outcome outcome = cli::outcome_of([&] {
+    const io::InputFile file = read_input(chain, path);
+    if (!io::is_chart(file)) kind = cad::face_kind_guarded(file.bytes, file.name, options.face);
+  });
+  if (!outcome.is_success() || kind.empty() || kind == "plane") return std::nullopt;  // cad2tri says what is wrong
+  stage::Cad2chartOptions result;
+  result.face = options.face;
+  result.corner_angle = options.corner_angle, result.heal_tolerance = options.heal_tolerance;
+  return result;
+}
+
+/// What cad2tri is told about the chart: the face and its healing are for cad2chart.
+stage::Cad2triOptions options_in_chart(stage::Cad2triOptions options) {
+  const stage::Cad2triOptions defaults;
+  options.face.clear();
+  options.heal_tolerance = defaults.heal_tolerance;
+  return options;
+}
+
+/// The chart as its file is, or would be.
+io::InputFile chart_file(const ChainState& chain, const stage::Cad2chartOptions& options, const io::InputFile& shape,
+                         const std::string& path, Run& run) {
+  std::string bytes = io::stage_bytes(stage::cad2chart({shape.bytes, shape}, options, run));
+  if (chain.keeps_files) io::write_stage_bytes(path, bytes, io::Lasting::for_the_run);
+  const FileIdentity identity = io::identity_of(path, bytes);
+  return {identity, std::move(bytes)};
+}
+
+/// For a program in place of cad2tri, which reads the chart from its file. Throws ChainFailure.
+void run_cad2chart(ChainState& chain, std::vector<std::string> words) {
+  words.front() = command_path(words.front());
+  const auto [code, messages] = chain.runner.run_helper(words);
+  if (code == 0) return;
+  cli::print_message(messages);
+  throw ChainFailure{static_cast<ExitCode>(code), "cad2chart", messages.substr(0, messages.find('\n'))};
+}
+
+/// Moves the words of cad2chart from cad2tri to it, and prints its command in a dry run.
+std::string move_words_to_chart(ChainState& chain, const std::string& shape, const std::string& chart) {
+  std::vector<std::string> of_chart{"cad2chart", shape}, rest;
+  const std::vector<std::string> words = chosen_words(chain, ChainStage::cad2tri);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool is_of_chart = (words[i] == "--face" || words[i] == "--heal-tolerance") && i + 1 < words.size();
+    std::vector<std::string>& target = is_of_chart ? of_chart : rest;
+    target.push_back(words[i]);
+    if (is_of_chart) target.push_back(words[++i]);
+  }
+  of_chart.insert(of_chart.end(), {"-o", chart});
+  if (chain.options.is_dry_run)
+    cli::print_to_stdout(shell_command(of_chart) + '\n');
+  else if (chain.options.programs.contains(ChainStage::cad2tri))
+    run_cad2chart(chain, of_chart);
+  chain.replaced["cad2tri"] = rest;
+  return chart;
+}
+
 }  // namespace
 
 void triangulate_shape(ChainState& chain) {
-  const std::string path = chain.is_due(ChainStage::cad2tri) ? cad_file(chain) : chain.options.shape;
+  std::string path = chain.is_due(ChainStage::cad2tri) ? cad_file(chain) : chain.options.shape;
+  const std::string shape = path;
+  const auto of_chart = chart_options(chain, path);
+  if (of_chart) path = move_words_to_chart(chain, shape, chain.files.stem + ".chart.h5");
   const auto triangles = [&](Run& run) {
-    const io::InputFile file = read_input(chain, path);
+    io::InputFile file = read_input(chain, shape);
+    if (of_chart) file = chart_file(chain, *of_chart, file, path, run);
     const Names names = boundary_names(chain);
     stage::Cad2triInput input{{file.bytes, file}, {}};
     std::optional<ChartedFace> chart;
     if (io::is_chart(file)) input.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
     if (names.file) input.names.emplace(names.content, *names.file);
-    const stage::Cad2triOptions& options = chain.values.cad2tri;
-    const stage::LoadedShape shape = stage::load_shape(input, options, run);
+    const stage::Cad2triOptions options = of_chart ? options_in_chart(chain.values.cad2tri) : chain.values.cad2tri;
+    const stage::LoadedShape loaded = stage::load_shape(input, options, run);
     if (!options.healed_file.empty())
-      io::write_output(options.healed_file, stage::cad_file_of(shape.face, options.healed_file), false);
-    return stage::cad2tri(shape, options, run);
+      io::write_output(options.healed_file, stage::cad_file_of(loaded.face, options.healed_file), false);
+    return stage::cad2tri(loaded, options, run);
   };
   make_file(chain, {ChainStage::cad2tri, false, {path}}, chain.files.triangles, triangles);
 }

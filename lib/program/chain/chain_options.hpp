@@ -11,6 +11,7 @@
 #include "chain/budget.hpp"
 #include "model/stage_formats.hpp"
 #include "stage/blocksplit.hpp"
+#include "stage/cad2chart.hpp"
 #include "stage/cad2tri.hpp"
 #include "stage/critpoints.hpp"
 #include "stage/fieldsolve.hpp"

@@ -54,6 +54,7 @@ void print_stop(const ChainState& chain) {
 }
 
 std::vector<std::string> chosen_words(const ChainState& chain, ChainStage stage) {
+  if (const auto found = chain.replaced.find(enum_name(stage)); found != chain.replaced.end()) return found->second;
   std::vector<std::string> words;
   for (const Words* source : {&chain.options.words, &chain.added}) {
     const auto found = source->find(enum_name(stage));

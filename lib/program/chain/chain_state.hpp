@@ -126,7 +126,8 @@ struct ChainState {
 
   const ChainOptions& options;
   StageOptions values;
-  Words added;  ///< words that the run adds to those of the command line
+  Words added;     ///< words that the run adds to those of the command line
+  Words replaced;  ///< words of a stage in place of both
   StageRunner& runner;
   ChainFiles files;
   std::optional<std::string> standard_input;  ///< its bytes, if it is the shape or the nodes

@@ -164,10 +164,10 @@ void check_inputs(const ChainState& chain) {
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
 }
 
-/// Endings of the files that a stage writes, or points2step and fieldsolve for it.
+/// Endings of the files that a stage writes, or points2step, cad2chart and fieldsolve for it.
 std::vector<std::string> endings_of(ChainStage stage) {
   std::vector<std::string> endings{ending_of(stage)};
-  if (stage == ChainStage::cad2tri) endings.emplace_back("outline.step");
+  if (stage == ChainStage::cad2tri) endings.insert(endings.end(), {"outline.step", "chart.h5"});
   if (stage == ChainStage::critpoints) endings.insert(endings.end(), {"phase.solve.h5", "phase.h5"});
   return endings;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* own_help = R"help(Usage: quadmesh [OPTIONS] SHAPE
 
-quadmesh meshes a planar CAD face, or the shape that points describe, with curved quads.
+quadmesh meshes a CAD face, or the shape that points describe, with curved quads.
 
 Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input), or that of --face, and ends
 with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
@@ -50,7 +50,8 @@ OPTIONS
   --points-format FORMAT    points: auto, points, selig or lednicer
   --points-unit UNIT        points: their unit, m, cm, mm, um, in or ft
   --face-name NAME          points: name of the face, from which blocks get theirs (see points2step --help for these)
-  --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them)
+  --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them); a curved one
+                            is meshed in its chart (SHAPE.chart.h5 in --workdir; see cad2chart --help)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
                             of the curve nearest to a point; '*': all others of the outline and of holes, 'interface:*'
                             those between regions; may be given several times (see cad2tri --help)
@@ -121,6 +122,7 @@ EXAMPLES
   quadmesh half_disc.step --until critpoints --workdir stages
   quadmesh half_disc.step --from separatrix --workdir stages -o half_disc.msh
   quadmesh half_disc.step --nodes stages/half_disc.crit.json -o half_disc.msh
+  quadmesh part.step --face 7 -o x.msh
   quadmesh half_disc.step --dry-run -o half_disc.msh
 )help";
 

@@ -61,10 +61,6 @@ cad::CadFormat healed_format(const std::string& path) {
   return ending == ".brep" ? cad::CadFormat::brep : cad::CadFormat::step;
 }
 
-std::string digest_format(cad::CadFormat format) {
-  return format == cad::CadFormat::step ? "step" : format == cad::CadFormat::iges ? "iges" : "brep";
-}
-
 void report_face(const CadFace& face, Report& report) {
   int num_corners = 0;
   for (const Joint& joint : face.joints) num_corners += joint.is_corner;
@@ -226,7 +222,7 @@ LoadedShape face_of_cad(const Input<std::string>& cad, const Cad2triOptions& opt
                                            {radians(options.corner_angle), options.heal_tolerance, options.face,
                                             blunt_width, options.fit_tolerance},
                                            run.report()),
-                    {cad.file.digest(digest_format(cad::cad_format(bytes, name)))}};
+                    {cad.file.digest(cad::format_stem(cad::cad_format(bytes, name)))}};
   run.end_phase();
   return shape;
 }
@@ -292,6 +288,13 @@ TriMesh cad2tri(const Cad2triInput& input, const Cad2triOptions& options, Run& r
 std::string list_faces(const Input<std::string>& file, Run& run) {
   const cad::FaceList list = cad::list_faces_guarded(file.model, file.file.name);
   cad::report_faces(list, run.report());
+  const auto num_curved = std::count_if(list.faces.begin(), list.faces.end(), [](const cad::ListedFace& face) {
+    return face.face.kind != "plane" && face.face.kind != "other";
+  });
+  if (num_curved > 0)
+    run.info(fmt::format("{}: give the number of one to cad2chart --face, or to quadmesh --face",
+                         counted(num_curved, "curved face")),
+             0);
   return cad::face_table(list);
 }
 

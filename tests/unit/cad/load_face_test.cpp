@@ -347,7 +347,7 @@ TEST(LoadFace, survives_files_on_which_the_kernel_crashes) {
 
 TEST(LoadFace, refuses_what_is_not_one_planar_face) {
   expect_refused("bad/solid.step", "a solid");
-  expect_refused("bad/sphere.step", "not planar (SphericalSurface)");
+  expect_refused("bad/sphere.step", "not planar (a sphere): cad2chart --face 0");
   expect_refused("bad/two_faces.step", "several faces (2)");
   expect_refused("regions/bad/two_planes.step", "several faces (2) that are not in one plane");
   expect_refused("bad/mixed_units.step", "mixes length units (inch and millimetre)");

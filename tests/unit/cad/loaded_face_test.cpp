@@ -41,6 +41,26 @@ Report some_report() {
   return report;
 }
 
+TEST(SpaceFaceBytes, come_back_as_they_were) {
+  SpaceFace face;
+  face.face = some_face().face;
+  face.curves = {{1, {0, 0, 2, 2}, {{1, 2, 3}, {4, 5, 1.0 / 3}}, {1, 1}}};
+  face.surface = {1,    1,    {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {1, 1, 1, 1},
+                  true, false};
+  face.is_reversed = true;
+  face.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  face.triangles = {{0, 1, 2}};
+  face.triangle_uv = {{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}};
+  face.boundary_edges = {{{0, 1}, 0, 0, 2}};
+  Report report;
+  const SpaceFace back = space_face_from_bytes(to_bytes(face, some_report()), report);
+  EXPECT_EQ(to_bytes(back, report), to_bytes(face, some_report()));
+  EXPECT_EQ(back.curves[0].poles[1], face.curves[0].poles[1]);
+  EXPECT_TRUE(back.surface.is_closed_u);
+  EXPECT_EQ(back.triangle_uv[0][2], (Vec2{0, 1}));
+  EXPECT_EQ(back.boundary_edges[0].t1, 2);
+}
+
 TEST(FaceBytes, come_back_as_they_were) {
   Report report;
   const LoadedFace loaded = from_bytes(to_bytes(some_face(), some_report()), report);

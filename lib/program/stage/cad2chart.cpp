@@ -1,0 +1,49 @@
+#include "stage/cad2chart.hpp"
+
+#include <fmt/format.h>
+
+#include "base/angle.hpp"
+#include "base/message_text.hpp"
+#include "cad/file_kind.hpp"
+#include "cad/load_face.hpp"
+#include "chart/make_chart.hpp"
+
+namespace quadrille::stage {
+
+void declare(Options& o, Cad2chartOptions& cad2chart) {
+  o.text("--face", cad2chart.face, "N|NAME",
+         "the face to read of a solid, shell or assembly: its name, or its number in cad2tri --list, from 0, or the "
+         "name of a part or layer that holds no other face");
+  o.number("--corner-angle", cad2chart.corner_angle, 0, 90, "degrees",
+           "tangent discontinuities greater than this are corners of the layout; a surface whose normal jumps by more "
+           "inside the face is refused");
+  o.number("--heal-tolerance", cad2chart.heal_tolerance, -1, 5e-3, "diameters",
+           "the most that the ends of edges which do not meet are moved; 0: no healing; -1: 1e-5, or the tolerances of "
+           "the shape if they are larger");
+  o.number("--closedness", cad2chart.closedness, 1e-12, 1e-2, "radians",
+           "the greatest error of angles in the chart; elements of the chart are split until it is reached");
+  o.number("--scale-range", cad2chart.scale_range, 1.01, 1000, "ratio",
+           "the greatest ratio of lengths in space over those in the chart at two points; a face with more is refused");
+}
+
+ChartedFace cad2chart(const Input<std::string>& cad, const Cad2chartOptions& options, Run& run) {
+  require_intervals(options);
+  const std::string& name = cad.file.name;
+  const double corner_angle = radians(options.corner_angle);
+  run.begin_phase("load");
+  cad::LoadOptions load;
+  load.corner_angle = corner_angle, load.heal_tolerance = options.heal_tolerance, load.face = options.face;
+  const SpaceFace space_face = cad::load_space_face_guarded(cad.model, name, load, run.report());
+  run.begin_phase("chart");
+  ChartedFace charted;
+  charted.face = chart::make_chart(space_face, {options.closedness, corner_angle, options.scale_range}, run.report());
+  run.end_phase();
+  charted.provenance =
+      with_step({}, "cad2chart", options, {cad.file.digest(cad::format_stem(cad::cad_format(cad.model, name)))});
+  run.info(fmt::format("{}, {} of order {}, closedness {:.1e}", counted(charted.face.num_curves(), "curve"),
+                       counted(charted.face.chart->num_elems(), "element"), charted.face.chart->order,
+                       charted.face.chart->closedness));
+  return charted;
+}
+
+}  // namespace quadrille::stage

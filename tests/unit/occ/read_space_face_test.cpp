@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "../support/test_data.hpp"
+#include "../support/texts.hpp"
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "base/vec3.hpp"
+#include "cad/loaded_face.hpp"
+#include "occ/read_face.hpp"
+#include "surface/nurbs_surface.hpp"
+
+namespace quadrille::occ {
+
+namespace {
+
+SpaceFace read(const std::string& file, const std::string& face, Report& report) {
+  cad::LoadOptions options;
+  options.face = face;
+  return read_space_face(step_format(), test_bytes("curved/" + file), file, options, report);
+}
+
+SpaceFace read(const std::string& file, const std::string& face = "0") {
+  Report report;
+  return read(file, face, report);
+}
+
+double size_of(const SpaceFace& face) {
+  double size = 0;
+  for (const Vec3& v : face.vertices) size = std::max(size, distance(v, face.vertices.front()));
+  return size;
+}
+
+void expect_curves_meet(const SpaceFace& face) {
+  for (int l = 0; l + 1 < static_cast<int>(face.face.loop_offsets.size()); ++l) {
+    const int begin = face.face.loop_offsets[l], end = face.face.loop_offsets[l + 1];
+    for (int i = begin; i < end; ++i)
+      EXPECT_EQ(face.curves[i].poles.back(), face.curves[i + 1 < end ? i + 1 : begin].poles.front());
+  }
+}
+
+// The edges of the triangles cover each curve, from its start to its end, with the face on the left.
+void expect_boundary_covers_curves(const SpaceFace& face) {
+  std::set<std::pair<int, int>> sides;
+  for (const auto& t : face.triangles)
+    for (int k = 0; k < 3; ++k) sides.insert({t[k], t[(k + 1) % 3]});
+  int curve = -1;
+  double t = 0;
+  for (const FineBoundaryEdge& e : face.boundary_edges) {
+    if (e.curve != curve) {
+      if (curve >= 0) {
+        EXPECT_EQ(t, face.curves[curve].end());
+      }
+      ASSERT_EQ(e.curve, curve + 1);
+      curve = e.curve, t = face.curves[curve].begin();
+    }
+    EXPECT_EQ(e.t0, t);
+    EXPECT_LT(e.t0, e.t1);
+    t = e.t1;
+    EXPECT_TRUE(sides.contains({e.vertices[0], e.vertices[1]}));
+    EXPECT_FALSE(sides.contains({e.vertices[1], e.vertices[0]}));
+    for (const auto& [at, v] : {std::pair{e.t0, e.vertices[0]}, std::pair{e.t1, e.vertices[1]}})
+      EXPECT_LT(distance(surface::point(face.curves[curve], at), face.vertices[v]), 2e-6 * size_of(face));
+  }
+  EXPECT_EQ(curve + 1, static_cast<int>(face.curves.size()));
+  EXPECT_EQ(t, face.curves.back().end());
+}
+
+// Counter-clockwise against the normal, with vertices on the surface.
+void expect_triangles_on_surface(const SpaceFace& face) {
+  for (std::size_t i = 0; i < face.triangles.size(); ++i) {
+    std::array<Vec3, 3> x{};
+    Vec2 middle{};
+    for (int k = 0; k < 3; ++k) {
+      x[k] = face.vertices[face.triangles[i][k]], middle += face.triangle_uv[i][k] / 3.0;
+      EXPECT_LT(distance(surface::point(face.surface, face.triangle_uv[i][k]), x[k]), 1e-6 * size_of(face));
+    }
+    const auto p = surface::evaluate(face.surface, middle);
+    const Vec3 normal = (face.is_reversed ? -1.0 : 1.0) * cross(p.xu, p.xv), across = cross(x[1] - x[0], x[2] - x[0]);
+    EXPECT_GT(dot(normal, across), 0) << i;
+    EXPECT_LT(distance(p.x, (x[0] + x[1] + x[2]) / 3.0), 5e-3 * size_of(face));
+  }
+}
+
+void expect_valid(const SpaceFace& face) {
+  expect_curves_meet(face);
+  expect_boundary_covers_curves(face);
+  expect_triangles_on_surface(face);
+}
+
+double area(const SpaceFace& face) {
+  double sum = 0;
+  for (const auto& t : face.triangles)
+    sum += norm(cross(face.vertices[t[1]] - face.vertices[t[0]], face.vertices[t[2]] - face.vertices[t[0]])) / 2;
+  return sum;
+}
+
+TEST(ReadSpaceFace, a_half_cylinder_of_a_solid) {
+  Report report;
+  const SpaceFace face = read("half_cylinder.step", "0", report);
+  expect_valid(face);
+  EXPECT_EQ(face.face.loop_offsets, (std::vector<int>{0, 4}));
+  EXPECT_NEAR(area(face), 2 * pi, 0.02);
+  EXPECT_EQ(face.face.curve_names[2], "curve_2");
+  EXPECT_EQ(face.face.unnamed_curves.size(), 4U);
+  EXPECT_EQ(face.face.length_unit, "millimetre");
+  EXPECT_EQ(face.surface.degree_u, 2);
+  EXPECT_TRUE(report.warnings().empty());
+}
+
+TEST(ReadSpaceFace, seams_and_poles_disappear) {
+  const SpaceFace tube = read("tube.step"), cap = read("sphere_cap.step"), cone = read("cone_tip.step");
+  for (const SpaceFace* face : {&tube, &cap, &cone}) expect_valid(*face);
+  EXPECT_EQ(tube.face.loop_offsets, (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(tube.surface.is_closed_u);
+  EXPECT_EQ(cap.face.loop_offsets, (std::vector<int>{0, 1}));
+  EXPECT_NEAR(area(cap), 2 * pi * 0.4, 0.01);
+  EXPECT_EQ(cone.face.loop_offsets, (std::vector<int>{0, 3}));
+}
+
+TEST(ReadSpaceFace, holes_come_after_the_longest_loop) {
+  const SpaceFace torus = read("torus_patch.step"), hills = read("hills_hole.step");
+  expect_valid(torus), expect_valid(hills);
+  EXPECT_EQ(torus.face.num_loops(), 2);
+  EXPECT_EQ(torus.face.loop_offsets[1], 4);
+  EXPECT_EQ(hills.face.loop_offsets[1], 4);
+}
+
+TEST(ReadSpaceFace, faces_of_a_solid_have_their_normal_outside) {
+  for (int number = 0; number < 26; ++number) {
+    const SpaceFace face = read("filleted_box.step", std::to_string(number));
+    expect_valid(face);
+    const auto p = surface::evaluate(face.surface, face.triangle_uv.front()[0]);
+    Vec3 middle{};
+    for (const Vec3& v : face.vertices) middle += v / static_cast<double>(face.vertices.size());
+    const Vec3 normal = (face.is_reversed ? -1.0 : 1.0) * cross(p.xu, p.xv);
+    EXPECT_GT(dot(normal, middle - Vec3{0.7, 0.7, 0.7}), 0) << number;
+  }
+}
+
+TEST(ReadSpaceFace, closed_faces_are_refused) {
+  expect_contains(message_of<FormatError>([] { read("sphere.step"); }), "sphere.step: the face is closed");
+}
+
+TEST(ReadFace, a_curved_face_is_named_with_what_to_do) {
+  Report report;
+  cad::LoadOptions options;
+  options.face = "0";
+  const std::string bytes = test_bytes("curved/half_cylinder.step");
+  const std::string message =
+      message_of<FormatError>([&] { read_face(step_format(), bytes, "a.step", options, report); });
+  expect_contains(message, "a.step: the face is not planar (a cylinder): cad2chart --face 0 makes a chart of it");
+}
+
+TEST(Answer, is_the_kind_of_the_face_or_the_face_in_space) {
+  cad::CadRequest request;
+  request.task = cad::CadTask::kind;
+  request.bytes = test_bytes("curved/half_cylinder.step");
+  request.options.face = "0";
+  EXPECT_EQ(answer_request(step_format(), cad::to_bytes(request)), "cylinder");
+  request.options.face = "1";
+  EXPECT_EQ(answer_request(step_format(), cad::to_bytes(request)), "plane");
+  request.task = cad::CadTask::load_space;
+  Report report;
+  const SpaceFace face = cad::space_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
+  expect_valid(face);
+  EXPECT_EQ(cad::to_bytes(face, report), answer_request(step_format(), cad::to_bytes(request)));
+}
+
+}  // namespace
+
+}  // namespace quadrille::occ
