@@ -18,6 +18,10 @@ constexpr SymmetricTensor operator*(double s, const SymmetricTensor& t) { return
 constexpr Vec2 operator*(const SymmetricTensor& t, Vec2 a) {
   return {t.xx * a.x + t.xy * a.y, t.xy * a.x + t.yy * a.y};
 }
+/// det(t) must not be 0.
+constexpr SymmetricTensor inverse(const SymmetricTensor& t) {
+  return 1 / (t.xx * t.yy - t.xy * t.xy) * SymmetricTensor{t.yy, -t.xy, t.xx};
+}
 constexpr double det(const SymmetricTensor& t) { return t.xx * t.yy - t.xy * t.xy; }
 
 /// Eigenvalues, and the angle of the first one's direction (radians).
@@ -35,13 +39,6 @@ inline SymmetricTensor tensor_of(const EigenPair& of) {
   const Vec2 double_angle = unit(2 * of.angle);
   const double mean = (of.first + of.second) / 2, radius = (of.first - of.second) / 2;
   return {mean + radius * double_angle.x, radius * double_angle.y, mean - radius * double_angle.x};
-}
-
-/// Of a positive definite tensor.
-inline SymmetricTensor power(const SymmetricTensor& t, double exponent) {
-  if (exponent == 1) return t;
-  const EigenPair of = eigen_pair(t);
-  return tensor_of({std::pow(of.first, exponent), std::pow(of.second, exponent), of.angle});
 }
 
 }  // namespace quadrille

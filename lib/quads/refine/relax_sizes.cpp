@@ -18,13 +18,7 @@ struct SizeConstants {
   double shorter = 0.95;  ///< than the length at which the distance would be the tolerance
   int smooth_rounds = 4;  ///< of shortenings, after which edges become much shorter if elements were too long
   double much_shorter = 0.6;
-  double heavier = 3;     ///< the weight of the shape of elements that became too skew, over the one before
-  int rounds = 6;         ///< of heavier weights
-  int move_halvings = 4;  ///< of all moves, if elements are too skew all the same
-  double good_scaled_jacobian = 0.7, greatest_loss = 0.09;  ///< elements below both are too skew
-  double fair_scaled_jacobian = 0.6;                        ///< if that cannot be had with vertices at joints
-  double own_scaled_jacobian = 0.5;                         ///< where other elements were worse before
-  double poor_scaled_jacobian = 0.3;                        ///< if elements were too long before
+  int move_halvings = 4;  ///< of all moves, if elements are not valid or too skew
 };
 constexpr SizeConstants size_constants;
 
@@ -146,48 +140,23 @@ void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& prob
   }
 }
 
-/// Scaled Jacobians below which elements are too skew.
-struct SkewLimits {
-  double good = size_constants.good_scaled_jacobian;  ///< if all elements had at least 0.09 more before
-  double own = size_constants.own_scaled_jacobian;    ///< if the element itself had
-};
-
-/// `is_last`: what is enough in the end. Of two faults of a mesh, long elements are the worse one (mesh/mesh_score): a
-/// strip that starts at a short edge of the boundary becomes wider only by skew elements there.
-SkewLimits skew_limits(const SizeRelaxation& options, const QuadMesh& before, bool is_last, bool passes_joints) {
-  SkewLimits limits;
-  const bool is_any_long = has_long_elements(options, before);
-  if (is_last || is_any_long) limits.own = 0;
-  if (is_last && passes_joints) limits.good = size_constants.fair_scaled_jacobian;
-  if (is_last && is_any_long) limits.good = size_constants.poor_scaled_jacobian;
-  return limits;
+/// Whether an element that may move is not proved valid, or a goal of shapes makes it more skew than the worst one was.
+bool is_any_worse(const SizeRelaxation& options, const QuadMesh& before, const QuadMesh& after,
+                  const SizeEnergy& energy) {
+  const double least = options.keeps_lengths ? least_scaled_jacobian(before) - tolerance::tied : 0;
+  for (int elem = 0; elem < after.num_elems(); ++elem)
+    if (energy.is_free(elem) && !(after.elem_jacobian_bound[elem] > 0 && after.elem_scaled_jacobian[elem] >= least))
+      return true;
+  return false;
 }
 
-/// By element that may move: whether it is more skew than it has to be, or not proved valid.
-std::vector<bool> skew_elements(const SizeRelaxation& options, const QuadMesh& before, const QuadMesh& after,
-                                const SizeEnergy& energy, SkewLimits limits) {
-  double least = least_scaled_jacobian(before);
-  if (options.keeps_lengths)
-    limits.own = 0;
-  else
-    least = std::min(least - size_constants.greatest_loss, limits.good);
-  std::vector<bool> is_skew;
-  for (int elem = 0; elem < after.num_elems(); ++elem) {
-    const double own = std::min(before.elem_scaled_jacobian[elem] - size_constants.greatest_loss, limits.own);
-    is_skew.push_back(energy.is_free(elem) &&
-                      (after.elem_scaled_jacobian[elem] < std::max(least, own) - tolerance::tied ||
-                       !(after.elem_jacobian_bound[elem] > 0)));
-  }
-  return is_skew;
-}
-
-/// Halves all moves until no element is too skew; if none of them may be made, there are none.
+/// Halves all moves until no element is worse; if none of them may be made, there are none.
 void halve_moves(const RelaxProblem& problem, const SizeRelaxation& options, const QuadMesh& shaped,
-                 const SkewLimits& limits, SizeRelaxer& relaxer, QuadMesh& mesh) {
+                 SizeRelaxer& relaxer, QuadMesh& mesh) {
   for (int halving = 0; halving < size_constants.move_halvings; ++halving) {
     for (Vec2& move : relaxer.moves) move *= 0.5;
     mesh = moved_mesh(problem, options, relaxer.moves);
-    if (std::ranges::count(skew_elements(options, shaped, mesh, relaxer.energy, limits), true) == 0) return;
+    if (!is_any_worse(options, shaped, mesh, relaxer.energy)) return;
   }
   relaxer.moves.assign(relaxer.moves.size(), {});
   relaxer.num_sweeps = 0;
@@ -222,30 +191,16 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
   else if (!begin())
     return relaxer_.is_exhausted();
   SizeRelaxed relaxed{shaped_, 0, energy_before_};
-  while (true) {
-    if (!relax_within_tolerance(options_, problem_, relaxer_)) return relaxer_.is_exhausted();
-    relaxed.mesh = moved_mesh(problem_, options_, relaxer_.moves);
-    if (round_ == 0) energy_after_ = relaxer_.value / std::max(1, shaped_.num_elems());
-    const bool is_last = round_ == size_constants.rounds || relaxer_.is_exhausted();
-    const SkewLimits limits = skew_limits(options_, shaped_, is_last, passes_joints_);
-    const std::vector<bool> is_skew = skew_elements(options_, shaped_, relaxed.mesh, relaxer_.energy, limits);
-    const bool is_any_skew = std::ranges::count(is_skew, true) > 0;
-    const double needed = is_any_skew ? std::min(fine_progress, least_progress) : least_progress;
-    if (relaxer_.least_progress > needed) {
-      relaxer_.least_progress = needed;
-      continue;
-    }
-    if (!is_any_skew) break;
-    if (is_last && passes_joints_) return relaxer_.is_exhausted();
-    if (is_last) {
-      halve_moves(problem_, options_, shaped_, limits, relaxer_, relaxed.mesh);
-      break;
-    }
-    for (std::size_t elem = 0; elem < is_skew.size(); ++elem)
-      if (is_skew[elem]) relaxer_.weigh_shape(static_cast<int>(elem), size_constants.heavier);
-    ++round_;
+  if (!relax_within_tolerance(options_, problem_, relaxer_)) return relaxer_.is_exhausted();
+  if (std::exchange(relaxer_.least_progress, std::min(relaxer_.least_progress, least_progress)) > least_progress &&
+      !relax_within_tolerance(options_, problem_, relaxer_))
+    return relaxer_.is_exhausted();
+  relaxed.mesh = moved_mesh(problem_, options_, relaxer_.moves);
+  relaxed.energy_after = relaxer_.value / std::max(1, shaped_.num_elems());
+  if (is_any_worse(options_, shaped_, relaxed.mesh, relaxer_.energy)) {
+    if (passes_joints_) return relaxer_.is_exhausted();
+    halve_moves(problem_, options_, shaped_, relaxer_, relaxed.mesh);
   }
-  relaxed.energy_after = energy_after_;
   relaxed.sweeps = relaxer_.num_sweeps;
   for (const Vec2 move : relaxer_.moves) relaxed.largest_move = std::max(relaxed.largest_move, norm(move));
   relaxed.relaxation = std::move(result.relaxation);

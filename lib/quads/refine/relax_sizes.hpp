@@ -55,9 +55,7 @@ class VertexRelaxation {
   SizeRelaxer relaxer_;
   const bool passes_joints_;
   const double energy_before_;
-  double energy_after_ = 0;
   bool is_begun_ = false;
-  int round_ = 0;  ///< of heavier weights
 };
 
 /// `mesh`: measured, its edges inside as the blocks are.

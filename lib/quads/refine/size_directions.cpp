@@ -1,7 +1,9 @@
 // What a metric and prescribed directions change in SizeEnergy, and where elements are, by which both are found.
 
 #include "refine/direction_energy.hpp"
+#include "refine/point_energy.hpp"
 #include "refine/size_energy.hpp"
+#include "refine/skew_energy.hpp"
 
 namespace quadrille::refine {
 
@@ -21,6 +23,23 @@ double SizeEnergy::add_direction(int elem, const Tangents& at, Tangents& by) con
     const double weight = multiplicities[elem] * of.weight[k];
     sum += weight * (a.value + b.value);
     by.a.add(k, scale.x * weight * a.by_a), by.b.add(k, scale.y * weight * b.by_a);
+  }
+  return sum;
+}
+
+/// Adds what skewness adds to the derivatives by x_s / h and x_t / h; returns what it adds to the energy.
+double SizeEnergy::add_skewness_in_plane(int elem, const Tangents& at, Tangents& by) const {
+  const Rule& of = rule(elem);
+  const Vec2 scale = inverse_size_[elem];
+  double sum = 0;
+  for (int k = 0; k < of.size; ++k) {
+    const Vec2 a = in_plane(elem, at.a[k]), b = in_plane(elem, at.b[k]);
+    PointEnergy skew(a, b, 0);
+    skew.value = 0, skew.by_a = skew.by_b = {};
+    add_skewness(a, b, skew_weights[elem], skew);
+    const double weight = multiplicities[elem] * of.weight[k];
+    sum += weight * skew.value;
+    by.a.add(k, scale.x * weight * skew.by_a), by.b.add(k, scale.y * weight * skew.by_b);
   }
   return sum;
 }

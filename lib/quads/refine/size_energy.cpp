@@ -7,6 +7,7 @@
 
 #include "base/tolerance.hpp"
 #include "refine/point_energy.hpp"
+#include "refine/skew_energy.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -38,6 +39,7 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
     quadratic_.value[i] = (1 - eta) * (1 - eta), quadratic_.slope[i] = -2 * (1 - eta);
   }
   shape_weights.assign(shaped.num_elems(), first_shape_weight);
+  skew_weights = shape_weights;
   multiplicities.assign(shaped.num_elems(), 1);
   for (int elem = 0; elem < shaped.num_elems(); ++elem) {
     const auto& vertices = problem.follow.elem_vertices()[elem];
@@ -48,6 +50,7 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
   tangent_.resize(start_.size());
   bend_.resize(start_.size());
   lighten_sharp_corners();
+  lighten_skew_blocks(shaped);
   add_curved_sides(shaped);
 }
 
@@ -65,6 +68,17 @@ void SizeEnergy::lighten_sharp_corners() {
       const double sine = cross(out, in) / (norm(out) * norm(in));
       if (sine > 0 && sine < sharp_sine && dot(out, in) > 0) shape_weights[elem] *= std::pow(sine / sharp_sine, 3);
     }
+}
+
+/// Angles of a block that was made skew, as in a sharp corner, are held at most to what they were.
+void SizeEnergy::lighten_skew_blocks(const QuadMesh& shaped) {
+  std::vector<double> least(shaped.block_names.size(), sharp_sine);
+  for (int elem = 0; elem < shaped.num_elems(); ++elem) {
+    double& of_block = least[shaped.elem_block[elem]];
+    of_block = std::min(of_block, std::max(0.0, shaped.elem_scaled_jacobian[elem]));
+  }
+  for (int elem = 0; elem < shaped.num_elems(); ++elem)
+    skew_weights[elem] *= std::pow(least[shaped.elem_block[elem]] / sharp_sine, skew_power);
 }
 
 void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {
@@ -223,11 +237,13 @@ double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
   const Rule& of = rule(elem);
   const Vec2 scale = inverse_size_[elem];
   const double shape = shape_weights[elem], multiplicity = multiplicities[elem];
+  const double skew = stretches.empty() ? skew_weights[elem] : 0;
   std::array<double, points * points> det, value;
   double sum = 0;
   with_size(of, [&](auto n) {
     for (int k = 0; k < n; ++k) {
-      const PointEnergy e(at.a[k], at.b[k], shape);
+      PointEnergy e(at.a[k], at.b[k], shape);
+      add_skewness(at.a[k], at.b[k], skew, e);
       const double weight = multiplicity * of.weight[k], by_s = scale.x * weight, by_t = scale.y * weight;
       det[k] = e.det, value[k] = weight * e.value;
       by.a.x[k] = by_s * e.by_a.x, by.a.y[k] = by_s * e.by_a.y;
@@ -236,8 +252,9 @@ double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
     for (int k = 0; k < n; ++k) sum += det[k] > 0 ? value[k] : infinity;
   });
   if (direction(elem) != Vec2{}) sum += add_direction(elem, at, by);
+  if (stretches.empty()) return sum;
   stretch(elem, of, by);
-  return sum;
+  return sum + add_skewness_in_plane(elem, at, by);
 }
 
 void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {

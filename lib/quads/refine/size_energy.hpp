@@ -5,11 +5,11 @@
 // With h the prescribed size of an element (h_s and h_t where they differ), a = x_s / h and b = x_t / h the derivatives
 // of its map from the unit square, J = a x b and mu = (|a|^2 + |b|^2) / (2 J) >= 1:
 //
-//   F = sum over elements of the mean of  (|a|^2q + |b|^2q) J / 2 + w mu^3,    q = 3, w = 2.
+//   F = sum over elements of the mean of  (|a|^2q + |b|^2q) J / 2 + w mu^3 + w c (x^-12 - 1),    q = 3, w = 2.
 //
 // Where a metric M is prescribed, h is sqrt(h1 h2) and a = S x_s / h, b = S x_t / h, S = h sqrt(M) of determinant 1:
-// lengths and areas are those in M. Where directions are prescribed, by c = |c| e^(4 i angle) in each element, the mean
-// of
+// lengths and areas are those in M; x of the third term stays the sine in the plane. Where directions are prescribed,
+// by c = |c| e^(4 i angle) in each element, the mean of
 //
 //   2 |c| - Re(conj(c) ((a / |a|)^4 + (b / |b|)^4)),    a and b as complex numbers,
 //
@@ -17,9 +17,10 @@
 //
 // The first term is that by which the error of elements of order q - 1 grows with their lengths for a solution that
 // has no preferred direction; for equal areas it is least for equal squares. The second one has no bound where J tends
-// to 0. The mean is that of the corners where an element is bilinear, else of Gauss-Lobatto-Legendre points. A mesh is
-// bilinear in its vertices but for sides that are curved: those on CAD curves, which follow their ends along the curve,
-// and edges inside that keep their curves, whose displacement from the chord does not change.
+// to 0, the third one keeps angles (refine/skew_energy). The mean is that of the corners where an element is bilinear,
+// else of Gauss-Lobatto-Legendre points. A mesh is bilinear in its vertices but for sides that are curved: those on CAD
+// curves, which follow their ends along the curve, and edges inside that keep their curves, whose displacement from the
+// chord does not change.
 
 #include <Eigen/Dense>
 #include <array>
@@ -44,14 +45,14 @@ using ElementHessian = Eigen::Matrix<double, 8, 8>;
 
 class SizeEnergy {
  public:
-  /// `shaped`: the mesh of the problem with its edges inside as they are to be (refine/inner_edges).
+  /// `shaped`: the mesh of the problem with its edges inside as they are to be (refine/inner_edges), measured.
   SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped);
 
   /// The prescribed lengths of each element along s and t; scaled by one factor, so that as many rectangles of these
   /// lengths as there are elements fill the mesh.
   void set_sizes(const std::vector<Vec2>& sizes);
-  /// The weight w of the shape of each element.
-  std::vector<double> shape_weights;
+  /// The weight w of the shape of each element, and of its angles (refine/skew_energy).
+  std::vector<double> shape_weights, skew_weights;
   /// How many elements each one stands for (refine/count_relaxer).
   std::vector<double> multiplicities;
   /// S of each element; empty: the unit tensor.
@@ -110,6 +111,7 @@ class SizeEnergy {
   };
 
   void lighten_sharp_corners();
+  void lighten_skew_blocks(const QuadMesh& shaped);
   void add_curved_sides(const QuadMesh& shaped);
   void place(const VertexMoves& moves);
   void place_side(CurvedSide& side, const VertexMoves& moves) const;
@@ -119,6 +121,10 @@ class SizeEnergy {
   void stretch(int elem, const Rule& of, Tangents& at) const;
   Vec2 direction(int elem) const { return directions.empty() ? Vec2{} : directions[elem]; }
   double add_direction(int elem, const Tangents& at, Tangents& by) const;
+  double add_skewness_in_plane(int elem, const Tangents& at, Tangents& by) const;
+  /// Of a or b: without S.
+  Vec2 in_plane(int elem, Vec2 a) const { return stretches.empty() ? a : inverse(stretches[elem]) * a; }
+  Eigen::Matrix4d bend_of_angles(int elem, Vec2 a, Vec2 b) const;
   double slopes(int elem, const Tangents& at, Tangents& by) const;
   std::array<Vec2, 4> by_corners(int elem, const Tangents& by) const;
   void add_element(int elem, EnergyDerivatives& sum);

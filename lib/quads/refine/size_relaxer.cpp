@@ -52,12 +52,12 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
       options_(options),
       held_(moves),
       lengths_(options.keeps_lengths ? element_lengths(shaped) : options.greatest_lengths),
-      metric_weight_(shaped.num_elems(), 1),
       shorter_(shaped.num_elems(), {1, 1}),
       counts_(shorter_),
       inverse_(problem) {
   if (options.keeps_lengths)
-    for (double& weight : energy.shape_weights) weight *= step_constants.shape_first;
+    for (auto* weights : {&energy.shape_weights, &energy.skew_weights})
+      for (double& weight : *weights) weight *= step_constants.shape_first;
   set_sizes();
   value = energy.value(moves);
 }
@@ -82,7 +82,7 @@ void SizeRelaxer::set_sizes() {
     const Vec2 shorter = shorter_[elem], count = counts_[elem];
     sizes.push_back({own.x * shorter.x * count.x, own.y * shorter.y * count.y});
     size_.push_back(of.least());
-    if (options_.sizes.has_metric()) energy.stretches.push_back(power(of.stretch, metric_weight_[elem]));
+    if (options_.sizes.has_metric()) energy.stretches.push_back(of.stretch);
   }
   if (options_.directions) set_directions();
   energy.set_sizes(sizes);
@@ -94,12 +94,11 @@ void SizeRelaxer::set_directions() {
   const std::vector<Vec2>& x = energy.positions();
   energy.directions.clear();
   for (const auto& [a, b, c, d] : problem_.follow.elem_vertices()) {
-    const double weight = metric_weight_[energy.directions.size()] / (along.size() * along.size());
     Vec2 sum;
     for (const double s : along)
       for (const double t : along)
         sum += options_.directions((1 - t) * ((1 - s) * x[a] + s * x[b]) + t * ((1 - s) * x[d] + s * x[c]));
-    energy.directions.push_back(weight * sum);
+    energy.directions.push_back(sum / (along.size() * along.size()));
   }
 }
 

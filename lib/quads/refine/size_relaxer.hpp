@@ -57,8 +57,6 @@ class SizeRelaxer {
   bool begin_again();
   /// What each element stands for: that many elements along s and t.
   void set_counts(std::vector<Vec2> counts);
-  /// Gives the shape of an element more weight, and less to what makes it skew: a metric, prescribed directions.
-  void weigh_shape(int elem, double factor) { energy.shape_weights[elem] *= factor, metric_weight_[elem] /= 2; }
   /// Shortens the size of an element along a side.
   void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
 
@@ -85,9 +83,8 @@ class SizeRelaxer {
   VertexMoves held_;           ///< the moves of vertices that are fixed
   std::vector<Vec2> lengths_;  ///< by element, along s and t: the greatest that are prescribed; empty: no limits
   std::vector<double> size_;   ///< by element: the least
-  std::vector<double> metric_weight_;  ///< by element: exponent of its stretch, factor of its directions
-  std::vector<Vec2> shorter_;          ///< by element: factors of the size along s and t
-  std::vector<Vec2> counts_;           ///< by element: of those along s and t for which it stands
+  std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
+  std::vector<Vec2> counts_;   ///< by element: of those along s and t for which it stands
   std::optional<VertexSymmetry> symmetry_;
   InverseHessian inverse_;
   double work_ = 0;  ///< elements, each as often as it was moved

@@ -10,6 +10,7 @@
 #include "../hand_made.hpp"
 #include "../support/refined.hpp"
 #include "base/angle.hpp"
+#include "refine/validity.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -47,11 +48,13 @@ TEST(SizeEnergy, ElementsInSharpCornersAreLighter) {
   const auto shear = [](Vec2& x) { x.x += 5 * x.y; };  // corners of atan(1 / 5), 11.3 degrees, and as many of 168.7
   std::ranges::for_each(mesh.nodes, shear);
   for (Nurbs& curve : mesh.face.curves) std::ranges::for_each(curve.poles, shear);
+  measure_elements(mesh);
   const RelaxProblem problem(mesh, {});
   const SizeEnergy energy(problem, mesh);
   EXPECT_EQ(std::ranges::count(energy.shape_weights, 2.0), 14);
   const double sine = std::sin(std::atan(0.2));
   EXPECT_NEAR(std::ranges::min(energy.shape_weights), 2 * std::pow(sine / 0.5, 3), 1e-12);
+  for (const double weight : energy.skew_weights) EXPECT_NEAR(weight, 2 * std::pow(sine / 0.5, 12), 1e-12) << "of all";
 }
 
 TEST(SizeEnergy, PartsOfTheResolutionRatioAreThoseOfTheMesh) {
