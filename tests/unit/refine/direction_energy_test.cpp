@@ -10,7 +10,7 @@ namespace quadrille::refine {
 namespace {
 
 constexpr double step = 1e-5;
-const Vec2 a{0.8, 0.3}, b{-0.4, 1.1}, target{1.1, -0.7};
+const Vec2 a{0.8, 0.3}, target{1.1, -0.7};
 
 TEST(DirectionEnergy, IsZeroAlongTheCrossWhateverTheLength) {
   for (const double turn : {0.0, 1.0, 2.0, 3.0})
