@@ -18,10 +18,11 @@ constexpr SymmetricTensor operator*(double s, const SymmetricTensor& t) { return
 constexpr Vec2 operator*(const SymmetricTensor& t, Vec2 a) {
   return {t.xx * a.x + t.xy * a.y, t.xy * a.x + t.yy * a.y};
 }
+/// det(t) must not be 0.
+constexpr SymmetricTensor inverse(const SymmetricTensor& t) {
+  return 1 / (t.xx * t.yy - t.xy * t.xy) * SymmetricTensor{t.yy, -t.xy, t.xx};
+}
 constexpr double det(const SymmetricTensor& t) { return t.xx * t.yy - t.xy * t.xy; }
-
-/// The inverse of a tensor of determinant 1.
-constexpr SymmetricTensor inverse_of_unit(const SymmetricTensor& t) { return {t.yy, -t.xy, t.xx}; }
 
 /// Eigenvalues, and the angle of the first one's direction (radians).
 struct EigenPair {

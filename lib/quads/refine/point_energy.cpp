@@ -1,8 +1,5 @@
 #include "refine/point_energy.hpp"
 
-#include "refine/direction_energy.hpp"
-#include "refine/skew_energy.hpp"
-
 namespace quadrille::refine {
 namespace {
 
@@ -18,15 +15,13 @@ Matrix2d size_bend(const Vector2d& a) {
 
 }  // namespace
 
-PointBends::PointBends(Vec2 a, Vec2 b, double weight, Vec2 target) : a_(a), b_(b) {
+PointBends::PointBends(Vec2 a, Vec2 b, double weight) : a_(a), b_(b) {
   const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
   mu_slope_ = 3 * weight * mu * mu / det;
   mu_bend_ = 6 * weight * mu;
   mu_a_ = (a - mu * Vec2{b.y, -b.x}) / det, mu_b_ = (b - mu * Vec2{-a.y, a.x}) / det;
   size_a_ = 3 * aa * aa * det, size_b_ = 3 * bb * bb * det;
   turn_a_ = 12 * aa * det, turn_b_ = 12 * bb * det;
-  if (target == Vec2{}) return;
-  angle_a_ = root_of_direction_bend(a, target), angle_b_ = root_of_direction_bend(b, target);
 }
 
 std::array<double, 3> PointBends::block(double along_s, double along_t) const {
@@ -34,15 +29,12 @@ std::array<double, 3> PointBends::block(double along_s, double along_t) const {
   const Vec2 g = along_s * mu_a_ + along_t * mu_b_;
   const double round = mu_slope_ * (ss + tt) + size_a_ * ss + size_b_ * tt, turn_a = turn_a_ * ss,
                turn_b = turn_b_ * tt;
-  std::array<double, 3> sum{round, 0, round};
-  const auto add = [&](double factor, Vec2 v) {
-    sum[0] += factor * v.x * v.x, sum[1] += factor * v.x * v.y, sum[2] += factor * v.y * v.y;
-  };
-  add(mu_bend_, g), add(turn_a, a_), add(turn_b, b_), add(ss, angle_a_), add(tt, angle_b_);
-  return sum;
+  return {round + mu_bend_ * g.x * g.x + turn_a * a_.x * a_.x + turn_b * b_.x * b_.x,
+          mu_bend_ * g.x * g.y + turn_a * a_.x * a_.y + turn_b * b_.x * b_.y,
+          round + mu_bend_ * g.y * g.y + turn_a * a_.y * a_.y + turn_b * b_.y * b_.y};
 }
 
-Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight, Vec2 target) {
+Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, const Matrix4d& more) {
   const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
   const double size = (aa * aa * aa + bb * bb * bb) / 2;
   const Vector4d x(a.x, a.y, b.x, b.y), det_x(b.y, -b.x, -a.y, a.x), mu_x = (x - mu * det_x) / det;
@@ -54,11 +46,7 @@ Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight, Vec2 t
   const Matrix4d mu_xx = (Matrix4d::Identity() - symmetric_product(mu_x, det_x) - mu * det_xx) / det;
   Matrix4d sum = det * size_xx + symmetric_product(size_x, det_x) + size * det_xx +
                  3 * weight * mu * (mu * mu_xx + 2 * mu_x * mu_x.transpose());
-  sum += skew_hessian(a, b, skew_weight);
-  if (target != Vec2{}) {
-    sum.topLeftCorner<2, 2>() += direction_bend(a, target);
-    sum.bottomRightCorner<2, 2>() += direction_bend(b, target);
-  }
+  sum += more;
   if (sum.llt().info() == Eigen::Success) return sum;
   const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(sum);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseAbs().asDiagonal() * eigen.eigenvectors().transpose();

@@ -30,7 +30,7 @@ inline PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) : det(a.x * b.y -
 /// What is positive of the second derivatives.
 class PointBends {
  public:
-  PointBends(Vec2 a, Vec2 b, double weight, Vec2 target);
+  PointBends(Vec2 a, Vec2 b, double weight);
   /// (xx, xy, yy), by the move of a point with which a moves by `along_s` and b by `along_t`.
   std::array<double, 3> block(double along_s, double along_t) const;
 
@@ -39,13 +39,11 @@ class PointBends {
   /// Of mu^3 by mu and of mu by a and b; factors of the unit matrix, and of a a and b b.
   double mu_slope_, mu_bend_, size_a_, size_b_, turn_a_, turn_b_;
   Vec2 mu_a_, mu_b_;
-  /// Of the angles of a and b, times the roots of the second derivatives by these.
-  Vec2 angle_a_, angle_b_;
 };
 
-/// The second derivatives by (a, b), with those of refine/skew_energy and of refine/direction_energy and the absolute
-/// values of their curvatures: positive semidefinite.
-Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight, Vec2 target);
+/// The second derivatives by (a, b) and `more`, those of other terms, with the absolute values of their curvatures:
+/// positive semidefinite.
+Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, const Eigen::Matrix4d& more);
 
 /// Where the points of an element are as seen from a side: p along it, r away from it.
 struct SideFrame {

@@ -13,28 +13,6 @@ void SizeEnergy::stretch(int elem, const Rule& of, Tangents& at) const {
   for (int k = 0; k < of.size; ++k) at.a.set(k, stretches[elem] * at.a[k]), at.b.set(k, stretches[elem] * at.b[k]);
 }
 
-Vec2 SizeEnergy::in_plane(int elem, Vec2 a) const {
-  return stretches.empty() ? a : inverse_of_unit(stretches[elem]) * a;
-}
-
-/// Adds what keeps the angles in the plane (refine/skew_energy) where a and b are those of a metric.
-double SizeEnergy::add_stretched_skewness(int elem, const Tangents& at, Tangents& by) const {
-  const Rule& of = rule(elem);
-  const SymmetricTensor back = inverse_of_unit(stretches[elem]);
-  double sum = 0;
-  for (int k = 0; k < of.size; ++k) {
-    const Vec2 a = back * at.a[k], b = back * at.b[k];
-    PointEnergy e(a, b, 0);
-    e.value = 0, e.by_a = e.by_b = {};
-    add_skewness(a, b, skew_weights[elem], e);
-    const double weight = multiplicities[elem] * of.weight[k];
-    sum += weight * e.value;
-    by.a.add(k, inverse_size_[elem].x * weight * (back * e.by_a));
-    by.b.add(k, inverse_size_[elem].y * weight * (back * e.by_b));
-  }
-  return sum;
-}
-
 /// Adds what prescribed directions add to the derivatives by a and b; returns what they add to the energy.
 double SizeEnergy::add_direction(int elem, const Tangents& at, Tangents& by) const {
   const Rule& of = rule(elem);
@@ -45,6 +23,23 @@ double SizeEnergy::add_direction(int elem, const Tangents& at, Tangents& by) con
     const double weight = multiplicities[elem] * of.weight[k];
     sum += weight * (a.value + b.value);
     by.a.add(k, scale.x * weight * a.by_a), by.b.add(k, scale.y * weight * b.by_a);
+  }
+  return sum;
+}
+
+/// Adds what skewness adds to the derivatives by x_s / h and x_t / h; returns what it adds to the energy.
+double SizeEnergy::add_skewness_in_plane(int elem, const Tangents& at, Tangents& by) const {
+  const Rule& of = rule(elem);
+  const Vec2 scale = inverse_size_[elem];
+  double sum = 0;
+  for (int k = 0; k < of.size; ++k) {
+    const Vec2 a = in_plane(elem, at.a[k]), b = in_plane(elem, at.b[k]);
+    PointEnergy skew(a, b, 0);
+    skew.value = 0, skew.by_a = skew.by_b = {};
+    add_skewness(a, b, skew_weights[elem], skew);
+    const double weight = multiplicities[elem] * of.weight[k];
+    sum += weight * skew.value;
+    by.a.add(k, scale.x * weight * skew.by_a), by.b.add(k, scale.y * weight * skew.by_b);
   }
   return sum;
 }

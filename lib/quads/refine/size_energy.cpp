@@ -236,8 +236,8 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
 double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
   const Rule& of = rule(elem);
   const Vec2 scale = inverse_size_[elem];
-  const double shape = shape_weights[elem], skew = stretches.empty() ? skew_weights[elem] : 0,
-               multiplicity = multiplicities[elem];
+  const double shape = shape_weights[elem], multiplicity = multiplicities[elem];
+  const double skew = stretches.empty() ? skew_weights[elem] : 0;
   std::array<double, points * points> det, value;
   double sum = 0;
   with_size(of, [&](auto n) {
@@ -251,10 +251,10 @@ double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
     }
     for (int k = 0; k < n; ++k) sum += det[k] > 0 ? value[k] : infinity;
   });
-  if (!stretches.empty()) sum += add_stretched_skewness(elem, at, by);
   if (direction(elem) != Vec2{}) sum += add_direction(elem, at, by);
+  if (stretches.empty()) return sum;
   stretch(elem, of, by);
-  return sum;
+  return sum + add_skewness_in_plane(elem, at, by);
 }
 
 void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {

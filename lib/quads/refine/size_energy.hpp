@@ -8,8 +8,8 @@
 //   F = sum over elements of the mean of  (|a|^2q + |b|^2q) J / 2 + w mu^3 + w c (x^-12 - 1),    q = 3, w = 2.
 //
 // Where a metric M is prescribed, h is sqrt(h1 h2) and a = S x_s / h, b = S x_t / h, S = h sqrt(M) of determinant 1:
-// lengths and areas are those in M. Where directions are prescribed, by c = |c| e^(4 i angle) in each element, the mean
-// of
+// lengths and areas are those in M; x of the third term stays the sine in the plane. Where directions are prescribed,
+// by c = |c| e^(4 i angle) in each element, the mean of
 //
 //   2 |c| - Re(conj(c) ((a / |a|)^4 + (b / |b|)^4)),    a and b as complex numbers,
 //
@@ -120,11 +120,11 @@ class SizeEnergy {
   void add_shifts(int elem, Tangents& at) const;
   void stretch(int elem, const Rule& of, Tangents& at) const;
   Vec2 direction(int elem) const { return directions.empty() ? Vec2{} : directions[elem]; }
-  /// Of a vector in the metric of the element.
-  Vec2 in_plane(int elem, Vec2 a) const;
-  double add_stretched_skewness(int elem, const Tangents& at, Tangents& by) const;
-  Eigen::Matrix4d stretched_skew_hessian(int elem, Vec2 a, Vec2 b) const;
   double add_direction(int elem, const Tangents& at, Tangents& by) const;
+  double add_skewness_in_plane(int elem, const Tangents& at, Tangents& by) const;
+  /// Of a or b: without S.
+  Vec2 in_plane(int elem, Vec2 a) const { return stretches.empty() ? a : inverse(stretches[elem]) * a; }
+  Eigen::Matrix4d bend_of_angles(int elem, Vec2 a, Vec2 b) const;
   double slopes(int elem, const Tangents& at, Tangents& by) const;
   std::array<Vec2, 4> by_corners(int elem, const Tangents& by) const;
   void add_element(int elem, EnergyDerivatives& sum);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refine/direction_energy.hpp"
 #include "refine/point_energy.hpp"
 #include "refine/size_energy.hpp"
 #include "refine/skew_energy.hpp"
@@ -17,16 +18,17 @@ std::array<double, 3> stretched(const SymmetricTensor& s, const std::array<doubl
   return {dot({s.xx, s.xy}, x), dot({s.xx, s.xy}, y), dot({s.xy, s.yy}, y)};
 }
 
-}  // namespace
-
-/// Of the angle in the plane, by the vectors in the metric.
-Eigen::Matrix4d SizeEnergy::stretched_skew_hessian(int elem, Vec2 a, Vec2 b) const {
-  const SymmetricTensor back = inverse_of_unit(stretches[elem]);
-  Eigen::Matrix4d by_plane = Eigen::Matrix4d::Zero();
-  by_plane.topLeftCorner<2, 2>() << back.xx, back.xy, back.xy, back.yy;
-  by_plane.bottomRightCorner<2, 2>() = by_plane.topLeftCorner<2, 2>();
-  return by_plane * skew_hessian(back * a, back * b, skew_weights[elem]) * by_plane;
+/// S on a and on b.
+Eigen::Matrix4d of_both(const SymmetricTensor& s) {
+  Eigen::Matrix4d both = Eigen::Matrix4d::Zero();
+  both.topLeftCorner<2, 2>() << s.xx, s.xy, s.xy, s.yy;
+  both.bottomRightCorner<2, 2>() = both.topLeftCorner<2, 2>();
+  return both;
 }
+
+void add_product(Vec2 v, std::array<double, 3>& sum) { sum[0] += v.x * v.x, sum[1] += v.x * v.y, sum[2] += v.y * v.y; }
+
+}  // namespace
 
 /// Adds the diagonal blocks of the Hessian without what may be negative, from the corners alone.
 void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
@@ -35,15 +37,19 @@ void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum
   const auto& v = problem_.follow.elem_vertices()[elem];
   const double weight = multiplicities[elem] / 4;
   for (const int k : {0, along, last - along, last}) {
-    const PointBends bends(at.a[k], at.b[k], shape_weights[elem], direction(elem));
+    const PointBends bends(at.a[k], at.b[k], shape_weights[elem]);
+    const Vec2 plane_a = in_plane(elem, at.a[k]), plane_b = in_plane(elem, at.b[k]);
     const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
     for (int c = 0; c < 4; ++c) {
       if (slopes[c] == Vec2{}) continue;
       const double by_s = inverse_size_[elem].x * slopes[c].x, by_t = inverse_size_[elem].y * slopes[c].y;
       std::array<double, 3> block = bends.block(by_s, by_t);
+      if (direction(elem) != Vec2{}) {
+        add_product(by_s * root_of_direction_bend(at.a[k], direction(elem)), block);
+        add_product(by_t * root_of_direction_bend(at.b[k], direction(elem)), block);
+      }
       if (!stretches.empty()) block = stretched(stretches[elem], block);
-      const std::array<double, 3> skew =
-          skew_block(in_plane(elem, at.a[k]), in_plane(elem, at.b[k]), skew_weights[elem], by_s, by_t);
+      const std::array<double, 3> skew = skew_block(plane_a, plane_b, skew_weights[elem], by_s, by_t);
       for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * (block[i] + skew[i]);
     }
   }
@@ -77,10 +83,7 @@ SizeEnergy::MoveSlopes SizeEnergy::move_slopes(int elem) const {
   for (int side = 0; side < 4; ++side)
     if (sliding_side(elem, side) >= 0) add_slides_of_points(elem, side, by_move);
   if (stretches.empty()) return by_move;
-  const SymmetricTensor& s = stretches[elem];
-  Eigen::Matrix4d stretch = Eigen::Matrix4d::Zero();
-  stretch.topLeftCorner<2, 2>() << s.xx, s.xy, s.xy, s.yy;
-  stretch.bottomRightCorner<2, 2>() = stretch.topLeftCorner<2, 2>();
+  const Eigen::Matrix4d stretch = of_both(stretches[elem]);
   for (int k = 0; k < at.size; ++k) by_move[k] = stretch.lazyProduct(by_move[k]).eval();
   return by_move;
 }
@@ -137,6 +140,19 @@ void SizeEnergy::add_bends(int elem, const Tangents& by, ElementHessian& sum) co
       sum(2 * c, 2 * c) += std::max(0.0, dot(force[c], bend_[v[c]]));
 }
 
+/// The second derivatives by a and b of the terms of angles: of skewness in the plane, and of directions.
+Eigen::Matrix4d SizeEnergy::bend_of_angles(int elem, Vec2 a, Vec2 b) const {
+  Eigen::Matrix4d sum = skew_hessian(in_plane(elem, a), in_plane(elem, b), skew_weights[elem]);
+  if (!stretches.empty()) {
+    const Eigen::Matrix4d back = of_both(inverse(stretches[elem]));
+    sum = (back * sum * back).eval();
+  }
+  if (direction(elem) == Vec2{}) return sum;
+  sum.topLeftCorner<2, 2>() += direction_bend(a, direction(elem));
+  sum.bottomRightCorner<2, 2>() += direction_bend(b, direction(elem));
+  return sum;
+}
+
 ElementHessian SizeEnergy::hessian(int elem) const {
   const Tangents at = tangents(elem);
   const MoveSlopes by_move = move_slopes(elem);
@@ -144,10 +160,8 @@ ElementHessian SizeEnergy::hessian(int elem) const {
   ElementHessian sum = ElementHessian::Zero();
   for (int k = 0; k < of.size; ++k) {
     const double weight = multiplicities[elem] * of.weight[k];
-    Eigen::Matrix4d bend = point_hessian(at.a[k], at.b[k], shape_weights[elem],
-                                         stretches.empty() ? skew_weights[elem] : 0, direction(elem));
-    if (!stretches.empty()) bend += stretched_skew_hessian(elem, at.a[k], at.b[k]);
-    bend *= weight;
+    const Eigen::Matrix4d bend =
+        weight * point_hessian(at.a[k], at.b[k], shape_weights[elem], bend_of_angles(elem, at.a[k], at.b[k]));
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
   }

@@ -94,12 +94,11 @@ void SizeRelaxer::set_directions() {
   const std::vector<Vec2>& x = energy.positions();
   energy.directions.clear();
   for (const auto& [a, b, c, d] : problem_.follow.elem_vertices()) {
-    constexpr double weight = 1.0 / (along.size() * along.size());
     Vec2 sum;
     for (const double s : along)
       for (const double t : along)
         sum += options_.directions((1 - t) * ((1 - s) * x[a] + s * x[b]) + t * ((1 - s) * x[d] + s * x[c]));
-    energy.directions.push_back(weight * sum);
+    energy.directions.push_back(sum / (along.size() * along.size()));
   }
 }
 

@@ -164,10 +164,7 @@ void draw_prescribed_directions(Picture& picture, const Field& field, const Regi
   }
   if (path.empty()) return;
   picture.add(path_element("prescribed", path.str()));
-  PathData mark(1);
-  mark.move_to({-half, 0});
-  mark.line_to({half, 0});
-  picture.legend_mark(path_element("prescribed", mark.str()), "prescribed direction");
+  picture.legend_mark(path_element("prescribed", "M-6 0L6 0"), "prescribed direction");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/symmetric_tensor.hpp"
 #include "draw/draw_in_space.hpp"
 #include "draw/figures.hpp"
 #include "draw/labels.hpp"
@@ -87,6 +88,23 @@ std::string caption(const QuadMesh& mesh) {
                      counted(mesh.num_irregular, "irregular node"), worst, sizes_text(mesh));
 }
 
+/// Short strokes along the longer of the lengths that a metric prescribes, where these differ.
+void draw_prescribed_directions(Picture& picture, const QuadMesh& mesh) {
+  constexpr double least_ratio = 1.2, most = 6, part = 0.3;  // of the lengths; pixels; of an element
+  PathData path(1);
+  for (std::size_t e = 0; e < mesh.elem_prescribed_stretch.size(); ++e) {
+    const EigenPair of = eigen_pair(mesh.elem_prescribed_stretch[e]);
+    if (of.first < least_ratio * of.second) continue;
+    const Vec2 pixel = picture.at(centre(mesh, static_cast<int>(e)));
+    const double half = std::min(most, part * ring_radius(picture, mesh, static_cast<int>(e)));
+    path.move_to(pixel - half * left_of(unit(of.angle)));
+    path.line_to(pixel + half * left_of(unit(of.angle)));
+  }
+  if (path.empty()) return;
+  picture.add(path_element("prescribed", path.str()));
+  picture.legend_mark(path_element("prescribed", "M-6 0L6 0"), "direction of the metric");
+}
+
 std::string draw_plane(const QuadMesh& mesh, const DrawOptions& options) {
   Picture picture(shown_box(bounding_box(mesh.face), mesh.face.origin, options), options, "Quad mesh", caption(mesh));
   picture.open_group("elems");
@@ -105,6 +123,7 @@ std::string draw_plane(const QuadMesh& mesh, const DrawOptions& options) {
     append_curve(borders, quad_side(picture, mesh, elem, side), 0, 1);
   }
   if (!borders.empty()) picture.add(path_element("edge", borders.str()));
+  draw_prescribed_directions(picture, mesh);
   draw_boundary(picture, mesh.face);
   const int worst = worst_to_mark(mesh.elem_scaled_jacobian);
   if (worst >= 0) {

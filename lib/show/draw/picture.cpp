@@ -36,7 +36,7 @@ path,line,circle,polygon{stroke-linejoin:round;stroke-linecap:round;vector-effec
 .elems path,.elems polygon{stroke:#5b6f82;stroke-width:.6}
 .cells path{stroke-width:.8}
 .cross{fill:none;stroke:#3b4a57;stroke-width:1}
-.prescribed{fill:none;stroke:#b3261e;stroke-width:2.5}
+.prescribed{fill:none;stroke:#b3261e;stroke-width:2}
 .quiet{opacity:.4}
 .jump{fill:none;stroke:#b03a2e;stroke-width:1.6;stroke-dasharray:6 4}
 .edge{fill:none;stroke:#44535f;stroke-width:1.5}

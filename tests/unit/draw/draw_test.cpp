@@ -182,6 +182,16 @@ TEST(Draw, AnAlignedFieldShowsThePrescribedDirectionsInsideTheFace) {
   EXPECT_EQ(count(svg.substr(begin, svg.find("/>", begin) - begin), "M"), 2) << "one in each place, none outside";
 }
 
+TEST(Draw, AMeshByAMetricShowsItsDirections) {
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.elem_prescribed_stretch = {{}, {}};
+  EXPECT_EQ(count(draw_stage(mesh, {}), "class=\"prescribed\""), 0) << "lengths are equal";
+  mesh.elem_prescribed_stretch = {{}, tensor_of({2, 0.5, 0})};
+  const std::string svg = draw_stage(mesh, {});
+  expect_sound(svg);
+  EXPECT_EQ(count(svg, "class=\"prescribed\""), 2) << "one path, and that of the legend";
+}
+
 /// One of everything, 1000 pixels a unit over the square.
 CriticalPoints resolved_points() {
   CriticalPoints points;
