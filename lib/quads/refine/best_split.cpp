@@ -183,7 +183,6 @@ SizeRelaxation size_relaxation(const SplitRequest& request, const SplitMesh& spl
   relaxation.keeps_lengths = request.options.relax == Relax::shape;
   relaxation.directions = request.options.directions;
   relaxation.greatest_lengths = sizing::ring_lengths(split.mesh, request.rings);
-  relaxation.greatest_edge_ratio = request.limits.edge_ratio;
   if (!request.options.boundary_counts.empty()) relaxation.slides_off = SlidesOff::breaks;
   return relaxation;
 }

@@ -16,8 +16,6 @@ namespace {
 struct SizeConstants {
   int shortenings = 12;   ///< of edges that miss the tolerance of the boundary
   double shorter = 0.95;  ///< than the length at which the distance would be the tolerance
-  int smooth_rounds = 4;  ///< of shortenings, after which edges become much shorter if elements were too long
-  double much_shorter = 0.6;
   int move_halvings = 4;  ///< of all moves, if elements are not valid or too skew
 };
 constexpr SizeConstants size_constants;
@@ -70,28 +68,16 @@ std::vector<EdgeError> rough_edges(const RelaxProblem& problem, const VertexMove
   return errors;
 }
 
-bool has_long_elements(const SizeRelaxation& options, const QuadMesh& mesh) {
-  return options.greatest_edge_ratio > 0 &&
-         std::ranges::any_of(mesh.elem_edge_ratio, [&](double ratio) { return ratio > options.greatest_edge_ratio; });
-}
-
-/// Makes the element at an edge that misses the tolerance shorter; by `much` more where the error may fall only with
-/// the square of the length, as at a break of the curve, and other elements hardly give way.
-void shorten(const EdgeError& rough, bool much, const RelaxProblem& problem, SizeRelaxer& relaxer) {
+/// Makes the element at an edge that misses the tolerance shorter.
+void shorten(const EdgeError& rough, const RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
-  const double power = much ? 2 : problem.start.order + 1;
   relaxer.shorten(edge.elem, edge.side,
-                  (much ? size_constants.much_shorter : size_constants.shorter) * std::pow(rough.error, -1 / power));
-}
-
-/// Whether edges become much shorter: after a few rounds, where long elements were the fault of the mesh.
-bool is_stubborn(const SizeRelaxation& options, const RelaxProblem& problem, int round) {
-  return round >= size_constants.smooth_rounds && has_long_elements(options, problem.start);
+                  size_constants.shorter * std::pow(rough.error, -1.0 / (problem.start.order + 1)));
 }
 
 /// Makes an edge that misses the tolerance shorter, or fixes ends where they began: an end that left a break of its
 /// curve at once, both after a few rounds. Returns whether it fixes any.
-bool tame_edge(const EdgeError& rough, int round, bool much, RelaxProblem& problem, SizeRelaxer& relaxer) {
+bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
   const bool may_begin_again = problem.boundary.free_joints().empty();  // else another vertex may be there
   bool is_any = false;
@@ -102,7 +88,7 @@ bool tame_edge(const EdgeError& rough, int round, bool much, RelaxProblem& probl
     problem.fix_vertex(v);
     is_any = true;
   }
-  if (!is_any) shorten(rough, much, problem, relaxer);
+  if (!is_any) shorten(rough, problem, relaxer);
   return is_any;
 }
 
@@ -114,8 +100,7 @@ bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
     if (rough.empty()) return true;
     if (relaxer.is_exhausted()) return false;
     bool is_any_fixed = false;
-    const bool much = is_stubborn(options, problem, round);
-    for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, much, problem, relaxer);
+    for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, problem, relaxer);
     if (is_any_fixed ? !relaxer.begin_again() : round >= size_constants.shortenings) return false;
     relaxer.run();
   }
@@ -134,8 +119,7 @@ void relax_across_joints(const SizeRelaxation& options, const RelaxProblem& prob
     std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
     std::erase_if(rough, passes_joint);
     if (rough.empty() || relaxer.is_exhausted()) return;
-    const bool much = is_stubborn(options, problem, round);
-    for (const EdgeError& edge : rough) shorten(edge, much, problem, relaxer);
+    for (const EdgeError& edge : rough) shorten(edge, problem, relaxer);
     relaxer.run();
   }
 }

@@ -33,7 +33,6 @@ struct SizeRelaxation {
   /// Elements, each as often as it is moved: some seconds. Where that is not enough to keep the tolerance, no
   /// vertex is moved.
   double most_work = 1e7;
-  double greatest_edge_ratio = 0;  ///< to be rid of elements with a higher one, others may become skew; 0: no limit
   const PlacedVertices* start = nullptr;  ///< where vertices begin, if that is possible; null: as they are
   double least_progress =
       fine_progress;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
