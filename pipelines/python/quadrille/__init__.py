@@ -20,7 +20,8 @@ from .stage_file import StageFileError, load
 from .tri_mesh import TriMesh
 
 __all__ = ["Arc", "Block", "BlockLayout", "BoundaryNode", "Chart", "Corner", "CriticalPoints", "Face", "Field",
-           "GraphNode", "Joint", "Line", "Node", "QuadMesh", "SeparatrixGraph", "Spline", "StageFileError", "TriMesh", "load", "read"]
+           "GraphNode", "Joint", "Line", "Node", "QuadMesh", "SeparatrixGraph", "Spline", "StageFileError", "TriMesh",
+           "load", "read"]
 
 TYPES = {"chart": Chart, "tri-mesh": TriMesh, "field": Field, "critical-points": CriticalPoints,
          "separatrix-graph": SeparatrixGraph, "block-layout": BlockLayout, "quad-mesh": QuadMesh}
