@@ -1,5 +1,5 @@
 #pragma once
-// From the plane of a chart to the surface (method.md §12).
+// From the plane of a chart to the surface (lib/method.md §12).
 //
 // A point of the chart lies in a triangle; the polynomial of its nodes in space is within the chart's accuracy of the
 // surface, and is projected to it. So every lifted point is on the exact surface, and only its place along the surface

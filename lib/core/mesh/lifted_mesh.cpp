@@ -26,17 +26,15 @@ double distance_from_curve(const SpaceCurve& curve, Vec3 x, double t) {
   return least;
 }
 
-/// From the nodes of an interval to samples between its ends.
-struct SampleMaps {
-  Eigen::MatrixXd inside, along_edge;
+/// From the nodes of an interval to the middles between them.
+struct Middles {
+  Eigen::MatrixXd map;
 
-  explicit SampleMaps(int order) {
+  explicit Middles(int order) {
     const std::vector<double>& nodes = spectral::gll_points(order);
-    std::vector<double> middles, samples;
+    std::vector<double> middles;
     for (int i = 0; i < order; ++i) middles.push_back((nodes[i] + nodes[i + 1]) / 2);
-    for (int i = 0; i < 4 * (order + 1); ++i) samples.push_back(-1 + (i + 0.5) / (2 * (order + 1)));
-    inside = spectral::interpolation_matrix(nodes, middles);
-    along_edge = spectral::interpolation_matrix(nodes, samples);
+    map = spectral::interpolation_matrix(nodes, middles);
   }
 };
 
@@ -88,24 +86,24 @@ void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
 }
 
 SurfaceDistance surface_distance(const ChartMap& map, const QuadMesh& mesh) {
-  const SampleMaps& maps = spectral::table_per_order<SampleMaps>(mesh.order);
+  const Eigen::MatrixXd& middles = spectral::table_per_order<Middles>(mesh.order).map;
   Worst worst{{std::vector<double>(mesh.num_elems(), 0.0), 0, mesh.nodes.front()}};
-  const int count = static_cast<int>(maps.inside.rows());
+  const int count = static_cast<int>(middles.rows());
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     std::optional<Vec2> uv;
     for (int j = 0; j < count; ++j)
       for (int i = 0; i < count; ++i) {
-        const Vec2 x = inside_at(mesh, mesh.nodes, elem, maps.inside, i, j);
-        const Vec3 position = inside_at(mesh, mesh.space_nodes, elem, maps.inside, i, j);
+        const Vec2 x = inside_at(mesh, mesh.nodes, elem, middles, i, j);
+        const Vec3 position = inside_at(mesh, mesh.space_nodes, elem, middles, i, j);
         worst.add(elem, map.distance_from_surface(position, x, uv), x);
       }
   }
   const curve::FaceBoundary boundary(mesh.face);
   for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
     const std::vector<int> ids = side_nodes(mesh, edge.elem, edge.side);
-    for (int i = 0; i < maps.along_edge.rows(); ++i) {
-      const Vec2 x = edge_at(ids, mesh.nodes, maps.along_edge, i);
-      const Vec3 position = edge_at(ids, mesh.space_nodes, maps.along_edge, i);
+    for (int i = 0; i < middles.rows(); ++i) {
+      const Vec2 x = edge_at(ids, mesh.nodes, middles, i);
+      const Vec3 position = edge_at(ids, mesh.space_nodes, middles, i);
       const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, x);
       worst.add(edge.elem, distance_from_curve(mesh.face.chart->space_curves[at.curve], position, at.t), x);
     }

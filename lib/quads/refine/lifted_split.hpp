@@ -1,7 +1,7 @@
 #pragma once
-// From the mesh of a chart to the mesh on the surface (method.md §12). All of refine works in the chart; what exists in
-// space alone is measured here: the proof of elements and their distance from the surface. Where one fails, shorter
-// edges are prescribed and the mesh is made again.
+// From the mesh of a chart to the mesh on the surface (lib/method.md §12). All of refine works in the chart; what
+// exists in space alone is measured here: the proof of elements and their distance from the surface. Where one fails,
+// shorter edges are prescribed and the mesh is made again.
 
 #include <memory>
 #include <optional>

@@ -14,13 +14,15 @@ class QuadMesh:
     Gauss-Lobatto-Legendre points; `elem_block` [m]; `block_names`; `boundary_edges`: a dict of arrays `elem`, `side`,
     `curve`; `interface_edges`: the same of edges on interfaces, once for each side; `elem_region` [m]: the region of
     each element in `face`; `elem_jacobian_bound`, `elem_scaled_jacobian`, `elem_edge_ratio`, `elem_area_jump`, `elem_node_distance`
-    [m], None where the file has none; `is_valid`: every element is proved valid.
+    [m], None where the file has none; `is_valid`: every element is proved valid. Of a curved face `nodes` are in its
+    chart and `space_nodes` [n, 3] in the coordinates of the CAD file; else that is None.
     """
 
     def __init__(self, content):
         self.face = Face(content["face"])
         self.order = int(content["order"])
         self.nodes = np.asarray(content["nodes"], float) + self.face.origin
+        self.space_nodes = np.asarray(content["space_nodes"], float) if "space_nodes" in content else None
         self.elem_nodes = np.asarray(content["elem_nodes"]).reshape(-1, (self.order + 1) ** 2)
         self.elem_block = np.asarray(content["elem_block"])
         self.block_names = list(content["block_names"])

@@ -41,6 +41,15 @@ class FilesTest(unittest.TestCase):
             quadrille.read(pathlib.Path(folder) / "absent")
 
 
+class ChartTest(unittest.TestCase):
+    def test_the_cap_is_on_the_unit_sphere(self):
+        chart = sample("chart/passed/cap.chart.h5")
+        self.assertEqual((chart.num_elements, chart.order), (18, 8))
+        np.testing.assert_allclose(np.linalg.norm(chart.space_nodes, axis=2), 1, atol=1e-14)
+        np.testing.assert_allclose(chart.log_scale, np.log(2 / (1 + (chart.nodes ** 2).sum(axis=2))), atol=1e-14)
+        self.assertIsNone(sample("quad_mesh/passed/square.quad.h5").space_nodes)
+
+
 class SquareTest(unittest.TestCase):
     def test_mesh(self):
         mesh = sample("tri_mesh/passed/square.tri.h5")
