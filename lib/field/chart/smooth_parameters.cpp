@@ -13,25 +13,33 @@ namespace quadrille::chart {
 namespace {
 
 constexpr int degree = 7, smooth_derivatives = 3, fewest_spans = 8, most_spans = 256, samples_per_fit_span = 12;
-/// Of the length of the curve: of a fit that needs no better one, and that is good enough, as intersections of surfaces
-/// in CAD files are ten times worse.
-constexpr double fit_tolerance = 1e-13, worst_fit = 1e-9;
-constexpr double least_gain = 0.25;  ///< of the distance, by spans of half the length
-/// Of tangents, radians, and of curvatures, relative: greater jumps are bends that a spline must not smooth.
-constexpr double same_direction = 1e-6, same_curvature = 1e-3;
+constexpr double fit_tolerance = 1e-13, worst_fit = 1e-12;  ///< of the length of the curve
+constexpr double same_direction = 1e-7, same_slope = 1e-2;  ///< of tangent and curvature, and of the curvature's slope
 
+/// Tangent, curvature vector, and its derivative by arc length, which is a difference.
 struct Bend {
-  Vec3 tangent, curvature;
+  Vec3 tangent, curvature, slope;
 };
 
-Bend bend_at(const SpaceCurve& curve, double t, bool from_left) {
+Vec3 curvature_at(const SpaceCurve& curve, double t, bool from_left) {
   const auto [x, d, dd] = surface::derivatives(curve, t, from_left);
-  return {normalized(d), (dd - dot(dd, d) / norm2(d) * d) / norm2(d)};
+  return (dd - dot(dd, d) / norm2(d) * d) / norm2(d);
+}
+
+/// `span`: length of the knot span on this side.
+Bend bend_at(const SpaceCurve& curve, double t, bool from_left, double span) {
+  constexpr double part = 1e-3;
+  const double step = from_left ? -part * span : part * span;
+  const Vec3 d = surface::derivatives(curve, t, from_left)[1];
+  const Vec3 here = curvature_at(curve, t, from_left), there = curvature_at(curve, t + step, from_left);
+  return {normalized(d), here, (there - here) / (step * norm(d))};
 }
 
 bool are_same(const Bend& a, const Bend& b, double length) {
   const double curvature = 1 / length + norm(a.curvature) + norm(b.curvature);
-  return norm(a.tangent - b.tangent) < same_direction && norm(a.curvature - b.curvature) < same_curvature * curvature;
+  const double slope = curvature / length + curvature * curvature + norm(a.slope) + norm(b.slope);
+  return norm(a.tangent - b.tangent) < same_direction && norm(a.curvature - b.curvature) < same_direction * curvature &&
+         norm(a.slope - b.slope) < same_slope * slope;
 }
 
 struct Knot {
@@ -56,7 +64,8 @@ bool has_rough_parameters(const SpaceCurve& curve, double length) {
     if (curve.degree - knots[i].multiplicity >= smooth_derivatives) continue;
     is_rough = true;
     const double t = knots[i].t;
-    if (!are_same(bend_at(curve, t, true), bend_at(curve, t, false), length)) return false;
+    if (!are_same(bend_at(curve, t, true, t - knots[i - 1].t), bend_at(curve, t, false, knots[i + 1].t - t), length))
+      return false;
   }
   return is_rough;
 }
@@ -108,22 +117,17 @@ double distance_of(const SpaceLength& length, const SpaceCurve& spline) {
   return most;
 }
 
-struct LengthFit {
-  SpaceCurve spline;
-  double distance = 0;
-};
-
-std::optional<LengthFit> by_arc_length(const SpaceLength& length) {
+std::optional<SpaceCurve> by_arc_length(const SpaceLength& length) {
   const bool is_closed = has_smooth_seam(length.curve());
-  std::optional<LengthFit> best;
+  std::optional<SpaceCurve> best;
+  double least = worst_fit * length.total();
   for (int spans = fewest_spans; spans <= most_spans; spans *= 2) {
     std::optional<SpaceCurve> spline = fitted(length, is_closed, spans);
     if (!spline) break;
-    const double off = distance_of(length, *spline), last = best ? best->distance : HUGE_VAL;
-    if (off < last) best = {*std::move(spline), off};
-    if (off < fit_tolerance * length.total() || off > least_gain * last) break;
+    if (const double off = distance_of(length, *spline); off < least) least = off, best = std::move(spline);
+    if (least < fit_tolerance * length.total()) break;
   }
-  return best && best->distance < worst_fit * length.total() ? best : std::nullopt;
+  return best;
 }
 
 }  // namespace
@@ -132,22 +136,23 @@ bool has_smooth_seam(const SpaceCurve& curve) {
   constexpr double same_point = 1e-9;
   const double length = SpaceLength(curve).total();
   if (distance(curve.poles.front(), curve.poles.back()) > same_point * length) return false;
-  return are_same(bend_at(curve, curve.end(), true), bend_at(curve, curve.begin(), false), length);
+  const std::vector<Knot> knots = knots_of_curve(curve);
+  return are_same(bend_at(curve, curve.end(), true, knots.back().t - knots[knots.size() - 2].t),
+                  bend_at(curve, curve.begin(), false, knots[1].t - knots[0].t), length);
 }
 
 SpaceFace with_smooth_parameters(SpaceFace face) {
   for (std::size_t c = 0; c < face.curves.size(); ++c) {
     const SpaceLength length(face.curves[c]);
     if (!has_rough_parameters(face.curves[c], length.total())) continue;
-    std::optional<LengthFit> fit = by_arc_length(length);
-    if (!fit) continue;
+    std::optional<SpaceCurve> spline = by_arc_length(length);
+    if (!spline) continue;
     for (FineBoundaryEdge& edge : face.boundary_edges)
       if (edge.curve == static_cast<int>(c)) edge.t0 = length.at(edge.t0), edge.t1 = length.at(edge.t1);
     // The ends are those of its neighbours in the loop, bit for bit.
-    if (fit->spline.poles.front() != fit->spline.poles.back())
-      fit->spline.poles.front() = face.curves[c].poles.front(), fit->spline.poles.back() = face.curves[c].poles.back();
-    face.curves[c] = std::move(fit->spline);
-    face.face.fit_distance = std::max(face.face.fit_distance, fit->distance);
+    if (spline->poles.front() != spline->poles.back())
+      spline->poles.front() = face.curves[c].poles.front(), spline->poles.back() = face.curves[c].poles.back();
+    face.curves[c] = *std::move(spline);
   }
   return face;
 }
