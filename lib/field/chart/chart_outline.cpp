@@ -261,7 +261,7 @@ CadFace outline_of_image(const SpaceFace& space_face, const std::vector<SpaceLen
     const Samples &s = samples[i], &next = samples[space_face.face.next_in_loop(i)];
     const curve::FitEnds ends{s.points.front().position, s.start_derivative, next.points.front().position,
                               s.end_derivative};
-    const OutlineFit fit(s, ends, options.tolerance * size);
+    const OutlineFit fit(s, ends, options.tolerance * std::min(size, lengths[i].total()));
     face.curves.push_back(fitted(space_face.curves[i], fit, s, mesh.order == 1));
   }
   for (int i = 0; i < face.num_curves(); ++i) face.joints.push_back(joint_of(face, i, angles[i], options.corner_angle));

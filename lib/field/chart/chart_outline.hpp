@@ -9,7 +9,7 @@
 namespace quadrille::chart {
 
 struct OutlineOptions {
-  double tolerance = 1e-9;  ///< of the distance of the splines from the image, diameters
+  double tolerance = 1e-9;  ///< of the distance of the splines from the image: of their length, at most of the diameter
   double corner_angle = 0;  ///< radians, as ChartOptions
 };
 

@@ -155,9 +155,11 @@ class Judge {
     if (made.num_meshes < 2) return false;
     stalls_ += made.num_meshes > 2 && made.fit.closedness > last_ / 2;
     last_ = made.fit.closedness;
-    const bool is_last =
-        stalls_ > 1 || made.num_meshes >= constants.most_meshes || made.mesh.num_elems() > constants.most_elements;
-    return last_ <= (is_last ? worst_ : stalls_ > 0 ? goal_ : aim());
+    return last_ <= (is_last(made) ? worst_ : stalls_ > 0 ? goal_ : aim());
+  }
+  bool is_last(const MadeChart& made) const {
+    const bool is_dear = made.num_meshes >= constants.most_meshes || made.mesh.num_elems() > constants.most_elements;
+    return made.num_meshes > 1 && (is_dear || stalls_ > 1);
   }
 
  private:
@@ -200,7 +202,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
     normalize(space_face, lengths, made.mesh);
     made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
     if (judge.is_good(made)) return made;
-    if (made.num_meshes >= constants.most_meshes || made.mesh.num_elems() > constants.most_elements) break;
+    if (judge.is_last(made)) break;
     if (made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, judge.aim(), by_error);
     std::vector<SizePoint> sizes = sizes_by_curvature(made.mesh, made.face.diameter);
     sizes.insert(sizes.end(), by_error.begin(), by_error.end());
