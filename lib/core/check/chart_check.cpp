@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "check/rules.hpp"
 #include "curve/project.hpp"
@@ -119,12 +120,37 @@ void elements_are_valid(const CadFace& face, Findings& findings) {
   }
 }
 
+/// An edge of an element that no other element has.
+struct OuterEdge {
+  int elem, edge;
+};
+
+std::vector<OuterEdge> outer_edges(const Chart& chart) {
+  std::map<std::array<int, 2>, std::vector<OuterEdge>> edges;
+  for (int e = 0; e < chart.num_elems(); ++e)
+    for (int k = 0; k < 3; ++k) {
+      const int a = chart.elem2vertices[e][k], b = chart.elem2vertices[e][(k + 1) % 3];
+      edges[{std::min(a, b), std::max(a, b)}].push_back({e, k});
+    }
+  std::vector<OuterEdge> outer;
+  for (const auto& [vertices, users] : edges)
+    if (users.size() == 1) outer.push_back(users.front());
+  return outer;
+}
+
+/// Edges of CAD files lie on their faces within a tolerance: elements at the boundary may be off as much.
 void nodes_lie_on_their_surface(const CadFace& face, Findings& findings) {
   const Chart& chart = *face.chart;
+  std::set<int> outer_vertices;
+  for (const auto& [elem, k] : outer_edges(chart))
+    outer_vertices.insert({chart.elem2vertices[elem][k], chart.elem2vertices[elem][(k + 1) % 3]});
   for (std::size_t i = 0; i < chart.nodes.size(); ++i) {
-    const int surface = chart.elem_surface[i / chart.nodes_per_elem()];
-    const double off = distance(surface::point(chart.surfaces[surface], chart.uv[i]), chart.space_nodes[i]);
-    if (!(off <= surface_tol * face.diameter))
+    const std::size_t elem = i / chart.nodes_per_elem();
+    const double off =
+        distance(surface::point(chart.surfaces[chart.elem_surface[elem]], chart.uv[i]), chart.space_nodes[i]);
+    const bool is_outer =
+        std::ranges::any_of(chart.elem2vertices[elem], [&](int v) { return outer_vertices.contains(v); });
+    if (!(off <= (is_outer ? gap_tol : surface_tol) * face.diameter))
       findings.add("node {} lies {:.3g} away from the point of its surface at its uv", i, off);
   }
 }
@@ -153,18 +179,9 @@ double distance_from_boundary(const CadFace& face, Vec2 x, Vec3 y) {
   return least;
 }
 
-/// Outer edges of elements are those that one element has. Elements may fill holes.
 void boundaries_agree(const CadFace& face, Findings& findings) {
   const Chart& chart = *face.chart;
-  std::map<std::array<int, 2>, std::vector<std::array<int, 2>>> edges;
-  for (int e = 0; e < chart.num_elems(); ++e)
-    for (int k = 0; k < 3; ++k) {
-      const int a = chart.elem2vertices[e][k], b = chart.elem2vertices[e][(k + 1) % 3];
-      edges[{std::min(a, b), std::max(a, b)}].push_back({e, k});
-    }
-  for (const auto& [vertices, users] : edges) {
-    if (users.size() != 1) continue;
-    const auto [elem, k] = users.front();
+  for (const auto& [elem, k] : outer_edges(chart)) {
     for (int j = 0; j <= chart.order; ++j) {
       const int node = elem * chart.nodes_per_elem() + spectral::tri_edge_node(chart.order, k, j);
       const double off = distance_from_boundary(face, chart.nodes[node], chart.space_nodes[node]);

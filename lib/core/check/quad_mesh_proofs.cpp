@@ -1,9 +1,7 @@
 // Rules of quad meshes that are proofs, or need the surface.
 
-#include <cmath>
-
 #include "check/rules.hpp"
-#include "curve/project.hpp"
+#include "curve/nearest_along.hpp"
 #include "spectral/quad_map.hpp"
 #include "surface/nurbs_surface.hpp"
 
@@ -38,27 +36,15 @@ void jacobians_are_as_stored(const QuadMesh& mesh, Findings& findings) {
   }
 }
 
-namespace {
-
-/// Of the points of a boundary curve and of its two neighbours in the loop (an edge may pass a joint) with the
-/// parameters nearest to x, that of the nearest one.
-Vec3 on_space_boundary(const CadFace& face, int curve, Vec2 x) {
-  curve::Projection nearest{0, {}, HUGE_VAL};
-  int nearest_curve = curve;
-  for (const int c : {curve, face.previous_in_loop(curve), face.next_in_loop(curve)})
-    if (const curve::Projection foot = curve::project(face.curves[c], x); foot.distance < nearest.distance)
-      nearest = foot, nearest_curve = c;
-  return surface::point(face.chart->space_curves[nearest_curve], nearest.t);
-}
-
-}  // namespace
-
 void boundary_is_on_curves_in_space(const QuadMesh& mesh, Findings& findings) {
   if (mesh.space_nodes.empty()) return;
+  const curve::FaceBoundary boundary(mesh.face);
   for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
     for (const QuadBoundaryEdge& edge : *edges)
       for (const int node : side_nodes(mesh, edge.elem, edge.side)) {
-        const double off = distance(on_space_boundary(mesh.face, edge.curve, mesh.nodes[node]), mesh.space_nodes[node]);
+        const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, mesh.nodes[node]);
+        const double off =
+            distance(surface::point(mesh.face.chart->space_curves[at.curve], at.t), mesh.space_nodes[node]);
         if (!(off <= boundary_tol * mesh.face.diameter))
           findings.add("node {} on curve {} lies {:.3g} away from the curve in space, at {}", node, edge.curve, off,
                        position_text(mesh.face, mesh.nodes[node]));

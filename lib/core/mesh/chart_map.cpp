@@ -11,7 +11,8 @@ namespace quadrille::mesh {
 namespace {
 
 constexpr double farthest_outside = 0.5;  ///< of a triangle, in barycentric coordinates: polynomials are useless beyond
-constexpr double surface_tol = 1e-3;      ///< diameters: a projection that moves a point farther is at a wrong place
+/// Diameters: a projection that moves a point farther is at a wrong place. Coarse elements may be as far away.
+constexpr double farthest_projection = 0.05;
 
 /// The triangles' maps to a pair of nodal values.
 template <typename Pair>
@@ -107,7 +108,7 @@ Vec3 ChartMap::on_polynomial(Location at) const {
 }
 
 // A node at a pole of the parametrisation may lead nowhere: then the others are tried, near ones first.
-Vec3 ChartMap::projected(Vec3 position, Location at) const {
+surface::SurfaceProjection ChartMap::projected(Vec3 position, Location at) const {
   const NurbsSurface& surface = chart_.surfaces[chart_.elem_surface[at.elem]];
   surface::SurfaceProjection best;
   best.distance = HUGE_VAL;
@@ -115,17 +116,21 @@ Vec3 ChartMap::projected(Vec3 position, Location at) const {
     const Vec2 uv = chart_.uv[at.elem * chart_.nodes_per_elem() + node];
     const surface::SurfaceProjection foot = surface::project(surface, position, uv);
     if (foot.distance < best.distance) best = foot;
-    return foot.is_converged && foot.distance <= surface_tol * face_.diameter;
+    return is_near(foot);
   };
-  if (is_found_from(nearest_node(chart_.order, at.xi))) return best.position;
+  if (is_found_from(nearest_node(chart_.order, at.xi))) return best;
   for (const int node : nodes_by_distance(chart_.order, at.xi))
     if (is_found_from(node)) break;
-  return best.position;
+  return best;
+}
+
+bool ChartMap::is_near(const surface::SurfaceProjection& foot) const {
+  return foot.is_converged && foot.distance <= farthest_projection * face_.diameter;
 }
 
 Vec3 ChartMap::lift(Vec2 x) const {
   const Location at = locate(x);
-  return projected(on_polynomial(at), at);
+  return projected(on_polynomial(at), at).position;
 }
 
 double ChartMap::log_scale(Vec2 x) const {
@@ -150,8 +155,12 @@ Vec3 ChartMap::normal(Vec2 x) const {
 
 Vec3 ChartMap::boundary_point(int curve, double t) const { return surface::point(chart_.space_curves[curve], t); }
 
-double ChartMap::distance_from_surface(Vec3 position, Vec2 x) const {
-  return distance(position, projected(position, locate(x)));
+double ChartMap::distance_from_surface(Vec3 position, Vec2 x, std::optional<Vec2>& uv) const {
+  surface::SurfaceProjection foot;
+  if (uv && chart_.surfaces.size() == 1) foot = surface::project(chart_.surfaces.front(), position, *uv);
+  if (!is_near(foot)) foot = projected(position, locate(x));
+  uv = foot.uv;
+  return foot.distance;
 }
 
 }  // namespace quadrille::mesh

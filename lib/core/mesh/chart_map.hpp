@@ -13,6 +13,7 @@
 #include "model/cad_face.hpp"
 #include "model/tri_mesh.hpp"
 #include "spectral/tri_map.hpp"
+#include "surface/nurbs_surface.hpp"
 
 namespace quadrille::mesh {
 
@@ -40,13 +41,15 @@ class ChartMap {
   Vec3 normal(Vec2 x) const;
   /// The exact point of the boundary at a parameter of curve i.
   Vec3 boundary_point(int curve, double t) const;
-  /// How far a point in space, near the lifted one of the chart's point x, is from the surface.
-  double distance_from_surface(Vec3 position, Vec2 x) const;
+  /// How far a point in space, near the lifted one of the chart's point x, is from the surface. `uv`: parameters of a
+  /// point of the surface near by, if known, from which the nearest one is found faster; becomes that one's.
+  double distance_from_surface(Vec3 position, Vec2 x, std::optional<Vec2>& uv) const;
 
  private:
   Vec3 on_polynomial(Location at) const;
   /// The nearest point of the surface of the triangle.
-  Vec3 projected(Vec3 position, Location at) const;
+  surface::SurfaceProjection projected(Vec3 position, Location at) const;
+  bool is_near(const surface::SurfaceProjection& foot) const;
 
   const CadFace& face_;
   const Chart& chart_;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "curve/project.hpp"
+#include "curve/nearest_along.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -11,22 +12,6 @@
 
 namespace quadrille::mesh {
 namespace {
-
-/// A point of a boundary curve.
-struct CurvePoint {
-  int curve = 0;
-  double t = 0;
-};
-
-/// The nearest point of the edge's curve and of its neighbours in the loop: an edge may pass a joint.
-CurvePoint boundary_point_at(const CadFace& face, int curve, Vec2 x) {
-  curve::Projection nearest{0, {}, HUGE_VAL};
-  int nearest_curve = curve;
-  for (const int c : {curve, face.previous_in_loop(curve), face.next_in_loop(curve)})
-    if (const curve::Projection foot = curve::project(face.curves[c], x); foot.distance < nearest.distance)
-      nearest = foot, nearest_curve = c;
-  return {nearest_curve, nearest.t};
-}
 
 /// The distance from the curve, by Newton's method from the parameter t.
 double distance_from_curve(const SpaceCurve& curve, Vec3 x, double t) {
@@ -46,13 +31,12 @@ struct SampleMaps {
   Eigen::MatrixXd inside, along_edge;
 
   explicit SampleMaps(int order) {
-    const auto to_middles = [&](int count) {
-      std::vector<double> samples;
-      for (int i = 0; i < count; ++i) samples.push_back(-1 + (2.0 * i + 1) / count);
-      return spectral::interpolation_matrix(spectral::gll_points(order), samples);
-    };
-    inside = to_middles(order + 2);
-    along_edge = to_middles(4 * (order + 1));
+    const std::vector<double>& nodes = spectral::gll_points(order);
+    std::vector<double> middles, samples;
+    for (int i = 0; i < order; ++i) middles.push_back((nodes[i] + nodes[i + 1]) / 2);
+    for (int i = 0; i < 4 * (order + 1); ++i) samples.push_back(-1 + (i + 0.5) / (2 * (order + 1)));
+    inside = spectral::interpolation_matrix(nodes, middles);
+    along_edge = spectral::interpolation_matrix(nodes, samples);
   }
 };
 
@@ -88,13 +72,14 @@ struct Worst {
 }  // namespace
 
 void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
+  const curve::FaceBoundary boundary(mesh.face);
   mesh.space_nodes.assign(mesh.nodes.size(), {});
   std::vector<bool> is_placed(mesh.nodes.size(), false);
   for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
     for (const QuadBoundaryEdge& edge : *edges)
       for (const int node : side_nodes(mesh, edge.elem, edge.side)) {
         if (is_placed[node]) continue;
-        const CurvePoint at = boundary_point_at(mesh.face, edge.curve, mesh.nodes[node]);
+        const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, mesh.nodes[node]);
         mesh.space_nodes[node] = map.boundary_point(at.curve, at.t);
         is_placed[node] = true;
       }
@@ -106,19 +91,22 @@ SurfaceDistance surface_distance(const ChartMap& map, const QuadMesh& mesh) {
   const SampleMaps& maps = spectral::table_per_order<SampleMaps>(mesh.order);
   Worst worst{{std::vector<double>(mesh.num_elems(), 0.0), 0, mesh.nodes.front()}};
   const int count = static_cast<int>(maps.inside.rows());
-  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
+    std::optional<Vec2> uv;
     for (int j = 0; j < count; ++j)
       for (int i = 0; i < count; ++i) {
         const Vec2 x = inside_at(mesh, mesh.nodes, elem, maps.inside, i, j);
         const Vec3 position = inside_at(mesh, mesh.space_nodes, elem, maps.inside, i, j);
-        worst.add(elem, map.distance_from_surface(position, x), x);
+        worst.add(elem, map.distance_from_surface(position, x, uv), x);
       }
+  }
+  const curve::FaceBoundary boundary(mesh.face);
   for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
     const std::vector<int> ids = side_nodes(mesh, edge.elem, edge.side);
     for (int i = 0; i < maps.along_edge.rows(); ++i) {
       const Vec2 x = edge_at(ids, mesh.nodes, maps.along_edge, i);
       const Vec3 position = edge_at(ids, mesh.space_nodes, maps.along_edge, i);
-      const CurvePoint at = boundary_point_at(mesh.face, edge.curve, x);
+      const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, x);
       worst.add(edge.elem, distance_from_curve(mesh.face.chart->space_curves[at.curve], position, at.t), x);
     }
   }

@@ -21,7 +21,8 @@ struct SurfaceDistance {
   double worst() const { return elem[worst_elem]; }
 };
 
-/// Of a lifted mesh, at (N + 2)^2 points inside each element and 4 (N + 1) of each edge on the boundary.
+/// Of a lifted mesh, in the middles between the nodes of each element, where the difference of a polynomial from what
+/// it interpolates is greatest, and at 4 (N + 1) points of each edge on the boundary.
 SurfaceDistance surface_distance(const ChartMap& map, const QuadMesh& mesh);
 
 }  // namespace quadrille::mesh

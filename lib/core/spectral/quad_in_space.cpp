@@ -74,7 +74,8 @@ ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec3* nodes)
     const double scale = std::sqrt(norm2(a) * norm2(b));
     values[k] = scale > 0 && dot(n, normal) > 0 ? norm(n) / scale : -1.0;
   }
-  return least_sample(values);
+  const auto [value, xi] = least_sample(values);
+  return {value, xi};
 }
 
 }  // namespace quadrille::spectral

@@ -305,7 +305,8 @@ ScaledJacobianMinimum quad_scaled_jacobian_minimum(int order, const Vec2* nodes)
     const double scale = std::sqrt(norm2(a) * norm2(b));
     values[k] = scale > 0 ? cross(a, b) / scale : 0.0;
   }
-  return least_sample(values);
+  const auto [value, xi] = least_sample(values);
+  return {value, xi};
 }
 
 namespace {

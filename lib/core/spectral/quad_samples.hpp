@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "base/vec2.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
-#include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
@@ -38,7 +39,7 @@ inline std::array<Vector, 2> sampled_derivatives(int order, const Vector& nodal)
 }
 
 /// The least of the values at the samples, not above 1, and where it is.
-inline ScaledJacobianMinimum least_sample(const std::vector<double>& values) {
+inline std::pair<double, Vec2> least_sample(const std::vector<double>& values) {
   const auto width = static_cast<std::ptrdiff_t>(std::lround(std::sqrt(static_cast<double>(values.size()))));
   const auto least = std::min_element(values.begin(), values.end());
   const std::ptrdiff_t k = least - values.begin();

@@ -180,7 +180,8 @@ constexpr const char* mesh_keys[] = {"least_jacobian_bound",
                                      "resolution",
                                      "walls",
                                      "growth",
-                                     "boundary"};
+                                     "boundary",
+                                     "surface"};
 
 Json trials_of(const ChainFacts& facts) {
   Json trials = Json::array();

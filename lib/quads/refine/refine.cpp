@@ -107,19 +107,29 @@ SplitMesh placed_split(const SplitRequest& request) {
   return split;
 }
 
-/// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space.
-SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request) {
+/// No value if it would have too many elements.
+std::optional<SplitMesh> finer_split(const SplitRequest& request) {
+  try {
+    return placed_split(request);
+  } catch (const sizing::TooManyElements&) {
+    return std::nullopt;
+  }
+}
+
+/// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space; `there`:
+/// the lifted mesh.
+SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedMesh& there) {
   SplitMesh split = placed_split(request);
-  const double tolerance = request.limits.distance;
+  there = lifted(map, split.mesh, request.report.progress());
   for (int round = 0; round < max_lifts; ++round) {
-    const LiftedMesh there = lifted(map, split.mesh, request.report.progress());
-    const std::vector<sizing::SizeSegment> finer = finer_sizes(map, there, request.sizes, tolerance);
+    const std::vector<sizing::SizeSegment> finer = finer_sizes(map, there, request.sizes, request.limits.distance);
     if (finer.empty()) break;
     request.sizes = request.sizes.with(finer);
     request.sizes_at_bends = sizing::sizes_at_bends(request.equal.blocks().face, request.sizes);
-    SplitMesh next = placed_split(request);
-    if (next.mesh.num_elems() == split.mesh.num_elems() && next.mesh.nodes == split.mesh.nodes) break;
-    split = std::move(next);
+    std::optional<SplitMesh> next = finer_split(request);
+    if (!next || (next->mesh.num_elems() == split.mesh.num_elems() && next->mesh.nodes == split.mesh.nodes)) break;
+    split = std::move(*next);
+    there = lifted(map, split.mesh, request.report.progress());
   }
   return split;
 }
@@ -145,11 +155,12 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
                                                    layered, options.end_gradings, options.end_growth);
   std::optional<mesh::ChartMap> map;
   if (layout.face.chart) map.emplace(layout.face);
-  SplitMesh split = map ? lifted_split(*map, request) : placed_split(request);
+  LiftedMesh there;
+  SplitMesh split = map ? lifted_split(*map, request, there) : placed_split(request);
   warn_of_joints(split.mesh, report);
   refine_nested(split.mesh, options, report);
   if (map) {
-    LiftedMesh there = lifted(*map, std::move(split.mesh), report.progress());
+    if (options.levels > 0) there = lifted(*map, std::move(split.mesh), report.progress());
     split.mesh = std::move(there.mesh);
     report_surface(there.distance, layout.face, request.limits.distance, report);
   }

@@ -65,15 +65,17 @@ ChartScale::ChartScale(const CadFace& face) {
   for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i)
       values_.push_back(map.log_scale_inside(grid_.lower + grid_.step * Vec2{1.0 * i, 1.0 * j}).value_or(unknown));
+  const std::vector<double> inside = values_;
   for (int k = 0; k <= margin; ++k) continue_outwards(values_, grid_.nx, grid_.ny);
   const auto [least, greatest] = std::minmax_element(face.chart->log_scale.begin(), face.chart->log_scale.end());
   for (double& value : values_) value = std::isnan(value) ? *least : std::clamp(value, *least, *greatest);
   least_ = std::exp(*least);
   for (int j = 0; j + 1 < grid_.ny; ++j)
-    for (int i = 0; i + 1 < grid_.nx; ++i)
-      if (map.log_scale_inside(grid_.lower + grid_.step * Vec2{i + 0.5, j + 0.5}))
-        gradient_ = std::max({gradient_, std::abs(log_at(i + 1, j) - log_at(i, j)) / grid_.step,
-                              std::abs(log_at(i, j + 1) - log_at(i, j)) / grid_.step});
+    for (int i = 0; i + 1 < grid_.nx; ++i) {  // differences from unknown values are no numbers
+      const double here = inside[j * grid_.nx + i];
+      gradient_ = std::fmax(gradient_, std::abs(inside[j * grid_.nx + i + 1] - here) / grid_.step);
+      gradient_ = std::fmax(gradient_, std::abs(inside[(j + 1) * grid_.nx + i] - here) / grid_.step);
+    }
 }
 
 double ChartScale::at(Vec2 x) const {

@@ -49,7 +49,7 @@ TEST(DrawInSpace, FarElementsComeFirst) {
   EXPECT_GT(below.find("elem-0"), below.find("elem-1"));
   EXPECT_EQ(count(above, "id=\"elem-"), 2u);
   EXPECT_EQ(count(above, "stroke-width:2.2"), 6u);
-  EXPECT_EQ(count(above, "stroke-width:1.4"), 2u) << "between the blocks, from both sides";
+  EXPECT_EQ(count(above, "#44535f;stroke-width:1.4"), 2u) << "between the blocks, from both sides";
 }
 
 TEST(DrawInSpace, WithoutAViewItStandsBesideTheChart) {

@@ -89,7 +89,8 @@ TEST_F(StageFiles, ChartsSurviveTheRoundTrip) {
   EXPECT_TRUE(is_chart(file));
   const CadFace face = read_stage<ChartedFace>(file).face;
   ASSERT_TRUE(face.chart);
-  const Chart &chart = *face.chart, &expected = *samples::charted_face().face.chart;
+  const ChartedFace written = samples::charted_face();
+  const Chart &chart = *face.chart, &expected = *written.face.chart;
   EXPECT_EQ(chart.elem2vertices, expected.elem2vertices);
   EXPECT_EQ(chart.space_nodes, expected.space_nodes);
   EXPECT_EQ(chart.uv, expected.uv);

@@ -19,7 +19,10 @@ TEST(ChartMap, LiftedPointsAreOnTheExactSurface) {
     EXPECT_NEAR(distance(map.lift(x), samples::on_sphere(x)), 0, 1e-9);
     EXPECT_NEAR(map.log_scale(x), samples::sphere_log_scale(x), 1e-9);
     EXPECT_NEAR(distance(map.normal(x), samples::on_sphere(x)), 0, 1e-7);
-    EXPECT_NEAR(map.distance_from_surface(1.001 * samples::on_sphere(x), x), 1e-3, 1e-14);
+    std::optional<Vec2> uv;
+    EXPECT_NEAR(map.distance_from_surface(1.0001 * samples::on_sphere(x), x, uv), 1e-4, 1e-14);
+    EXPECT_NEAR(distance(*uv, x), 0, 1e-8);
+    EXPECT_NEAR(map.distance_from_surface(0.9999 * samples::on_sphere(x), x, uv), 1e-4, 1e-14);
   }
 }
 
