@@ -194,6 +194,14 @@ Nurbs fitted(const SpaceCurve& space_curve, const OutlineFit& fit, const Samples
   return *std::move(spline);
 }
 
+/// The unit tangent at an end; where a curve starts or ends without speed, that of its second derivative.
+Vec3 end_direction(const SpaceCurve& curve, bool at_end) {
+  constexpr double no_speed = 1e-9;
+  const auto [x, d, dd] = surface::derivatives(curve, at_end ? curve.end() : curve.begin(), at_end);
+  if (norm(d) > no_speed * norm(dd) * (curve.end() - curve.begin())) return normalized(d);
+  return normalized(at_end ? -dd : dd);
+}
+
 Vec2 rotated(Vec2 a, double angle) { return a.x * unit(angle) + a.y * left_of(unit(angle)); }
 
 /// Turns the derivatives on both sides of a joint, by the same angle, so that it has the angle of space.
@@ -206,8 +214,7 @@ void keep_angle(double interior_angle, Vec2& in, Vec2& out) {
 
 double space_angle(const SpaceFace& face, int curve, Vec3 normal) {
   const SpaceCurve &before = face.curves[face.face.previous_in_loop(curve)], &after = face.curves[curve];
-  const Vec3 in = normalized(surface::derivatives(before, before.end(), true)[1]),
-             out = normalized(surface::derivatives(after, after.begin())[1]);
+  const Vec3 in = end_direction(before, true), out = end_direction(after, false);
   return pi - std::atan2(dot(normal, cross(in, out)), dot(in, out));
 }
 

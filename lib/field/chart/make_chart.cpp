@@ -22,8 +22,8 @@ namespace {
 
 struct ChartConstants {
   int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
-  int enough_meshes = 4, most_meshes = 8;
-  double aim = 0.03;             ///< of the tolerance, for which up to enough_meshes are made
+  int most_meshes = 8, most_elements = 5000;
+  double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
   double edge_tolerance = 1e-2;  ///< of the straight triangles, whose edges are put onto the curves in space
   double rough_outline = 2e-3, least_outline = 1e-9;  ///< tolerances of splines, diameters
@@ -144,6 +144,49 @@ struct MadeChart {
   int num_meshes = 0;
 };
 
+/// Whether a chart of this accuracy is taken, as another mesh is too dear or hardly helps.
+class Judge {
+ public:
+  explicit Judge(const ChartOptions& options) : goal_(options.closedness), worst_(options.worst_closedness) {}
+
+  /// What meshes are made for as long as they become much better.
+  double aim() const { return constants.aim * goal_; }
+  bool is_good(const MadeChart& made) {
+    if (made.num_meshes < 2) return false;
+    stalls_ += made.num_meshes > 2 && made.fit.closedness > last_ / 2;
+    last_ = made.fit.closedness;
+    const bool is_last =
+        stalls_ > 1 || made.num_meshes >= constants.most_meshes || made.mesh.num_elems() > constants.most_elements;
+    return last_ <= (is_last ? worst_ : stalls_ > 0 ? goal_ : aim());
+  }
+
+ private:
+  double goal_, worst_, last_ = 0;
+  int stalls_ = 0;  ///< meshes that were not much better than the one before
+};
+
+[[noreturn]] void refuse(const MadeChart& made, double worst_closedness) {
+  const auto worst = std::max_element(made.fit.elem_squares.begin(), made.fit.elem_squares.end());
+  const Vec3 at = place_of(made.mesh, static_cast<int>(worst - made.fit.elem_squares.begin())).middle;
+  throw ComputeError(fmt::format(
+      "the chart of the face misses its angles by {:.1e} radians, more than {:.1e}, above all near {}: the surface has "
+      "a kink or a tip there; cut the face there in the CAD system",
+      made.fit.closedness, worst_closedness, place(at)));
+}
+
+/// Where elements have no size or no normal, the chart has no numbers.
+void require_finite(const MadeChart& made) {
+  if (std::isfinite(made.fit.closedness)) return;
+  const auto broken = std::find_if(made.fit.elem_squares.begin(), made.fit.elem_squares.end(),
+                                   [](double part) { return !std::isfinite(part); });
+  const Vec3 at = place_of(made.mesh, static_cast<int>(broken - made.fit.elem_squares.begin())).middle;
+  throw ComputeError(
+      fmt::format("the face has no chart: its elements have no size near {}, where two edges lie upon each other or "
+                  "the surface has "
+                  "no normal; remove such edges in the CAD system",
+                  place(at)));
+}
+
 /// Meshes the outline of the last image and makes a new one, until it is closed or no longer becomes better.
 MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options) {
   std::vector<SpaceLength> lengths;
@@ -151,58 +194,26 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   for (const SpaceCurve& curve : space_face.curves) lengths.emplace_back(curve);
   MadeChart made;
   made.mesh = rough_chart(space_face);
-  normalize(space_face, lengths, made.mesh);
   std::vector<SizePoint> by_error;
-  const double aim = constants.aim * options.closedness;
-  double tolerance = constants.rough_outline;
-  bool gains = true;  // whether the last mesh was much better than the one before
-  for (;;) {
+  Judge judge(options);
+  for (double tolerance = constants.rough_outline;;) {
+    normalize(space_face, lengths, made.mesh);
     made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
-    if (made.num_meshes > 1 && made.fit.closedness <= (gains ? aim : options.closedness)) return made;
-    if (made.num_meshes == constants.most_meshes) break;
+    if (judge.is_good(made)) return made;
+    if (made.num_meshes >= constants.most_meshes || made.mesh.num_elems() > constants.most_elements) break;
+    if (made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, judge.aim(), by_error);
     std::vector<SizePoint> sizes = sizes_by_curvature(made.mesh, made.face.diameter);
     sizes.insert(sizes.end(), by_error.begin(), by_error.end());
     const bool is_first = made.num_meshes == 0;
     TriMesh plane = triangles_of(made.face, triangle_options(made.face.diameter, std::move(sizes), is_first));
     made.mesh = lifted_mesh(space_face, lengths, made.mesh, std::move(plane),
                             is_first ? constants.first_order : constants.order);
-    const double last = made.fit.closedness;
     made.fit = make_isothermal(made.mesh, space_face.face.loop_offsets);
-    if (getenv("DBG2"))
-      for (size_t i = 0; i < made.mesh.nodes.size(); ++i) {
-        size_t n = made.mesh.nodes_per_elem(), f = i / n * n;
-        Vec2 xi = spectral::tri_nodes(made.mesh.order)[i % n];
-        Vec3 flat = -(xi.x + xi.y) / 2 * made.mesh.nodes[f] + (1 + xi.x) / 2 * made.mesh.nodes[f + 1] +
-                    (1 + xi.y) / 2 * made.mesh.nodes[f + 2];
-        bool b = false;
-        for (auto& e : made.mesh.plane.boundary_edges) b |= e.elem == int(i / n);
-        if (norm(made.mesh.nodes[i] - made.mesh.normals[i]) > 1e-9 ||
-            (!b && norm(made.mesh.nodes[i] - normalized(flat)) > 1e-9))
-          std::printf("node %zu elem %zu x %g %g %g n %g %g %g uv %g %g off %g %g\n", i % made.mesh.nodes_per_elem(),
-                      i / made.mesh.nodes_per_elem(), made.mesh.nodes[i].x, made.mesh.nodes[i].y, made.mesh.nodes[i].z,
-                      made.mesh.normals[i].x, made.mesh.normals[i].y, made.mesh.normals[i].z, made.mesh.uv[i].x,
-                      made.mesh.uv[i].y, norm(made.mesh.nodes[i] - made.mesh.normals[i]),
-                      norm(made.mesh.nodes[i] - normalized(flat)));
-      }
-    if (getenv("DBG")) {
-      auto w =
-          std::max_element(made.fit.elem_squares.begin(), made.fit.elem_squares.end()) - made.fit.elem_squares.begin();
-      auto at = place_of(made.mesh, (int)w);
-      std::printf("pass %d elems %d closed %g worst %g at %g %g %g size %g\n", made.num_meshes, made.mesh.num_elems(),
-                  made.fit.closedness, std::sqrt(made.fit.elem_squares[w]), at.middle.x, at.middle.y, at.middle.z,
-                  at.longest);
-    }
-    normalize(space_face, lengths, made.mesh);
-    gains = ++made.num_meshes < 3 || made.fit.closedness < last / 2;
-    if (made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, aim, by_error);
+    require_finite(made);
+    ++made.num_meshes;
     tolerance = std::clamp(made.fit.closedness / 10, constants.least_outline, constants.rough_outline);
   }
-  const auto worst = std::max_element(made.fit.elem_squares.begin(), made.fit.elem_squares.end());
-  const Vec3 at = place_of(made.mesh, static_cast<int>(worst - made.fit.elem_squares.begin())).middle;
-  throw ComputeError(fmt::format(
-      "the chart of the face misses its angles by {:.1e} radians, more than {:.1e}, above all near {}: the surface has "
-      "a kink or a tip there; cut the face there in the CAD system",
-      made.fit.closedness, options.closedness, place(at)));
+  refuse(made, options.worst_closedness);
 }
 
 void require_even_scale(const SurfaceMesh& mesh, double greatest_range) {
@@ -234,7 +245,8 @@ Chart chart_of(const SpaceFace& face, const SurfaceMesh& mesh, double closedness
 }  // namespace
 
 void ChartOptions::validate() const {
-  if (!(closedness > 0 && closedness <= 1e-2)) throw UsageError("the closedness must lie in (0, 0.01]");
+  if (!(closedness > 0 && closedness <= 1e-3)) throw UsageError("the closedness must lie in (0, 0.001]");
+  if (!(worst_closedness >= closedness)) throw UsageError("the worst closedness must not be below the goal");
   if (!(corner_angle >= 0 && corner_angle <= half_pi)) throw UsageError("the corner angle must lie in 0..90 degrees");
   if (!(greatest_scale_range > 1)) throw UsageError("the greatest range of scales must be above 1");
 }
@@ -244,7 +256,7 @@ CadFace make_chart(const SpaceFace& space_face, const ChartOptions& options, Rep
   MadeChart made;
   SpaceFace smooth_face;
   const SpaceFace* used = &space_face;
-  if (std::optional<PlaneChart> plane = plane_chart(space_face, options)) {
+  if (std::optional<PlaneChart> plane = plane_chart(space_face, options.corner_angle)) {
     made.face = std::move(plane->face), made.mesh = std::move(plane->mesh);
   } else {
     smooth_face = with_smooth_parameters(space_face);

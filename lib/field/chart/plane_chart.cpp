@@ -73,7 +73,7 @@ SurfaceMesh mesh_of(const CadFace& face, const SpaceFace& space_face, const Plan
 
 }  // namespace
 
-std::optional<PlaneChart> plane_chart(const SpaceFace& space_face, const ChartOptions& options) {
+std::optional<PlaneChart> plane_chart(const SpaceFace& space_face, double corner_angle) {
   const std::optional<Plane> plane = plane_of(space_face);
   if (!plane) return std::nullopt;
   CadFace face = space_face.face;
@@ -81,7 +81,7 @@ std::optional<PlaneChart> plane_chart(const SpaceFace& space_face, const ChartOp
   for (const SpaceCurve& curve : space_face.curves) face.curves.push_back(in_plane(curve, *plane));
   for (int i = 0; i < face.num_curves(); ++i) {
     const Vec3 normal = cross(plane->x, plane->y);
-    face.joints.push_back(joint_of(face, i, space_angle(space_face, i, normal), options.corner_angle));
+    face.joints.push_back(joint_of(face, i, space_angle(space_face, i, normal), corner_angle));
   }
   face.diameter = outline_diameter(face);
   SurfaceMesh mesh = mesh_of(face, space_face, *plane);

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "chart/make_chart.hpp"
 #include "chart/surface_mesh.hpp"
 
 namespace quadrille::chart {
@@ -13,7 +12,7 @@ struct PlaneChart {
   SurfaceMesh mesh;
 };
 
-/// Of a face whose surface and curves lie in one plane; std::nullopt for others.
-std::optional<PlaneChart> plane_chart(const SpaceFace& face, const ChartOptions& options);
+/// Of a face whose surface and curves lie in one plane; std::nullopt for others. `corner_angle`: as ChartOptions.
+std::optional<PlaneChart> plane_chart(const SpaceFace& face, double corner_angle);
 
 }  // namespace quadrille::chart

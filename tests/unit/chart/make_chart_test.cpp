@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <functional>
+#include <limits>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
+#include "check/check.hpp"
 #include "curve/nurbs.hpp"
 #include "space_faces.hpp"
 
@@ -14,115 +18,171 @@ namespace quadrille {
 namespace {
 
 using Complex = std::complex<double>;
+using tests::face_of;
+using tests::line;
+using tests::profile_arc;
+using tests::swept;
+
+const double cap_latitude = std::acos(0.8);  // its rim has radius 0.8
+
+SpaceFace cylinder_patch() { return face_of(swept(line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 12, 5); }
+SpaceFace cap() { return face_of(swept(profile_arc(0, 1, cap_latitude, pi / 2), 0, 2 * pi), {{0}}, 24, 8); }
+SpaceFace half_cap() { return face_of(swept(profile_arc(0, 1, cap_latitude, pi / 2), 0, pi), {{0, 1, 3}}, 12, 8); }
+SpaceFace torus_patch() { return face_of(swept(profile_arc(3, 1, -1, 1), 0, 1), {{0, 1, 2, 3}}, 12, 8); }
 
 CadFace chart_of(const SpaceFace& face, double closedness = 1e-6) {
   Report report;
   chart::ChartOptions options;
   options.closedness = closedness;
-  const auto t0 = clock();
-  CadFace f = chart::make_chart(face, options, report);
-  std::printf("cpu %.3f\n", double(clock() - t0) / CLOCKS_PER_SEC);
-  for (const auto& [k, v] : report.entries()) {
-    std::printf("%s ", k.c_str());
-    std::visit(
-        [](const auto& x) {
-          if constexpr (std::is_arithmetic_v<std::decay_t<decltype(x)>>) std::printf("%g\n", double(x));
-        },
-        v);
-  }
-  for (size_t i = 0; i < f.joints.size(); ++i)
-    std::printf("joint %zu: angle %.12f corner %d poles %zu\n", i, f.joints[i].interior_angle, f.joints[i].is_corner,
-                f.curves[i].poles.size());
-  for (size_t i = 0; i < f.joints.size(); ++i) { for (double tol : {1e-7, 1e-5, 1e-3}) std::printf("breaks %zu: %zu of %zu spans, seam %d\n", i, curve::smoothness_breaks(f.curves[i],tol).size(), f.curves[i].knots.size(), curve::has_smooth_seam(f.curves[i],tol)); }
-  return f;
+  CadFace charted = chart::make_chart(face, options, report);
+  EXPECT_LE(charted.chart->closedness, closedness);
+  for (const check::Violation& fault : check::check_stage(charted, check::CheckDepth::full))
+    ADD_FAILURE() << fault.rule << ": " << fault.text;
+  return charted;
 }
 
-/// Greatest distance of the chart from exact(x), the motion that fits best removed.
+Complex stereographic(Vec3 x) { return Complex(x.x, x.y) / (1 + x.z); }
+
+/// Greatest distance of the nodes of the chart from exact(x), the best motion removed.
 double misfit(const Chart& chart, const std::function<Complex(Vec3)>& exact) {
   const std::size_t n = chart.nodes.size();
   std::vector<Complex> z, w;
-  Complex zm, wm;
+  Complex z_mean, w_mean, turn;
   for (std::size_t i = 0; i < n; ++i) {
     z.emplace_back(chart.nodes[i].x, chart.nodes[i].y), w.push_back(exact(chart.space_nodes[i]));
-    zm += z[i] / double(n), wm += w[i] / double(n);
+    z_mean += z[i], w_mean += w[i];
   }
-  Complex turn;
-  for (std::size_t i = 0; i < n; ++i) turn += (w[i] - wm) * std::conj(z[i] - zm);
+  z_mean /= static_cast<double>(n), w_mean /= static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) turn += (w[i] - w_mean) * std::conj(z[i] - z_mean);
   turn /= std::abs(turn);
   double most = 0;
-  for (std::size_t i = 0; i < n; ++i) most = std::max(most, std::abs((z[i] - zm) * turn - (w[i] - wm)));
+  for (std::size_t i = 0; i < n; ++i) most = std::max(most, std::abs((z[i] - z_mean) * turn - (w[i] - w_mean)));
   return most;
 }
 
-TEST(MakeChart, CylinderIsUnrolled) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 12, 5);
-  const CadFace f = chart_of(face);
-  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(2 * std::atan2(x.y, x.x), x.z); });
-  std::printf("misfit %g\n", e);
-  EXPECT_LT(e, 1e-9);
+TEST(MakeChart, DevelopableFacesAreUnrolled) {
+  const CadFace cylinder = chart_of(cylinder_patch(), 1e-9);
+  EXPECT_LT(misfit(*cylinder.chart, [](Vec3 x) { return Complex(2 * std::atan2(x.y, x.x), x.z); }), 1e-9);
+  const CadFace cone = chart_of(face_of(swept(line({1, 0, 1}, {3, 0, 3}), 0, 3), {{0, 1, 2, 3}}, 16, 5), 1e-9);
+  const auto unrolled = [](Vec3 x) { return std::polar(norm(x), -std::atan2(x.y, x.x) / std::sqrt(2)); };
+  EXPECT_LT(misfit(*cone.chart, unrolled), 1e-9);
+  for (const double scale : cone.chart->log_scale) EXPECT_NEAR(scale, 0, 1e-9);
 }
 
-TEST(MakeChart, ConeIsUnrolled) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::line({1, 0, 1}, {3, 0, 3}), 0, 3), {{0, 1, 2, 3}}, 16, 5);
-  const CadFace f = chart_of(face);
-  const double e = misfit(*f.chart, [](Vec3 x) { return std::polar(norm(x), -std::atan2(x.y, x.x) / std::sqrt(2)); });
-  std::printf("misfit %g\n", e);
-  EXPECT_LT(e, 1e-9);
+TEST(MakeChart, CapsAreStereographicWithThePoleInside) {
+  const CadFace cap_chart = chart_of(cap());
+  EXPECT_LT(misfit(*cap_chart.chart, [](Vec3 x) { return 1.6 * stereographic(x); }), 1e-8);
+  EXPECT_NEAR(cap_chart.diameter, 1.6, 1e-4);  // arc lengths on the outline are those of space
+  // The half sphere: lambda = ln(2 / (1 + r^2)).
+  const CadFace half = chart_of(face_of(swept(profile_arc(0, 1, 0, pi / 2), 0, 2 * pi), {{0}}, 24, 12));
+  EXPECT_LT(misfit(*half.chart, stereographic), 1e-8);
+  for (std::size_t i = 0; i < half.chart->nodes.size(); ++i)
+    EXPECT_NEAR(half.chart->log_scale[i], std::log(2 / (1 + std::norm(stereographic(half.chart->space_nodes[i])))),
+                1e-6);
 }
 
-TEST(MakeChart, CapIsStereographic) {
-  const double v0 = std::acos(0.8);
-  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, v0, pi / 2), 0, 2 * pi), {{0}}, 24, 8);
-  const CadFace f = chart_of(face);
-  // The image of the rim has radius 0.8.
-  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(x.x, x.y) / (1 + x.z) * 1.6; });
-  std::printf("misfit %g\n", e);
-  EXPECT_LT(e, 1e-9);
+// The stereographic image of a circle is a circle: the chart of a half cap is its holomorphic image, with e^lambda.
+TEST(MakeChart, HalfCapKeepsAnglesAndLengthsOfItsOutline) {
+  const CadFace face = chart_of(half_cap());
+  ASSERT_EQ(face.num_curves(), 3);
+  EXPECT_NEAR(face.joints[0].interior_angle, pi / 2, 1e-12);
+  EXPECT_NEAR(face.joints[1].interior_angle, pi / 2, 1e-12);
+  EXPECT_NEAR(face.joints[2].interior_angle, pi, 1e-12);
+  EXPECT_TRUE(face.joints[0].is_corner && face.joints[1].is_corner);
+  EXPECT_FALSE(face.joints[2].is_corner);  // at the pole
+  EXPECT_NEAR(curve::polygon_length(curve::trimmed(face.curves[0], 0, face.curves[0].end())), 0.8 * pi, 0.01);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(face.curves[i].poles.back(), face.curves[face.next_in_loop(i)].poles.front());
 }
 
-TEST(MakeChart, HalfCap) {
-  const double v0 = std::acos(0.8);
-  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, v0, pi / 2), 0, pi), {{0, 1, 3}}, 12, 8);
-  const CadFace f = chart_of(face);
+TEST(MakeChart, CurvesHaveTheParametersOfThoseInSpace) {
+  const CadFace face = chart_of(cap());  // the rim is a circle of four rational arcs
+  const SpaceCurve& rim = face.chart->space_curves[0];
+  ASSERT_EQ(rim.begin(), face.curves[0].begin());
+  ASSERT_EQ(rim.end(), face.curves[0].end());
+  for (int k = 0; k <= 40; ++k) {
+    const double t = rim.begin() + (rim.end() - rim.begin()) * k / 40;
+    const Vec3 x = surface::point(rim, t);
+    EXPECT_NEAR(std::hypot(x.x, x.y), 0.8, 1e-12);
+    EXPECT_NEAR(x.z, 0.6, 1e-12);
+    const Complex turned =
+        Complex(curve::point(face.curves[0], t).x, curve::point(face.curves[0], t).y) / Complex(x.x, x.y);
+    EXPECT_NEAR(std::abs(turned), 1, 1e-7);
+  }
+  EXPECT_TRUE(curve::smoothness_breaks(face.curves[0]).empty());
+  EXPECT_TRUE(curve::has_smooth_seam(face.curves[0]));
 }
-TEST(MakeChart, HalfSphere) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, 0, pi / 2), 0, 2 * pi), {{0}}, 24, 12);
-  const CadFace f = chart_of(face);
-  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(x.x, x.y) / (1 + x.z); });
-  std::printf("misfit %g\n", e);
+
+TEST(MakeChart, TubesAreRings) {
+  const CadFace tube = chart_of(face_of(swept(line({1, 0, 0}, {1, 0, 1}), 0, 2 * pi), {{0}, {2}}, 36, 5));
+  EXPECT_LT(misfit(*tube.chart, [](Vec3 x) { return std::polar(std::exp(-x.z), std::atan2(x.y, x.x)); }), 1e-7);
 }
-TEST(MakeChart, Torus) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(3, 1, -1, 1), 0, 1), {{0, 1, 2, 3}}, 12, 8);
-  const CadFace f = chart_of(face);
+
+TEST(MakeChart, HolesAreNotFilled) {
+  const SpaceFace zone = face_of(swept(profile_arc(0, 1, cap_latitude, 1.2), 0, 2 * pi), {{0}, {2}}, 36, 5);
+  EXPECT_LT(misfit(*chart_of(zone).chart, [](Vec3 x) { return 1.6 * stereographic(x); }), 1e-8);
+  const CadFace face = chart_of(tests::cap_with_hole(1, 0.4, 0.3, 36, 8));  // beside the middle: its image closes
+  EXPECT_LT(face.chart->closedness, 1e-7);
+  EXPECT_EQ(face.num_loops(), 2);
 }
-TEST(MakeChart, Tube) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::line({1, 0, 0}, {1, 0, 1}), 0, 2 * pi), {{0}, {2}}, 36, 5);
-  const CadFace f = chart_of(face);
-  const double e = misfit(*f.chart, [](Vec3 x) { return std::polar(std::exp(-x.z), std::atan2(x.y, x.x)); });
-  std::printf("misfit %g\n", e);
+
+TEST(MakeChart, ChartOfASymmetricFaceIsSymmetric) {
+  const CadFace face = chart_of(torus_patch(), 1e-9);
+  // The longest curve, on the outer side or beside it, runs to the right: the mirror axis of z -> -z is an axis of the
+  // chart.
+  double most = 0;
+  for (int side = 0; side < 4; ++side) {
+    const Nurbs &a = face.curves[side], &b = face.curves[side == 1 ? 3 : side == 3 ? 1 : side];
+    for (int k = 0; k <= 10; ++k) {
+      const Vec2 x = curve::point(a, a.begin() + (a.end() - a.begin()) * k / 10),
+                 y = curve::point(b, b.end() + (b.begin() - b.end()) * k / 10);
+      most = std::max(most, std::min(distance(x, {-y.x, y.y}), distance(x, {y.x, -y.y})));
+    }
+  }
+  EXPECT_LT(most, 1e-9);
 }
-TEST(MakeChart, Zone) {
-  const SpaceFace face =
-      tests::face_of(tests::swept(tests::profile_arc(0, 1, std::acos(0.8), 1.2), 0, 2 * pi), {{0}, {2}}, 36, 5);
-  const CadFace f = chart_of(face);
-  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(x.x, x.y) / (1 + x.z) * 1.6; });
-  std::printf("misfit %g\n", e);
+
+TEST(MakeChart, PlaneFacesAreTheirOwnCharts) {
+  const SpaceFace face = face_of(swept(line({1, 0, 3}, {2, 0, 3}), 0, 1), {{0, 1, 2, 3}}, 12, 5);  // faces downwards
+  const CadFace charted = chart_of(face);
+  EXPECT_EQ(charted.chart->closedness, 0);
+  EXPECT_EQ(charted.curves[0].degree, face.curves[0].degree);
+  const auto from_below = [](Vec3 x) { return Complex(x.x, -x.y); };
+  EXPECT_LT(misfit(*charted.chart, from_below), 1e-13);
 }
-TEST(MakeChart, Hole) {
-  const SpaceFace face = tests::cap_with_hole(1, 0.4, 0.3, 36, 8);
-  const CadFace f = chart_of(face);
+
+TEST(MakeChart, IsTheSameEachTime) {
+  const CadFace a = chart_of(half_cap()), b = chart_of(half_cap());
+  EXPECT_EQ(a.chart->nodes, b.chart->nodes);
+  EXPECT_EQ(a.curves[1].poles, b.curves[1].poles);
 }
-TEST(MakeChart, ExactSphere) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::profile_arc(0, 1, 0, pi / 2), 0, 2*pi), {{0}}, 24, 12);
-  const CadFace f = chart_of(face, 1e-9);
-  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(x.x, x.y) / (1 + x.z); });
-  std::printf("misfit %g\n", e);
+
+void expect_refusal(const SpaceFace& face, const std::string& text) {
+  Report report;
+  try {
+    chart::make_chart(face, {}, report);
+    ADD_FAILURE() << "no refusal: " << text;
+  } catch (const ComputeError& error) {
+    EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+  }
 }
-TEST(MakeChart, Exact) {
-  const SpaceFace face = tests::face_of(tests::swept(tests::line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 12, 5);
-  const CadFace f = chart_of(face, 1e-9);
-  const double e = misfit(*f.chart, [](Vec3 x) { return Complex(2 * std::atan2(x.y, x.x), x.z); });
-  std::printf("misfit %g\n", e);
+
+TEST(MakeChart, RefusesScalesThatDifferTooMuch) {
+  expect_refusal(face_of(swept(line({1, 0, 0}, {1, 0, 3}), 0, 2 * pi), {{0}, {2}}, 36, 15), "scales between 1 and 20");
+}
+
+TEST(MakeChart, RefusesAChartThatOverlapsItself) {
+  NurbsSurface ramp = swept(line({1, 0, 1}, {3, 0, 1.2}), 0, 3 * pi);  // one and a half turns of a flat cone
+  ramp.is_closed_u = false;
+  expect_refusal(face_of(ramp, {{0, 1, 2, 3}}, 60, 5), "overlaps itself");
+}
+
+TEST(MakeChart, OptionsAreChecked) {
+  chart::ChartOptions options;
+  options.closedness = 0;
+  EXPECT_THROW(options.validate(), UsageError);
+  options = {};
+  options.greatest_scale_range = 1;
+  EXPECT_THROW(options.validate(), UsageError);
 }
 
 }  // namespace

@@ -26,6 +26,16 @@ TEST(DofMap, CountsVerticesAndEdges) {
   EXPECT_EQ(map.num_unknowns, inner_vertices + inner_edges * (order - 1));
 }
 
+TEST(DofMap, AnyDofsCanBeGiven) {
+  const mesh::TriTopology topology = mesh::tri_topology(mesh);
+  std::vector<bool> is_given(mesh.vertices.size() + topology.edge2vertices.size(), false);
+  is_given[3] = true;
+  const DofMap map = make_dof_map(mesh, topology, mesh::nested_dissection(mesh, topology).elimination_order,
+                                  std::vector<int>(mesh.num_elems(), 4), is_given);
+  EXPECT_EQ(map.num_unknowns, map.num_dofs - 1);
+  EXPECT_EQ(map.vertex2dof[3], map.num_unknowns);
+}
+
 TEST(DofMap, EdgesTakeTheLowerOrder) {
   const mesh::TriTopology topology = mesh::tri_topology(mesh);
   std::vector<int> orders(mesh.num_elems());

@@ -187,6 +187,20 @@ TEST(Triangulate, TouchingBoundariesAreRefusedWithTheirPlace) {
   }
 }
 
+TEST(Triangulate, SizesAtPointsHoldInsideOnTheBoundaryAndInFans) {
+  for (const Vec2 at : {Vec2{0.5, 0.5}, Vec2{1, 0.3}, Vec2{1, 1}}) {  // inside, on the boundary, at the reflex corner
+    TriangulateOptions options;
+    options.size_points = {{at, 0.02, 0}};
+    const TriMesh mesh = triangulated(l_shape(), options);
+    expect_sound(mesh);
+    for (const auto& v : mesh.elem2vertices)
+      for (int k = 0; k < 3; ++k) {
+        const Vec2 a = mesh.vertices[v[k]], b = mesh.vertices[v[(k + 1) % 3]];
+        EXPECT_LT(distance(a, b), 2 * (0.02 + options.growth * distance((a + b) / 2, at)));
+      }
+  }
+}
+
 TEST(Triangulate, OptionsOutsideTheirIntervalsAreRefused) {
   const auto refused = [](auto change) {
     TriangulateOptions options;
