@@ -42,6 +42,7 @@ check() {
 # chain_with_reports SHAPE: every stage, with TOOL.json beside; what has two runs has TOOL.2.json.
 chain_with_reports() {
   local x=$1
+  cad2chart "$DATA/curved/tube.step" -o tube.chart.h5 --report cad2chart.json
   cad2tri "$DATA/$x.step" -o $x.tri.h5 --report cad2tri.json
   fieldsolve $x.tri.h5 -o $x.solve.h5 --report fieldsolve.json
   padapt $x.solve.h5 -o $x.field.h5 --report padapt.json

@@ -24,9 +24,8 @@ int main(int argc, char** argv) {
       "Refused are closed faces without a boundary, faces that go round a handle, surfaces with a kink inside the "
       "face, and charts that overlap or whose scales differ too much (--scale-range): cut such faces in the CAD "
       "program. Curves have the names of the file; cad2tri --name renames them.";
-  tool.examples = {"cad2chart part.step --face 7 -o part.chart.h5",
-                   "cad2chart part.step --face 7 | cad2tri -o part.tri.h5",
-                   "cad2chart half_sphere.step --closedness 1e-8 -o half_sphere.chart.h5"};
+  tool.examples = {"cad2chart half_disc.step --face 0 -o half_disc.chart.h5",
+                   "cad2chart half_disc.step --closedness 1e-8 | cad2tri -o half_disc.tri.h5"};
   tool.options = [&](Options& o) {
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP");
     o.output(output, "chart to write (x.chart.h5)");

@@ -1,45 +1,108 @@
-# Curved faces from a CAD file to a mesh on the surface.
+# Charts of curved faces through the whole chain: half of a cap of the unit sphere, in stereographic projection.
 load ../tools/common
 
-quadmesh=$ROOT/pipelines/quadmesh
-curved=$DATA/curved
+CAP=$ROOT/tests/formats/chart/passed/cap.chart.h5
 
-# nodes MSH: x y z of each node.
-nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { print }' "$1"; }
-
-@test "quadmesh --face meshes a curved face of a solid, on its surface" {
-  run -0 "$quadmesh" "$curved/half_cylinder.step" --face 0 -o a.msh
-  assert_output --regexp '^[0-9]+ blocks?, [0-9]+ irregular nodes, [0-9]+ quads, '
-  run -0 awk '{ off = sqrt($1 * $1 + $2 * $2) - 1; if (off < 0) off = -off; if (off > most) most = off }
-    END { print (NR > 20 && most < 1e-8) }' <(nodes a.msh)
-  assert_output 1
+setup_file() {
+  cd "$BATS_FILE_TMPDIR"
+  cp "$CAP" cap.chart.h5
+  cad2tri cap.chart.h5 -o cap.tri.h5
+  fieldsolve cap.tri.h5 | padapt -o cap.field.h5
+  critpoints cap.field.h5 -o cap.crit.json
+  separatrix cap.field.h5 cap.crit.json -o cap.sep.json
+  blocksplit cap.sep.json -o cap.blocks.h5
+  quadrefine cap.blocks.h5 -o cap.quad.h5 --report cap.json
 }
 
-@test "the single commands give the same stage files" {
-  "$quadmesh" "$curved/sphere_cap.step" --face 0 --workdir stages -o a.msh
-  cad2chart "$curved/sphere_cap.step" --face 0 -o stages/sphere_cap.chart.h5.again
-  cmp stages/sphere_cap.chart.h5 stages/sphere_cap.chart.h5.again
-  run -0 "$quadmesh" "$curved/sphere_cap.step" --face 0 --workdir stages -o b.msh --dry-run
-  assert_line --index 0 --regexp 'cad2chart .*sphere_cap.step --face 0 -o stages/sphere_cap.chart.h5$'
-  assert_line --index 1 --regexp '^cad2tri stages/sphere_cap.chart.h5 -o stages/sphere_cap.tri.h5'
-  stagecheck stages/sphere_cap.chart.h5 stages/sphere_cap.tri.h5 stages/sphere_cap.quad.h5
+setup() {
+  common_setup
+  stem=$BATS_FILE_TMPDIR/cap
 }
 
-@test "every sample of a curved face is meshed" {
-  for shape in tube cone_tip half_sphere sphere_cap torus_patch hills_hole; do
-    run -0 "$quadmesh" -q "$curved/$shape.step" --face 0 -o $shape.msh --report $shape.json
-    run -0 jq -e '[.. | .valid? // empty] | all' $shape.json
+@test "every stage carries the chart along and keeps the rules" {
+  for file in tri.h5 field.h5 crit.json sep.json blocks.h5 quad.h5; do
+    run -0 stagecheck "$stem.$file"
+  done
+  h5dump -H "$stem.blocks.h5" | grep -q space_nodes
+  assert_equal "$(jq '.face.chart.closedness' "$stem.sep.json")" 1e-09
+  assert_equal "$(jq -r '[.provenance[].tool] | join(" ")' "$stem.sep.json")" \
+    "cad2chart cad2tri fieldsolve padapt separatrix"
+}
+
+@test "elements are proved in space, within the tolerance of the surface" {
+  assert_equal "$(jq -c '[.valid, .surface.distance <= .surface.tolerance, .warnings]' "$stem.json")" '[true,true,[]]'
+}
+
+@test "quadmesh makes the same of the chart in one command" {
+  quadmesh -q "$CAP" -o cap.msh
+  quadexport "$stem.quad.h5" -o stages.msh
+  cmp cap.msh stages.msh
+}
+
+@test "nodes of the mesh are on the unit sphere, in every format with coordinates in space" {
+  for format in msh msh22 mfem nektar vtu vtu-bezier; do
+    quadexport "$stem.quad.h5" --format $format -o cap.$format
+  done
+  sed -n '/^\$Nodes/,/^\$EndNodes/p' cap.msh22 | awk 'NF == 4 { r = sqrt($2^2 + $3^2 + $4^2); if (r < .99999 || r > 1.00001) exit 1; n++ } END { exit n < 100 }'
+  grep -q 'VDim: 3' cap.mfem
+  grep -q 'SPACE="3"' cap.nektar
+  for format in ism-v2 inp re2 blockmesh; do
+    run -1 quadexport "$stem.quad.h5" --format $format -o no
+    assert_output --partial "lies on a curved face"
+  done
+  run -1 quadexport "$stem.blocks.h5" -o no.step
+  assert_output --partial "curved face"
+  assert_file_not_exist no
+}
+
+@test "names are given as in the plane; options that change curves are refused" {
+  cad2tri "$CAP" --name wall=rim -o named.tri.h5
+  h5dump -d /face/curve_names named.tri.h5 | grep -q '"wall", "wall"\|"wall'
+  for option in "--face 0" "--offset rim=0.1" "--periodic axis=rim" "--write-healed x.step"; do
+    run -2 cad2tri "$CAP" $option -o no.tri.h5
+    assert_output --partial "is not for charts"
   done
 }
 
-@test "names and files: --name works on the curves of the chart, --workdir keeps it" {
-  "$quadmesh" "$curved/sphere_cap.step" --face 0 --name 'rim=*' --workdir stages -o a.msh
-  run -0 grep -c '"rim' a.msh
-  assert_exist stages/sphere_cap.chart.h5
+@test "sizes are lengths in space" {
+  for size in 0.2 0.1; do
+    quadrefine "$stem.blocks.h5" --size $size --size-rule nearest --relax none -o a.quad.h5 --report a.json
+    jq .quads a.json
+  done >counts
+  # The area of the half cap is 2 pi 0.8^2 / (1 + 0.8^2) = 2.45.
+  run -0 awk '{ r = $1 / (2.4519 / (NR == 1 ? .04 : .01)); if (r < .7 || r > 1.5) exit 1 }' counts
 }
 
-@test "make: x.curved.msh" {
-  cp "$curved/half_cylinder.step" .
-  run -0 make -f "$ROOT/Makefile.example" BIN="$BIN" half_cylinder.curved.msh cad2chart='--face 0'
-  assert_exist half_cylinder.curved.chart.h5
+@test "--view shows the mesh in space, without it both" {
+  stageview "$stem.quad.h5" -o both.svg
+  grep -q 'id="a-elem-0"' both.svg
+  grep -q 'id="b-elem-0"' both.svg
+  for view in iso 1,0,0 0,0,-1; do
+    stageview "$stem.quad.h5" --view $view -o view.svg
+    assert_equal "$(grep -c 'id="elem-0"' view.svg)" 1
+  done
+  run -2 stageview "$stem.quad.h5" --view 0,0,0 -o no.svg
+  run -2 stageview "$stem.quad.h5" --view iso -o no.html
+  run -2 stageview "$stem.quad.h5" --view iso --window 0,0,1,1 -o no.svg
+  run -2 stageview "$stem.tri.h5" --view iso -o no.svg
+  stageview "$CAP" -o chart.svg
+  stageview "$CAP" "$stem.tri.h5" "$stem.quad.h5" -o page.html
+}
+
+@test "wrong charts are refused with the rule" {
+  for file in "$ROOT"/tests/formats/chart/failed/CHA-*; do
+    run -3 cad2tri "$file" -o no.tri.h5
+    assert_output --partial "CHA-R05"
+  done
+}
+
+@test "places of a plane are refused on a curved face" {
+  printf 'x,y,h1,h2,angle\n0,0,.1,.2,0\n1,0,.1,.2,0\n0,1,.1,.2,0\n' >metric.csv
+  printf 'x,y,h\n0,0,.1\n1,0,.1\n0,1,.1\n' >sizes.csv
+  run -2 quadrefine "$stem.blocks.h5" --metric metric.csv -o no.quad.h5
+  assert_output --partial "this face is curved"
+  run -2 quadrefine "$stem.blocks.h5" --size-field sizes.csv -o no.quad.h5
+  assert_output --partial "this face is curved"
+  run -2 fieldsolve "$stem.tri.h5" --align metric.csv -o no.field.h5
+  assert_output --partial "this face is curved"
 }

@@ -122,7 +122,7 @@ EXAMPLES
   quadmesh half_disc.step --until critpoints --workdir stages
   quadmesh half_disc.step --from separatrix --workdir stages -o half_disc.msh
   quadmesh half_disc.step --nodes stages/half_disc.crit.json -o half_disc.msh
-  quadmesh part.step --face 7 -o x.msh
+  quadmesh half_cylinder.step --face 0 -o half_cylinder.msh
   quadmesh half_disc.step --dry-run -o half_disc.msh
 )help";
 

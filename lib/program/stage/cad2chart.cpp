@@ -20,8 +20,10 @@ void declare(Options& o, Cad2chartOptions& cad2chart) {
   o.number("--heal-tolerance", cad2chart.heal_tolerance, -1, 5e-3, "diameters",
            "the most that the ends of edges which do not meet are moved; 0: no healing; -1: 1e-5, or the tolerances of "
            "the shape if they are larger");
-  o.number("--closedness", cad2chart.closedness, 1e-12, 1e-2, "radians",
-           "the greatest error of angles in the chart; elements of the chart are split until it is reached");
+  o.number("--closedness", cad2chart.closedness, 1e-12, 1e-3, "radians",
+           "the error of angles in the chart at which its elements are no longer split; on a surface that is not "
+           "smooth, up to "
+           "1e-3 is accepted");
   o.number("--scale-range", cad2chart.scale_range, 1.01, 1000, "ratio",
            "the greatest ratio of lengths in space over those in the chart at two points; a face with more is refused");
 }
@@ -36,7 +38,10 @@ ChartedFace cad2chart(const Input<std::string>& cad, const Cad2chartOptions& opt
   const SpaceFace space_face = cad::load_space_face_guarded(cad.model, name, load, run.report());
   run.begin_phase("chart");
   ChartedFace charted;
-  charted.face = chart::make_chart(space_face, {options.closedness, corner_angle, options.scale_range}, run.report());
+  chart::ChartOptions limits;
+  limits.closedness = options.closedness, limits.corner_angle = corner_angle;
+  limits.greatest_scale_range = options.scale_range;
+  charted.face = chart::make_chart(space_face, limits, run.report());
   run.end_phase();
   charted.provenance =
       with_step({}, "cad2chart", options, {cad.file.digest(cad::format_stem(cad::cad_format(cad.model, name)))});
