@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -22,7 +23,7 @@ namespace {
 
 struct ChartConstants {
   int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
-  int most_meshes = 8, most_elements = 5000;
+  int most_meshes = 8, most_elements = 5000, most_refinements = 3;
   double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
   double edge_tolerance = 1e-2;  ///< of the straight triangles, whose edges are put onto the curves in space
@@ -82,6 +83,19 @@ void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, doubl
     for (int k = 0; k < 3; ++k)
       sizes.push_back({mesh.image[static_cast<std::size_t>(mesh.nodes_per_elem()) * e + k], size, 0});
   }
+}
+
+/// Half the size where elements are folded; returns whether there are any.
+bool add_sizes_of_folded(const SurfaceMesh& mesh, std::vector<SizePoint>& sizes) {
+  const std::vector<int> folded = folded_elements(mesh);
+  for (const int e : folded) {
+    const std::array<int, 3>& v = mesh.plane.elem2vertices[e];
+    double longest = 0;
+    for (int k = 0; k < 3; ++k)
+      longest = std::max(longest, distance(mesh.plane.vertices[v[k]], mesh.plane.vertices[v[(k + 1) % 3]]));
+    for (const int k : v) sizes.push_back({mesh.plane.vertices[k], longest / 3, 0});
+  }
+  return !folded.empty();
 }
 
 /// Moves the image: the longest curve runs to the right (the first of equal ones), from its start to its end or, if it
@@ -153,8 +167,10 @@ class Judge {
   double aim() const { return constants.aim * goal_; }
   bool is_good(const MadeChart& made) {
     if (made.num_meshes < 2) return false;
-    stalls_ += made.num_meshes > 2 && made.fit.closedness > last_ / 2;
-    last_ = made.fit.closedness;
+    if (made.num_meshes > judged_) {
+      stalls_ += made.num_meshes > 2 && made.fit.closedness > last_ / 2;
+      last_ = made.fit.closedness, judged_ = made.num_meshes;
+    }
     return last_ <= (is_last(made) ? worst_ : stalls_ > 0 ? goal_ : aim());
   }
   bool is_last(const MadeChart& made) const {
@@ -164,6 +180,7 @@ class Judge {
 
  private:
   double goal_, worst_, last_ = 0;
+  int judged_ = 0;  ///< number of the last mesh
   int stalls_ = 0;  ///< meshes that were not much better than the one before
 };
 
@@ -198,6 +215,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   made.mesh = rough_chart(space_face);
   std::vector<SizePoint> by_error;
   Judge judge(options);
+  int refinements = 0;  // of meshes with folded elements
   for (double tolerance = constants.rough_outline;;) {
     normalize(space_face, lengths, made.mesh);
     made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
@@ -208,8 +226,10 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
     sizes.insert(sizes.end(), by_error.begin(), by_error.end());
     const bool is_first = made.num_meshes == 0;
     TriMesh plane = triangles_of(made.face, triangle_options(made.face.diameter, std::move(sizes), is_first));
-    made.mesh = lifted_mesh(space_face, lengths, made.mesh, std::move(plane),
-                            is_first ? constants.first_order : constants.order);
+    SurfaceMesh mesh = lifted_mesh(space_face, lengths, made.mesh, std::move(plane),
+                                   is_first ? constants.first_order : constants.order);
+    if (add_sizes_of_folded(mesh, by_error) && ++refinements < constants.most_refinements) continue;
+    made.mesh = std::move(mesh);
     made.fit = make_isothermal(made.mesh, space_face.face.loop_offsets);
     require_finite(made);
     ++made.num_meshes;
