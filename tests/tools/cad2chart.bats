@@ -37,6 +37,12 @@ load common
   assert_nothing_left
 }
 
+@test "a chart that misses its closedness is written with a warning" {
+  run -0 cad2chart "$DATA/curved/sphere_cap.step" --closedness 1e-12 -o a.chart.h5 --report report.json
+  assert_output --partial 'warning W-CAD-016'
+  run -0 jq -e '[.warnings[].code] == ["W-CAD-016"] and .chart.closedness > 1e-12' report.json
+}
+
 @test "cad2tri names the kind of a curved face and the command for it; --list has a hint" {
   run -3 cad2tri "$DATA/curved/half_cylinder.step" --face 0 -o a.tri.h5
   assert_output --partial 'not planar (a cylinder): cad2chart --face 0 makes a chart of it, which cad2tri reads'

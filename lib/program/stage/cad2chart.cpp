@@ -2,13 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "base/angle.hpp"
+#include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "base/warning_codes.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
 #include "chart/make_chart.hpp"
+#include "outline/outline_checks.hpp"
+#include "surface/nurbs_surface.hpp"
 
 namespace quadrille::stage {
+namespace {
+
+/// Charts of faces that turn far may overlap themselves, though they fold nowhere.
+void require_simple_outline(const CadFace& face) {
+  constexpr double contact_share = 1e-9;  // of the diameter: as far as curves are apart that do not touch
+  std::vector<std::vector<Nurbs>> loops;
+  for (int l = 0; l < face.num_loops(); ++l)
+    loops.emplace_back(face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]);
+  const auto contact = outline::find_contact(loops, contact_share * face.diameter);
+  if (!contact) return;
+  const auto place = [&](int loop, int curve, double t) {
+    const Vec3 x = surface::point(face.chart->space_curves[face.loop_offsets[loop] + curve], t);
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z);
+  };
+  throw ComputeError(fmt::format(
+      "the chart of the face overlaps itself: its boundary at {} crosses that at {}: cut the face in two between them "
+      "in the CAD system",
+      place(contact->loop_a, contact->curve_a, contact->t_a), place(contact->loop_b, contact->curve_b, contact->t_b)));
+}
+
+}  // namespace
 
 void declare(Options& o, Cad2chartOptions& cad2chart) {
   o.text("--face", cad2chart.face, "N|NAME",
@@ -42,6 +69,14 @@ ChartedFace cad2chart(const Input<std::string>& cad, const Cad2chartOptions& opt
   limits.closedness = options.closedness, limits.corner_angle = corner_angle;
   limits.greatest_scale_range = options.scale_range;
   charted.face = chart::make_chart(space_face, limits, run.report());
+  require_simple_outline(charted.face);
+  if (const double closedness = charted.face.chart->closedness; closedness > options.closedness)
+    run.report().warn(
+        warning::closedness_missed,
+        fmt::format(
+            "{}: angles in the chart are wrong by up to {:.1e} radians, more than {:.1e}, because the surface is "
+            "not smooth somewhere; the mesh is valid and on the surface all the same: see --closedness",
+            name, closedness, options.closedness));
   run.end_phase();
   charted.provenance =
       with_step({}, "cad2chart", options, {cad.file.digest(cad::format_stem(cad::cad_format(cad.model, name)))});
