@@ -1,7 +1,5 @@
 #include "refine/point_energy.hpp"
 
-#include "refine/skew_energy.hpp"
-
 namespace quadrille::refine {
 namespace {
 
@@ -36,7 +34,7 @@ std::array<double, 3> PointBends::block(double along_s, double along_t) const {
           round + mu_bend_ * g.y * g.y + turn_a * a_.y * a_.y + turn_b * b_.y * b_.y};
 }
 
-Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight) {
+Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, const Matrix4d& other_term) {
   const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
   const double size = (aa * aa * aa + bb * bb * bb) / 2;
   const Vector4d x(a.x, a.y, b.x, b.y), det_x(b.y, -b.x, -a.y, a.x), mu_x = (x - mu * det_x) / det;
@@ -48,7 +46,7 @@ Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight) {
   const Matrix4d mu_xx = (Matrix4d::Identity() - symmetric_product(mu_x, det_x) - mu * det_xx) / det;
   Matrix4d sum = det * size_xx + symmetric_product(size_x, det_x) + size * det_xx +
                  3 * weight * mu * (mu * mu_xx + 2 * mu_x * mu_x.transpose());
-  sum += skew_hessian(a, b, skew_weight);
+  sum += other_term;
   if (sum.llt().info() == Eigen::Success) return sum;
   const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(sum);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseAbs().asDiagonal() * eigen.eigenvectors().transpose();

@@ -41,9 +41,9 @@ class PointBends {
   Vec2 mu_a_, mu_b_;
 };
 
-/// The second derivatives by (a, b), with those of refine/skew_energy and the absolute values of their curvatures:
-/// positive semidefinite.
-Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, double skew_weight);
+/// The second derivatives by (a, b), and those of another term, with the absolute values of the curvatures of their
+/// sum: positive semidefinite.
+Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, const Eigen::Matrix4d& other_term);
 
 /// Where the points of an element are as seen from a side: p along it, r away from it.
 struct SideFrame {

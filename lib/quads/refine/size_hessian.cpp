@@ -117,7 +117,8 @@ ElementHessian SizeEnergy::hessian(int elem) const {
   ElementHessian sum = ElementHessian::Zero();
   for (int k = 0; k < of.size; ++k) {
     const double weight = multiplicities[elem] * of.weight[k];
-    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem], skew_weights[elem]);
+    const Eigen::Matrix4d bend = weight * point_hessian(at.a[k], at.b[k], shape_weights[elem],
+                                                        skew_hessian(at.a[k], at.b[k], skew_weights[elem]));
     const Eigen::Matrix<double, 4, 8> column = bend.lazyProduct(by_move[k]);
     sum += by_move[k].transpose().lazyProduct(column);
   }
