@@ -50,7 +50,7 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
   tangent_.resize(start_.size());
   bend_.resize(start_.size());
   lighten_sharp_corners();
-  lighten_skew_blocks(shaped);
+  weigh_angles(shaped);
   add_curved_sides(shaped);
 }
 
@@ -70,15 +70,18 @@ void SizeEnergy::lighten_sharp_corners() {
     }
 }
 
-/// Angles of a block that was made skew, as in a sharp corner, are held at most to what they were.
-void SizeEnergy::lighten_skew_blocks(const QuadMesh& shaped) {
+/// The energy of thin elements is greater, by mu of a rectangle of their sides at least. Angles of a block that was
+/// made skew, as in a sharp corner, are held at most to what they were.
+void SizeEnergy::weigh_angles(const QuadMesh& shaped) {
   std::vector<double> least(shaped.block_names.size(), sharp_sine);
   for (int elem = 0; elem < shaped.num_elems(); ++elem) {
     double& of_block = least[shaped.elem_block[elem]];
     of_block = std::min(of_block, std::max(0.0, shaped.elem_scaled_jacobian[elem]));
   }
-  for (int elem = 0; elem < shaped.num_elems(); ++elem)
-    skew_weights[elem] *= std::pow(least[shaped.elem_block[elem]] / sharp_sine, skew_power);
+  for (int elem = 0; elem < shaped.num_elems(); ++elem) {
+    const double ratio = shaped.elem_edge_ratio[elem], mu = (ratio + 1 / ratio) / 2;
+    skew_weights[elem] *= mu * std::pow(least[shaped.elem_block[elem]] / sharp_sine, skew_power);
+  }
 }
 
 void SizeEnergy::add_curved_sides(const QuadMesh& shaped) {

@@ -111,7 +111,7 @@ class SizeEnergy {
   };
 
   void lighten_sharp_corners();
-  void lighten_skew_blocks(const QuadMesh& shaped);
+  void weigh_angles(const QuadMesh& shaped);
   void add_curved_sides(const QuadMesh& shaped);
   void place(const VertexMoves& moves);
   void place_side(CurvedSide& side, const VertexMoves& moves) const;
