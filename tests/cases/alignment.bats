@@ -14,7 +14,7 @@ follows() {
 @test "blocks follow a shock before a cylinder, with the nodes outside it" {
   run -0 "$quadmesh" "$DATA/bow_shock.step" -o a.msh --align "$shock" --workdir aligned
   assert_output --regexp '^8 blocks, 2 irregular nodes, '
-  follows aligned/bow_shock.quad.h5 10
+  follows aligned/bow_shock.quad.h5 11
   jq -e '[.critical_points[].position | (.[0] - 0.25) * (.[0] - 0.25) + .[1] * .[1] | sqrt] | all(. > 1.3)' \
     aligned/bow_shock.crit.json
   "$quadmesh" -q "$DATA/bow_shock.step" -o b.msh --workdir plain
@@ -83,7 +83,7 @@ END
   jq '.critical_points |= map(.position[0] -= 0.02)' bow_shock.crit.json >moved.crit.json
   "$quadmesh" -q "$DATA/bow_shock.step" -o b.msh --align "$shock" --nodes moved.crit.json --workdir .
   h5dump -H -d /alignment/rate bow_shock.phase.h5 >/dev/null
-  follows bow_shock.quad.h5 10
+  follows bow_shock.quad.h5 11
 }
 
 @test "on several threads the aligned field has the same bytes" {

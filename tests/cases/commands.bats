@@ -65,6 +65,7 @@ here() {
   for file in "$BATS_FILE_TMPDIR"/half_disc.*; do
     for stem in d x shape; do cp "$file" "$stem.${file##*/half_disc.}"; done
   done
+  cp "$DATA/curved/filleted_box.step" part.step
   mkdir meshes system
   run -0 bash -euo pipefail commands
   for file in DIR/gallery.html shape.msh x.msh x.svg; do assert_file_exists "$file"; done

@@ -98,7 +98,7 @@ setup() {
 
 @test "places of a plane are refused on a curved face" {
   printf 'x,y,h1,h2,angle\n0,0,.1,.2,0\n1,0,.1,.2,0\n0,1,.1,.2,0\n' >metric.csv
-  printf 'x,y,h\n0,0,.1\n1,0,.1\n0,1,.1\n' >sizes.csv
+  printf 'x,y,size\n0,0,.1\n1,0,.1\n0,1,.1\n' >sizes.csv
   run -2 quadrefine "$stem.blocks.h5" --metric metric.csv -o no.quad.h5
   assert_output --partial "this face is curved"
   run -2 quadrefine "$stem.blocks.h5" --size-field sizes.csv -o no.quad.h5
