@@ -13,8 +13,8 @@ struct ChartOptions {
   double closedness = 1e-6;          ///< goal for Chart::closedness (0, 1e-3]
   double worst_closedness = 1e-3;    ///< what is accepted if finer triangles do not help: surfaces that are not smooth
   double corner_angle = radians(1);  ///< jump of the tangent beyond which a joint is a corner, radians [0, pi/2]
-  double greatest_scale_range = 8;   ///< greatest ratio of two scales of the chart, above 1
-  void validate() const;             ///< throws UsageError
+  double greatest_scale_range = 1000;  ///< greatest ratio of two scales of the chart, above 1
+  void validate() const;               ///< throws UsageError
 };
 
 /// The face in the plane of its chart, with face.chart: curves, joints, origin and diameter are those of the chart, and

@@ -51,7 +51,7 @@ void declare(Options& o, Cad2chartOptions& cad2chart) {
            "the error of angles in the chart at which its elements are no longer split; on a surface that is not "
            "smooth, up to "
            "1e-3 is accepted");
-  o.number("--scale-range", cad2chart.scale_range, 1.01, 1000, "ratio",
+  o.number("--scale-range", cad2chart.scale_range, 1.01, 1e6, "ratio",
            "the greatest ratio of lengths in space over those in the chart at two points; a face with more is refused");
 }
 

@@ -15,7 +15,7 @@ struct Cad2chartOptions {
   double corner_angle = 1;     ///< degrees; greater tangent jumps are corners of the layout
   double heal_tolerance = -1;  ///< diameters; -1: 1e-5, or the tolerances of the shape if larger
   double closedness = 1e-6;    ///< radians; error of angles in the chart that is aimed at
-  double scale_range = 8;      ///< greatest ratio of two scales of the chart
+  double scale_range = 1000;   ///< greatest ratio of two scales of the chart
 };
 void declare(Options& options, Cad2chartOptions& cad2chart);
 
