@@ -35,8 +35,8 @@ install(FILES api/files.hpp api/fields.hpp api/layouts.hpp api/triangles.hpp DES
 file(GLOB model_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lib/core/model/*.hpp)
 install(FILES ${model_headers} DESTINATION include/quadrille/model COMPONENT development)
 set(base ${PROJECT_SOURCE_DIR}/lib/core/base)
-install(FILES ${base}/enum_names.hpp ${base}/error.hpp ${base}/symmetric_tensor.hpp ${base}/vec2.hpp ${base}/vec3.hpp DESTINATION include/quadrille/base
-        COMPONENT development)
+install(FILES ${base}/enum_names.hpp ${base}/error.hpp ${base}/symmetric_tensor.hpp ${base}/vec2.hpp ${base}/vec3.hpp
+        DESTINATION include/quadrille/base COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/lib/layout/layout/layout_choice.hpp DESTINATION include/quadrille/layout
         COMPONENT development)
 
