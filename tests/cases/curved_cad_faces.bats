@@ -43,3 +43,18 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
   run -0 make -f "$ROOT/Makefile.example" BIN="$BIN" half_cylinder.curved.msh cad2chart='--face 0'
   assert_exist half_cylinder.curved.chart.h5
 }
+
+@test "a cap has the same blocks and nodes wherever pole and seam of its parameters are" {
+  nodes_of() { jq -c '[.critical_points[].position | map(. * 1e5 | round)] | sort' "$1"; }
+  # The pole in the middle; the seam through it; neither in the face; the pole beside the middle.
+  local -A places=([pole]="0.,0.,1. 1.,0.,0." [seam]="0.,1.,0. 0.,0.,1." [none]="0.,1.,0. 1.,0.,0." [beside]=".6,0.,.8 .8,0.,-.6")
+  for name in pole seam none beside; do
+    read -r axis across <<<"${places[$name]}"
+    sed -E "s/^(#32=DIRECTION\('',).*/\1($axis));/; s/^(#33=DIRECTION\('',).*/\1($across));/" \
+      "$curved/cap_circle.step" >$name.step
+    run -0 "$quadmesh" $name.step --face 0 --size .15 --order 3 -o $name.msh --workdir .
+    assert_output --partial '5 blocks, 4 irregular nodes, 105 quads'
+    assert_equal "$(nodes_of $name.crit.json)" "$(nodes_of pole.crit.json)"
+  done
+  assert_not_equal "$(sed -n '/^#32=/p' none.step)" "$(sed -n '/^#32=/p' pole.step)"
+}

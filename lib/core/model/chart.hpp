@@ -1,7 +1,7 @@
 #pragma once
-// A curved face in space, and its isothermal chart: the plane in which every stage works (lib/method.md §12). Lengths in
-// space are e^lambda times those in the chart, angles are the same, so that lines, blocks and scaled Jacobians of the
-// chart are those of the surface.
+// A curved face in space, and its isothermal chart: the plane in which every stage works (lib/method.md §12). Lengths
+// in space are e^lambda times those in the chart, angles are the same, so that lines, blocks and scaled Jacobians of
+// the chart are those of the surface.
 
 #include <array>
 #include <vector>
