@@ -160,8 +160,9 @@ std::string draw_in_space(const QuadMesh& mesh, const SpaceView& view, const Dra
 }
 
 std::string side_by_side(const std::array<std::string, 2>& pictures, const std::string& title, int width) {
+  const int half = width / 2;
   return begin_parts(title, width, std::max(height_of(pictures[0]), height_of(pictures[1]))) +
-         embedded(pictures[0], "a-", 0) + embedded(pictures[1], "b-", width / 2) + "</svg>\n";
+         embedded(pictures[0], "a-", 0) + embedded(pictures[1], "b-", half) + "</svg>\n";
 }
 
 }  // namespace quadrille::draw
