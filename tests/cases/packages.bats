@@ -25,7 +25,7 @@ setup() {
     assert_output --regexp "(^|, )$library( |,|\$)"
   done
   run -0 dpkg-deb --field "$deb" Description
-  assert_line --index 0 "Curved quadrilateral block meshes from planar CAD faces"
+  assert_line --index 0 "Curved quadrilateral block meshes from CAD faces"
   assert [ "${#lines[@]}" -gt 3 ]
   run -0 dpkg-deb --field "$deb" Maintainer
   assert_output --regexp '<.*@.*>$'
