@@ -29,14 +29,14 @@ inline SpaceCurve profile_arc(double centre, double radius, double angle0, doubl
   return arc;
 }
 
-/// u: the angle about z, 0 to 2 pi, counter-clockwise; v: the profile's parameter. The normal X_u x X_v points away
-/// from the axis where the profile rises.
-inline NurbsSurface revolved(const SpaceCurve& profile) {
-  const SpaceCurve circle = profile_arc(0, 1, 0, 2 * std::numbers::pi);  // x, z: cosine and sine
+/// u: the angle about z, from `begin` to `end`, counter-clockwise; v: the profile's parameter. The normal X_u x X_v
+/// points away from the axis where the profile rises.
+inline NurbsSurface revolved(const SpaceCurve& profile, double begin = 0, double end = 2 * std::numbers::pi) {
+  const SpaceCurve circle = profile_arc(0, 1, begin, end);  // x, z: cosine and sine
   NurbsSurface s;
   s.degree_u = 2, s.knots_u = circle.knots;
   s.degree_v = profile.degree, s.knots_v = profile.knots;
-  s.is_closed_u = true;
+  s.is_closed_u = end - begin > 6.28;
   for (std::size_t i = 0; i < circle.poles.size(); ++i)
     for (std::size_t j = 0; j < profile.poles.size(); ++j) {
       const Vec3 c = circle.poles[i], p = profile.poles[j];

@@ -25,8 +25,8 @@ class FaceEdges {
   /// Sets the wire of `labels`, with numbers, names, layers and colours.
   FaceEdges(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels);
 
-  /// The edge of the file of which `edge`, of the same face after the kernel changed its topology, is a part; -1 if
-  /// there is none.
+  /// The edge of the file of which `edge`, of the same face after the kernel changed its topology, is a part; -1 for
+  /// an edge that the kernel added, such as a seam.
   int number_of(const TopoDS_Edge& edge) const;
   int size() const { return static_cast<int>(edges_.size()); }
 

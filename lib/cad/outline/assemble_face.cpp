@@ -19,9 +19,8 @@
 namespace quadrille::outline {
 namespace {
 
-// Curves nearer to each other than this part of the size are in contact, and joints, which healing leaves with rounding
-// errors.
-constexpr double contact_share = 1e-9, joint_share = 1e-7;
+// Joints, which healing leaves with rounding errors, are in contact if they are nearer than this part of the size.
+constexpr double joint_share = 1e-7;
 
 // Distance below which points coincide: the tolerance of the file, clamped in case it is wrong.
 double gap_tolerance(const heal::RawFace& raw, double size) {

@@ -11,6 +11,9 @@
 
 namespace quadrille::outline {
 
+/// Curves nearer to each other than this part of the diameter are in contact.
+inline constexpr double contact_share = 1e-9;
+
 /// A piece of a curve between knots; it lies within the distance `width` of its chord.
 struct ChordPiece {
   explicit ChordPiece(Nurbs piece);

@@ -175,8 +175,7 @@ std::vector<std::vector<int>> connected_regions(const Sewn& sewn) {
 
 namespace {
 
-/// Curves nearer to each other than this part of the diameter are in contact, as in outline/assemble_face.cpp.
-constexpr double contact_share = 1e-9;
+using outline::contact_share;
 
 using Boundary = std::vector<std::vector<CurveId>>;
 

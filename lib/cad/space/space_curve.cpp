@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "base/vec3.hpp"
+#include "curve/move_ends.hpp"
 #include "curve/nurbs.hpp"
 #include "surface/nurbs_surface.hpp"
 
@@ -35,15 +36,7 @@ SpaceCurve trimmed(const SpaceCurve& curve, double t0, double t1) {
 }
 
 SpaceCurve with_ends(SpaceCurve curve, Vec3 start, Vec3 end) {
-  std::vector<double> lengths = {0};  // of the control polygon up to each pole
-  for (std::size_t i = 1; i < curve.poles.size(); ++i)
-    lengths.push_back(lengths.back() + distance(curve.poles[i - 1], curve.poles[i]));
-  const Vec3 at_start = start - curve.poles.front(), at_end = end - curve.poles.back();
-  for (std::size_t i = 0; i < curve.poles.size(); ++i) {
-    const double fraction = lengths.back() > 0 ? lengths[i] / lengths.back() : 0;
-    curve.poles[i] += (1 - fraction) * at_start + fraction * at_end;
-  }
-  curve.poles.front() = start, curve.poles.back() = end;
+  curve::move_ends(curve.poles, start, end);
   return curve;
 }
 

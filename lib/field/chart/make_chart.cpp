@@ -145,8 +145,8 @@ TriMesh triangles_of(const CadFace& outline, const triangulate::TriangulateOptio
     return triangulate::triangulate(outline, options, unused);
   } catch (const ComputeError& error) {
     throw ComputeError(fmt::format(
-        "the face has no chart that is one plane region, as it overlaps itself or nearly so when it is flattened: "
-        "cut it in two in the CAD system ({})",
+        "the chart of the face cannot be triangulated ({}): remove short edges and cusps from the boundary or, where "
+        "the face overlaps itself when it is flattened, cut it in two in the CAD system",
         error.what()));
   }
 }

@@ -19,11 +19,10 @@ namespace {
 
 /// Charts of faces that turn far may overlap themselves, though they fold nowhere.
 void require_simple_outline(const CadFace& face) {
-  constexpr double contact_share = 1e-9;  // of the diameter: as far as curves are apart that do not touch
   std::vector<std::vector<Nurbs>> loops;
   for (int l = 0; l < face.num_loops(); ++l)
     loops.emplace_back(face.curves.begin() + face.loop_offsets[l], face.curves.begin() + face.loop_offsets[l + 1]);
-  const auto contact = outline::find_contact(loops, contact_share * face.diameter);
+  const auto contact = outline::find_contact(loops, outline::contact_share * face.diameter);
   if (!contact) return;
   const auto place = [&](int loop, int curve, double t) {
     const Vec3 x = surface::point(face.chart->space_curves[face.loop_offsets[loop] + curve], t);

@@ -15,7 +15,7 @@ class QuadMesh:
     `curve`; `interface_edges`: the same of edges on interfaces, once for each side; `elem_region` [m]: the region of
     each element in `face`; `elem_jacobian_bound`, `elem_scaled_jacobian`, `elem_edge_ratio`, `elem_area_jump`, `elem_node_distance`
     [m], None where the file has none; `is_valid`: every element is proved valid. Of a curved face `nodes` are in its
-    chart and `space_nodes` [n, 3] in the coordinates of the CAD file; else that is None.
+    chart and `space_nodes` [n, 3] in the coordinates of the CAD file; of a planar face `space_nodes` is None.
     """
 
     def __init__(self, content):

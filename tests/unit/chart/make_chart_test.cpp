@@ -21,14 +21,14 @@ using Complex = std::complex<double>;
 using tests::face_of;
 using tests::line;
 using tests::profile_arc;
-using tests::swept;
+using tests::revolved;
 
 const double cap_latitude = std::acos(0.8);  // its rim has radius 0.8
 
-SpaceFace cylinder_patch() { return face_of(swept(line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 12, 5); }
-SpaceFace cap() { return face_of(swept(profile_arc(0, 1, cap_latitude, pi / 2), 0, 2 * pi), {{0}}, 24, 8); }
-SpaceFace half_cap() { return face_of(swept(profile_arc(0, 1, cap_latitude, pi / 2), 0, pi), {{0, 1, 3}}, 12, 8); }
-SpaceFace torus_patch() { return face_of(swept(profile_arc(3, 1, -1, 1), 0, 1), {{0, 1, 2, 3}}, 12, 8); }
+SpaceFace cylinder_patch() { return face_of(revolved(line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 12, 5); }
+SpaceFace cap() { return face_of(revolved(profile_arc(0, 1, cap_latitude, pi / 2), 0, 2 * pi), {{0}}, 24, 8); }
+SpaceFace half_cap() { return face_of(revolved(profile_arc(0, 1, cap_latitude, pi / 2), 0, pi), {{0, 1, 3}}, 12, 8); }
+SpaceFace torus_patch() { return face_of(revolved(profile_arc(3, 1, -1, 1), 0, 1), {{0, 1, 2, 3}}, 12, 8); }
 
 CadFace chart_of(const SpaceFace& face, double closedness = 1e-6) {
   Report report;
@@ -63,7 +63,7 @@ double misfit(const Chart& chart, const std::function<Complex(Vec3)>& exact) {
 TEST(MakeChart, DevelopableFacesAreUnrolled) {
   const CadFace cylinder = chart_of(cylinder_patch(), 1e-9);
   EXPECT_LT(misfit(*cylinder.chart, [](Vec3 x) { return Complex(2 * std::atan2(x.y, x.x), x.z); }), 1e-9);
-  const CadFace cone = chart_of(face_of(swept(line({1, 0, 1}, {3, 0, 3}), 0, 3), {{0, 1, 2, 3}}, 16, 5), 1e-9);
+  const CadFace cone = chart_of(face_of(revolved(line({1, 0, 1}, {3, 0, 3}), 0, 3), {{0, 1, 2, 3}}, 16, 5), 1e-9);
   const auto unrolled = [](Vec3 x) { return std::polar(norm(x), -std::atan2(x.y, x.x) / std::sqrt(2)); };
   EXPECT_LT(misfit(*cone.chart, unrolled), 1e-9);
   for (const double scale : cone.chart->log_scale) EXPECT_NEAR(scale, 0, 1e-9);
@@ -74,7 +74,7 @@ TEST(MakeChart, CapsAreStereographicWithThePoleInside) {
   EXPECT_LT(misfit(*cap_chart.chart, [](Vec3 x) { return 1.6 * stereographic(x); }), 1e-8);
   EXPECT_NEAR(cap_chart.diameter, 1.6, 1e-4);  // arc lengths on the outline are those of space
   // The half sphere: lambda = ln(2 / (1 + r^2)).
-  const CadFace half = chart_of(face_of(swept(profile_arc(0, 1, 0, pi / 2), 0, 2 * pi), {{0}}, 24, 12));
+  const CadFace half = chart_of(face_of(revolved(profile_arc(0, 1, 0, pi / 2), 0, 2 * pi), {{0}}, 24, 12));
   EXPECT_LT(misfit(*half.chart, stereographic), 1e-8);
   for (std::size_t i = 0; i < half.chart->nodes.size(); ++i)
     EXPECT_NEAR(half.chart->log_scale[i], std::log(2 / (1 + std::norm(stereographic(half.chart->space_nodes[i])))),
@@ -113,12 +113,12 @@ TEST(MakeChart, CurvesHaveTheParametersOfThoseInSpace) {
 }
 
 TEST(MakeChart, TubesAreRings) {
-  const CadFace tube = chart_of(face_of(swept(line({1, 0, 0}, {1, 0, 1}), 0, 2 * pi), {{0}, {2}}, 36, 5));
+  const CadFace tube = chart_of(face_of(revolved(line({1, 0, 0}, {1, 0, 1}), 0, 2 * pi), {{0}, {2}}, 36, 5));
   EXPECT_LT(misfit(*tube.chart, [](Vec3 x) { return std::polar(std::exp(-x.z), std::atan2(x.y, x.x)); }), 1e-7);
 }
 
 TEST(MakeChart, HolesAreNotFilled) {
-  const SpaceFace zone = face_of(swept(profile_arc(0, 1, cap_latitude, 1.2), 0, 2 * pi), {{0}, {2}}, 36, 5);
+  const SpaceFace zone = face_of(revolved(profile_arc(0, 1, cap_latitude, 1.2), 0, 2 * pi), {{0}, {2}}, 36, 5);
   EXPECT_LT(misfit(*chart_of(zone).chart, [](Vec3 x) { return 1.6 * stereographic(x); }), 1e-8);
   const CadFace face = chart_of(tests::cap_with_hole(1, 0.4, 0.3, 36, 8));  // beside the middle: its image closes
   EXPECT_LT(face.chart->closedness, 1e-7);
@@ -142,7 +142,7 @@ TEST(MakeChart, ChartOfASymmetricFaceIsSymmetric) {
 }
 
 TEST(MakeChart, PlaneFacesAreTheirOwnCharts) {
-  const SpaceFace face = face_of(swept(line({1, 0, 3}, {2, 0, 3}), 0, 1), {{0, 1, 2, 3}}, 12, 5);  // faces downwards
+  const SpaceFace face = face_of(revolved(line({1, 0, 3}, {2, 0, 3}), 0, 1), {{0, 1, 2, 3}}, 12, 5);  // faces downwards
   const CadFace charted = chart_of(face);
   EXPECT_EQ(charted.chart->closedness, 0);
   EXPECT_EQ(charted.curves[0].degree, face.curves[0].degree);
@@ -167,11 +167,12 @@ void expect_refusal(const SpaceFace& face, const std::string& text) {
 }
 
 TEST(MakeChart, RefusesScalesThatDifferTooMuch) {
-  expect_refusal(face_of(swept(line({1, 0, 0}, {1, 0, 3}), 0, 2 * pi), {{0}, {2}}, 36, 15), "scales between 1 and 20");
+  expect_refusal(face_of(revolved(line({1, 0, 0}, {1, 0, 8}), 0, 2 * pi), {{0}, {2}}, 36, 40),
+                 "scales between 1 and 2.98e+03");
 }
 
 TEST(MakeChart, RefusesAChartThatOverlapsItself) {
-  NurbsSurface ramp = swept(line({1, 0, 1}, {3, 0, 1.2}), 0, 3 * pi);  // one and a half turns of a flat cone
+  NurbsSurface ramp = revolved(line({1, 0, 1}, {3, 0, 1.2}), 0, 3 * pi);  // one and a half turns of a flat cone
   ramp.is_closed_u = false;
   expect_refusal(face_of(ramp, {{0, 1, 2, 3}}, 60, 5), "overlaps itself");
 }

@@ -12,22 +12,6 @@
 
 namespace quadrille::tests {
 
-/// As revolved(), from angle a0 to a1.
-inline NurbsSurface swept(const SpaceCurve& profile, double a0, double a1) {
-  const SpaceCurve circle = profile_arc(0, 1, a0, a1);
-  NurbsSurface s;
-  s.degree_u = 2, s.knots_u = circle.knots;
-  s.degree_v = profile.degree, s.knots_v = profile.knots;
-  s.is_closed_u = a1 - a0 > 6.28;
-  for (std::size_t i = 0; i < circle.poles.size(); ++i)
-    for (std::size_t j = 0; j < profile.poles.size(); ++j) {
-      const Vec3 c = circle.poles[i], p = profile.poles[j];
-      s.poles.push_back({p.x * c.x, p.x * c.z, p.z});
-      s.weights.push_back(circle.weights[i] * profile.weights[j]);
-    }
-  return s;
-}
-
 /// The curve in which the surface ends: side 0: v least, 1: u greatest, 2: v greatest, 3: u least; with the domain on
 /// its left in the plane of u and v.
 inline SpaceCurve side_curve(const NurbsSurface& s, int side) {
