@@ -42,7 +42,7 @@ Problem problem_of(const CadFace& face, const EnergyFunction& energy, const Smoo
                    const std::vector<bool>& is_free, const PlacementOptions& options, const CriticalPoints& points) {
   const std::vector<int> free = indices_of(is_free);
   Problem problem{face,
-                  {energy, boundary, options.weight, free, {}},
+                  {energy, boundary, options.weight, free, {}, options.log_scale},
                   node_symmetries(face, points, is_free),
                   {free, {}, {}},
                   points};
