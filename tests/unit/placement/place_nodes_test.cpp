@@ -275,6 +275,33 @@ TEST(PlaceNodes, at_the_minimum_nothing_changes) {
   for (int k = 0; k < 2; ++k) EXPECT_EQ(placed[k], start.critical_points[k].position);
 }
 
+/// Two nodes that repel each other in a valley along an axis: the sum of 4 across^2 + along^2, less 2 ln of their
+/// distance.
+NodeEnergy energy_in_valley(const CriticalPoints& points, bool is_along_x) {
+  const Vec2 a = points.critical_points[0].position, b = points.critical_points[1].position;
+  const Vec2 steep = is_along_x ? Vec2{1, 4} : Vec2{4, 1}, push = 2 / norm2(a - b) * (a - b);
+  NodeEnergy w{-std::log(norm2(a - b)), {-1 * push, push}};
+  for (int k = 0; k < 2; ++k) {
+    const Vec2 x = points.critical_points[k].position;
+    w.value += steep.x * x.x * x.x + steep.y * x.y * x.y;
+    w.gradient[k] += 2 * Vec2{steep.x * x.x, steep.y * x.y};
+  }
+  return w;
+}
+
+TEST(PlaceNodes, pairs_leave_a_mirror_axis_where_that_lowers_the_energy) {
+  const CadFace box = make_face({polygon({{-2, -1}, {2, -1}, {2, 1}, {-2, 1}})});
+  for (const bool is_along_x : {false, true}) {
+    const EnergyFunction energy = [&](const CriticalPoints& points) { return energy_in_valley(points, is_along_x); };
+    for (const Vec2 start : {Vec2{0.3, 0}, Vec2{0, 0.3}}) {
+      const Placed placed(box, energy, points_at({start, -start}, 5), 0);
+      const Vec2 x = placed[0], least = is_along_x ? Vec2{std::sqrt(0.5), 0} : Vec2{0, std::sqrt(0.5)};
+      EXPECT_NEAR(std::min(distance(x, least), distance(x, -least)), 0, 1e-9);
+      EXPECT_NEAR(distance(x, -placed[1]), 0, 1e-12);
+    }
+  }
+}
+
 TEST(PlaceNodes, of_opposite_index_are_kept_apart_and_named) {
   CriticalPoints start = points_at({{0.4, 0.3}, {-0.4, 0.3}, {0.1, 0.5}, {0.2, 0.5}});
   start.critical_points[3].valence = 5;
