@@ -53,8 +53,14 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
     sed -E "s/^(#32=DIRECTION\('',).*/\1($axis));/; s/^(#33=DIRECTION\('',).*/\1($across));/" \
       "$curved/cap_circle.step" >$name.step
     run -0 "$quadmesh" $name.step --face 0 --size .15 --order 3 -o $name.msh --workdir .
-    assert_output --partial '5 blocks, 4 irregular nodes, 105 quads'
+    assert_output --partial '5 blocks, 4 irregular nodes, 128 quads'
     assert_equal "$(nodes_of $name.crit.json)" "$(nodes_of pole.crit.json)"
   done
   assert_not_equal "$(sed -n '/^#32=/p' none.step)" "$(sed -n '/^#32=/p' pole.step)"
+}
+
+@test "on the half sphere the nodes of least energy are corners of a cube" {
+  "$quadmesh" -q "$curved/half_sphere.step" --face 0 --place-weight 0 --size .3 --workdir . -o a.msh
+  run -0 jq -c '[.critical_points[].position | (map(. * .) | add | sqrt) - ((3 | sqrt) - 1) / (2 | sqrt) | fabs < 1e-6]' half_sphere.crit.json
+  assert_output '[true,true,true,true]'
 }

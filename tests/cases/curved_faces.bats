@@ -29,6 +29,21 @@ setup() {
     "cad2chart cad2tri fieldsolve padapt separatrix"
 }
 
+@test "the chart in JSON keeps the schema and is that of HDF5; critical points are without it" {
+  assert_equal "$(jq '.face | has("chart")' "$stem.crit.json")" false
+  python3 - "$ROOT/formats" "$stem" <<'PYTHON'
+import base64, json, sys, h5py, jsonschema, numpy
+formats, stem = sys.argv[1:]
+for name, file in ("separatrix-graph", "sep"), ("critical-points", "crit"):
+    content = json.load(open(f"{stem}.{file}.json"))
+    jsonschema.Draft7Validator(json.load(open(f"{formats}/{name}.schema.json"))).validate(content)
+chart = json.load(open(f"{stem}.sep.json"))["face"]["chart"]
+with h5py.File(f"{stem}.chart.h5") as file:
+    for name in "nodes", "space_nodes", "uv", "log_scale":
+        assert numpy.array_equal(numpy.frombuffer(base64.b64decode(chart[name]), "<f8"), file[f"face/chart/{name}"][()].ravel())
+PYTHON
+}
+
 @test "elements are proved in space, within the tolerance of the surface" {
   assert_equal "$(jq -c '[.valid, .surface.distance <= .surface.tolerance, .warnings]' "$stem.json")" '[true,true,[]]'
 }

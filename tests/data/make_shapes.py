@@ -66,6 +66,7 @@ def shapes():
         "plate_chamfered_4": [polygon([0.5, 3.5, 4 + 0.5j, 4 + 2.5j, 3.5 + 3j, 0.5 + 3j, 2.5j, 0.5j])],
         "bow_shock": [bow_shock()],
         "duct": [rectangle(0j, 3 + 1j)],
+        "thin_ellipse": [[("circle", 0j, 3, 1, "far")], [("ellipse", 0j, 1, 0.15, -1, "body")]],
         "cavity_ramp": [polygon([-2, 0, -1j, 2 - 1j, 3, 5, 5 + 1j, -2 + 1j])],
         "filleted_plate": [polygon([-2, 2, 2 + 1j, 1 + 1j, 1 + 2j, -1 + 2j, -1 + 1j, -2 + 1j],
                                    [0.05, 0.05, 0.05, 0.04, 0.05, 0.05, 0.04, 0.05])],

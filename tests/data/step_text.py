@@ -4,6 +4,7 @@ A loop is a list of edges, the outline counter-clockwise and holes clockwise:
   ("line", a, b)                          points are complex numbers
   ("arc", centre, radius, a, b, angles)   from a to b; angles: +1 counter-clockwise, -1 clockwise
   ("circle", centre, radius, angles)      whole
+  ("ellipse", centre, a, b, angles)       whole, with the half axes a > b in x and y
   ("spline", poles, knots)                cubic, clamped; knots with repetition
 and may end with a word that becomes its name.
 """
@@ -103,6 +104,10 @@ class Step:
 
     def circle_edge(self, centre, radius, side, name=""):
         return self.edge(centre + radius, centre + radius, self.circle(centre, radius), side > 0, name)
+
+    def ellipse_edge(self, centre, a, b, side, name=""):
+        curve = self.add(f"ELLIPSE('',{self.placement(centre)},{real(a)},{real(b)})")
+        return self.edge(centre + a, centre + a, curve, side > 0, name)
 
     def spline_edge(self, poles, knots, name=""):
         values = sorted(set(knots))

@@ -69,6 +69,20 @@ compare='
   assert_output '["harmonic",0]'
 }
 
+@test "two nodes on a mirror axis before a nose pass to both sides of it to keep a clearance" {
+  cad2tri "$DATA/thin_ellipse.step" | fieldsolve | padapt -o nose.field.h5
+  critpoints nose.field.h5 -o on_axis.crit.json
+  run -0 jq -c '[.critical_points[] | select(.valence == 5) | .position[1] | fabs < 1e-6]' on_axis.crit.json
+  assert_output '[true,true,true,true]'
+  critpoints --clearance body=0.1 nose.field.h5 -o beside.crit.json --report beside.json
+  assert_equal "$(jq -c '[.clearance.moved, .clearance.missed, .warnings]' beside.json)" '[4,0,[]]'
+  run -0 jq -c '[.critical_points[] | select(.valence == 5) | .position | map(fabs)] |
+    (map(.[1] > 0.03) | all), (map([.[0] - $first[0], .[1] - $first[1]] | map(fabs < 1e-12) | all) | all)' \
+    --argjson first "$(jq -c '[.critical_points[] | select(.valence == 5)][0].position | map(fabs)' beside.crit.json)" \
+    beside.crit.json
+  assert_output $'true\ntrue'
+}
+
 @test "two mirror images come out as mirror images" {
   for shape in half_disc geometry_1; do
     run -0 jq '[.critical_points[].position] | (.[0][0] + .[1][0] | fabs < 1e-9) and (.[0][1] - .[1][1] | fabs < 1e-9)' \

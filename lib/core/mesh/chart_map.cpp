@@ -138,6 +138,17 @@ double ChartMap::log_scale(Vec2 x) const {
   return space_z_scale_[at.elem].position(at.xi).y;
 }
 
+double ChartMap::log_scale(Vec2 x, Vec2& gradient) const {
+  const Location at = locate(x);
+  Vec2 position, z_scale;
+  Mat2 dx, dz_scale;
+  maps_[at.elem].evaluate(at.xi, position, dx);
+  space_z_scale_[at.elem].evaluate(at.xi, z_scale, dz_scale);
+  const Mat2 slopes = dz_scale * inverse(dx);
+  gradient = {slopes.yx, slopes.yy};
+  return z_scale.y;
+}
+
 std::optional<double> ChartMap::log_scale_inside(Vec2 x) const {
   const Location at = locator_.find(x);
   if (at.elem < 0) return std::nullopt;

@@ -35,6 +35,8 @@ class ChartMap {
   Vec3 lift(Vec2 x) const;
   /// lambda: the logarithm of a length in space over one in the chart.
   double log_scale(Vec2 x) const;
+  /// The same and its gradient in the chart.
+  double log_scale(Vec2 x, Vec2& gradient) const;
   /// The same; no value outside all triangles.
   std::optional<double> log_scale_inside(Vec2 x) const;
   /// The unit normal of the surface, on the side from which the chart is seen counter-clockwise.

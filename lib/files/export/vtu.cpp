@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <iterator>
 #include <span>
+#include <string_view>
 
+#include "base/base64.hpp"
 #include "export/groups.hpp"
 #include "export/renode.hpp"
 #include "export/skeleton.hpp"
@@ -36,27 +38,16 @@ struct VtkGrid {
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 
-void append_base64(std::span<const std::uint8_t> bytes, std::string& text) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) word = (word << 8) | (k < count ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[(word >> (18 - 6 * k)) & 63u] : '=';
-  }
-}
-
 /// The length in bytes, then the bytes: VTK requires the two to be encoded separately.
 template <class T>
 void append_array(const char* type, const std::string& attributes, std::span<const T> values, std::string& text) {
   const auto bytes = [](const auto* first, std::size_t size) {
-    return std::span(reinterpret_cast<const std::uint8_t*>(first), size);
+    return std::string_view(reinterpret_cast<const char*>(first), size);
   };
   const std::uint64_t size = values.size_bytes();
   text.reserve(text.size() + size / 3 * 4 + 256);
   fmt::format_to(std::back_inserter(text), "<DataArray type=\"{}\" {} format=\"binary\">\n", type, attributes);
-  append_base64(bytes(&size, sizeof size), text);
-  append_base64(bytes(values.data(), size), text);
+  text += base64(bytes(&size, sizeof size)) + base64(bytes(values.data(), size));
   text += "\n</DataArray>\n";
 }
 

@@ -59,6 +59,10 @@ class Archive {
   virtual void text_list(const char* name, std::vector<std::string>& values, Doc doc) = 0;
   // Nesting.
   virtual void object(const char* name, const std::function<void(Archive&)>& describe) = 0;
+  /// An object whose own lists of reals are long and for programs alone: base64 of little-endian doubles in JSON.
+  virtual void packed_object(const char* name, const std::function<void(Archive&)>& describe) {
+    object(name, describe);
+  }
   /// `count` records on writing; on reading `resize` is called with their number first. Without records, `each` is
   /// still called once, with index `declared`, so that empty columns are written with their names.
   virtual void records(const char* name, std::size_t count, const std::function<void(std::size_t)>& resize,

@@ -43,7 +43,7 @@ void describe_members(Archive& archive, Chart& chart) {
 void describe_chart(Archive& archive, CadFace& face) {
   if (archive.is_reading() ? !archive.has("chart") : !face.chart) return;
   Chart chart = face.chart ? *face.chart : Chart();
-  archive.object("chart", [&](Archive& a) { describe_members(a, chart); });
+  archive.packed_object("chart", [&](Archive& a) { describe_members(a, chart); });
   if (archive.is_reading()) face.chart = std::make_shared<const Chart>(std::move(chart));
 }
 

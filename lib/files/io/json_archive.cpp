@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/base64.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::io {
@@ -19,9 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+static_assert(std::endian::native == std::endian::little, "packed doubles are written as they lie in memory");
+
 class ObjectWriter : public TypedArchive<ObjectWriter> {
  public:
-  explicit ObjectWriter(Json& object) : object_(object) { object_ = Json::object(); }
+  explicit ObjectWriter(Json& object, bool is_packed = false) : object_(object), is_packed_(is_packed) {
+    object_ = Json::object();
+  }
 
   bool is_reading() const override { return false; }
   bool has(const char*) const override { return true; }
@@ -34,6 +38,12 @@ class ObjectWriter : public TypedArchive<ObjectWriter> {
   }
   template <typename T>
   void list(const char* name, const std::vector<T>& flat, std::size_t width, Doc) {
+    if constexpr (std::is_same_v<T, double>)
+      if (is_packed_) {
+        require_finite(name, flat.data(), flat.size());
+        object_[name] = base64({reinterpret_cast<const char*>(flat.data()), flat.size() * sizeof(double)});
+        return;
+      }
     Json& list = object_[name] = Json::array();
     for (std::size_t i = 0; i < flat.size(); i += width) list.push_back(row(name, &flat[i], width));
   }
@@ -41,6 +51,10 @@ class ObjectWriter : public TypedArchive<ObjectWriter> {
   void flag(const char* name, bool& value, Doc) override { object_[name] = value; }
   void object(const char* name, const std::function<void(Archive&)>& describe) override {
     ObjectWriter inner(object_[name]);
+    describe(inner);
+  }
+  void packed_object(const char* name, const std::function<void(Archive&)>& describe) override {
+    ObjectWriter inner(object_[name], true);
     describe(inner);
   }
   void records(const char* name, std::size_t count, const std::function<void(std::size_t)>&,
@@ -55,20 +69,23 @@ class ObjectWriter : public TypedArchive<ObjectWriter> {
  private:
   template <typename T>
   Json row(const char* name, const T* values, std::size_t count) const {
-    if constexpr (std::is_same_v<T, double>)
-      if (!std::all_of(values, values + count, [](double x) { return std::isfinite(x); }))
-        fail(name, "contains a number that is not finite");
+    if constexpr (std::is_same_v<T, double>) require_finite(name, values, count);
     if (count == 1) return *values;
     return std::vector<T>(values, values + count);
   }
+  void require_finite(const char* name, const double* values, std::size_t count) const {
+    if (!std::all_of(values, values + count, [](double x) { return std::isfinite(x); }))
+      fail(name, "contains a number that is not finite");
+  }
 
   Json& object_;
+  bool is_packed_;
 };
 
 class ObjectReader : public TypedArchive<ObjectReader> {
  public:
-  ObjectReader(const Json& object, std::string file, std::string path)
-      : object_(object), file_(std::move(file)), path_(std::move(path)) {
+  ObjectReader(const Json& object, std::string file, std::string path, bool is_packed = false)
+      : object_(object), file_(std::move(file)), path_(std::move(path)), is_packed_(is_packed) {
     if (!object_.is_object()) throw FormatError(fmt::format("{}: {} must be an object", file_, here()));
   }
 
@@ -83,6 +100,8 @@ class ObjectReader : public TypedArchive<ObjectReader> {
   }
   template <typename T>
   void list(const char* name, std::vector<T>& flat, std::size_t width, Doc) {
+    if constexpr (std::is_same_v<T, double>)
+      if (is_packed_) return unpack(name, flat, width);
     const Json& rows = array(name);
     flat.resize(rows.size() * width);
     for (std::size_t i = 0; i < rows.size(); ++i) convert_row(name, rows[i], width, &flat[i * width]);
@@ -97,6 +116,10 @@ class ObjectReader : public TypedArchive<ObjectReader> {
   }
   void object(const char* name, const std::function<void(Archive&)>& describe) override {
     ObjectReader inner(get(name), file_, fmt::format("{}{}.", path_, name));
+    describe(inner);
+  }
+  void packed_object(const char* name, const std::function<void(Archive&)>& describe) override {
+    ObjectReader inner(get(name), file_, fmt::format("{}{}.", path_, name), true);
     describe(inner);
   }
   void records(const char* name, std::size_t, const std::function<void(std::size_t)>& resize,
@@ -122,6 +145,14 @@ class ObjectReader : public TypedArchive<ObjectReader> {
     const Json& json = get(name);
     if (!json.is_array()) fail(name, "must be an array");
     return json;
+  }
+  void unpack(const char* name, std::vector<double>& flat, std::size_t width) const {
+    const Json& json = get(name);
+    const auto bytes = bytes_of_base64(json.is_string() ? json.get_ref<const std::string&>() : "-");
+    if (!bytes || bytes->size() % (width * sizeof(double)) != 0)
+      fail(name, fmt::format("must be the base64 of doubles, {} for each entry", width));
+    flat.resize(bytes->size() / sizeof(double));
+    std::copy(bytes->begin(), bytes->end(), reinterpret_cast<char*>(flat.data()));
   }
   template <typename T>
   void convert_row(const char* name, const Json& json, std::size_t count, T* values) const {
@@ -149,115 +180,10 @@ class ObjectReader : public TypedArchive<ObjectReader> {
 
   const Json& object_;
   std::string file_, path_;
+  bool is_packed_;
 };
 
 constexpr int depth_limit = 100, key_limit = 10000;
-
-constexpr std::size_t line_width = 110;
-
-constexpr std::size_t unlimited = std::string::npos;
-
-std::string dumped(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-// Numbers and names are most of a file, and dump() allocates a buffer for each.
-void append_leaf(const Json& value, std::string& out) {
-  std::array<char, 64> text{};
-  char* end = nullptr;
-  if (value.is_number_float() && std::isfinite(value.get<double>())) {
-    end = nlohmann::detail::to_chars(text.data(), text.data() + text.size(), value.get<double>());
-  } else if (value.is_number_unsigned()) {
-    end = std::to_chars(text.data(), text.data() + text.size(), value.get<std::uint64_t>()).ptr;
-  } else if (value.is_number_integer()) {
-    end = std::to_chars(text.data(), text.data() + text.size(), value.get<std::int64_t>()).ptr;
-  } else {
-    out += dumped(value);
-    return;
-  }
-  out.append(text.data(), end);
-}
-
-bool needs_no_escape(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-void append_key(const std::string& key, std::string& out) {
-  if (std::all_of(key.begin(), key.end(), needs_no_escape)) {
-    (out += '"') += key;
-    out += "\": ";
-  } else {
-    out += dumped(Json(key)) + ": ";
-  }
-}
-
-/// Appends the value on one line, with blanks after commas and colons. Stops as soon as `out` is longer than `limit`.
-void append_line(const Json& value, std::string& out, std::size_t limit = unlimited) {
-  if (!value.is_structured()) {
-    append_leaf(value, out);
-    return;
-  }
-  out += value.is_object() ? '{' : '[';
-  for (auto it = value.begin(); it != value.end() && out.size() <= limit; ++it) {
-    if (it != value.begin()) out += ", ";
-    if (value.is_object()) append_key(it.key(), out);
-    append_line(it.value(), out, limit);
-  }
-  out += value.is_object() ? '}' : ']';
-}
-
-/// Appends the value if it fits on the line.
-bool append_if_short(const Json& value, std::size_t indent, std::string& out) {
-  const std::size_t before = out.size(), limit = before + line_width;
-  append_line(value, out, limit);
-  if (out.size() + indent <= limit) return true;
-  out.resize(before);
-  return false;
-}
-
-/// Short items, as many on a line as fit.
-void append_wrapped(const Json& value, std::size_t indent, std::string& out) {
-  const std::string margin = '\n' + std::string(indent + 2, ' ');
-  out += "[" + margin;
-  std::size_t column = indent + 2;
-  std::string item;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    item.clear();
-    append_line(value[i], item);
-    if (i > 0 && column + item.size() + 2 > line_width) {
-      out += ',' + margin;
-      column = indent + 2;
-    } else if (i > 0) {
-      out += ", ";
-      column += 2;
-    }
-    out += item;
-    column += item.size();
-  }
-  out += '\n' + std::string(indent, ' ') + ']';
-}
-
-bool is_point_or_number(const Json& value) {
-  return !value.is_structured() ||
-         (value.is_array() && value.size() <= 4 &&
-          std::none_of(value.begin(), value.end(), [](const Json& item) { return item.is_structured(); }));
-}
-
-void append_pretty(const Json& value, std::size_t indent, std::string& out) {
-  if (!value.is_structured() || value.empty()) return append_line(value, out);
-  // Only a leaf or a shallow structure can be short; testing the size first keeps this linear.
-  if (value.size() <= 12 && append_if_short(value, indent, out)) return;
-  if (value.is_array() && std::all_of(value.begin(), value.end(), is_point_or_number))
-    return append_wrapped(value, indent, out);
-  const std::string margin = '\n' + std::string(indent + 2, ' ');
-  out += value.is_object() ? '{' : '[';
-  for (auto it = value.begin(); it != value.end(); ++it) {
-    out += it == value.begin() ? margin : ',' + margin;
-    if (value.is_object()) append_key(it.key(), out);
-    append_pretty(it.value(), indent + 2, out);
-  }
-  out += '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
-}
-
-}  // namespace
-
-namespace {
 
 /// What is too much of the text; empty if nothing is.
 std::string excess_of(const std::string& json) {
@@ -322,21 +248,5 @@ JsonReader::JsonReader(const std::string& bytes, const std::string& file_name) {
 }
 JsonReader::~JsonReader() = default;
 Archive& JsonReader::root() { return impl_->reader; }
-
-std::string json_text(const nlohmann::ordered_json& value) {
-  std::string out;
-  if (!value.is_object()) {
-    append_pretty(value, 0, out);
-    return out + '\n';
-  }
-  // The top level always has a line for each key.
-  out = "{";
-  for (auto it = value.begin(); it != value.end(); ++it) {
-    out += it == value.begin() ? "\n  " : ",\n  ";
-    append_key(it.key(), out);
-    append_pretty(it.value(), 2, out);
-  }
-  return out + "\n}\n";
-}
 
 }  // namespace quadrille::io

@@ -20,6 +20,7 @@
 #include "guide/override_corners.hpp"
 #include "guide/resolve_clusters.hpp"
 #include "guide/valence.hpp"
+#include "mesh/chart_map.hpp"
 #include "model/name_rules.hpp"
 #include "placement/keep_clearance.hpp"
 
@@ -198,6 +199,15 @@ CriticalPoints nodes_beside_line(const Field& field, const curve::SymmetryLine& 
   return nodes_of_face(field, options, num_threads, report, begin_part);
 }
 
+/// The scale of the face's chart, of a half that of the whole.
+NodeOptions with_scale(const CadFace& face, NodeOptions options) {
+  if (!face.chart || options.placement.log_scale) return options;
+  options.placement.log_scale = [map = std::make_shared<const mesh::ChartMap>(face)](Vec2 x, Vec2& gradient) {
+    return map->log_scale(x, gradient);
+  };
+  return options;
+}
+
 /// Whether the kind of the whole's grid or the number of its nodes is chosen.
 bool is_grid_chosen(const CadFace& face, const NodeOptions& options) {
   return options.nodes != topology::NodeRule::by_grid || options.topology != topology::GridKind::by_outline ||
@@ -206,8 +216,9 @@ bool is_grid_chosen(const CadFace& face, const NodeOptions& options) {
 
 }  // namespace
 
-CriticalPoints choose_nodes(const Field& field, const NodeOptions& options, int num_threads, Report& report,
+CriticalPoints choose_nodes(const Field& field, const NodeOptions& given, int num_threads, Report& report,
                             const PartBegins& begin) {
+  const NodeOptions options = with_scale(field.mesh.face, given);
   const PartBegins begin_part = [&](const char* name) {
     if (begin) begin(name);
   };

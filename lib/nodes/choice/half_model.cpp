@@ -26,6 +26,7 @@ HalfModel::HalfModel(const Field& half, const NodeOptions& options, curve::Symme
   for (const guide::CornerOverride& prescribed : options.overrides) mirror_override(prescribed);
   prescribe_even_valences();
   mirror_walls();
+  mirror_scale();
 }
 
 Field HalfModel::field_of_whole(int num_threads) const {
@@ -109,6 +110,16 @@ void HalfModel::mirror_walls() {
     wall.curves = std::move(curves);
   }
   std::erase_if(options_.walls, [](const placement::WallClearance& wall) { return wall.curves.empty(); });
+}
+
+void HalfModel::mirror_scale() {
+  if (!options_.placement.log_scale) return;
+  options_.placement.log_scale = [line = line_, of_half = options_.placement.log_scale](Vec2 x, Vec2& gradient) {
+    const bool is_image = line.height(x) < 0;
+    const double value = of_half(is_image ? line(x) : x, gradient);
+    if (is_image) gradient = line.reflected(gradient);
+    return value;
+  };
 }
 
 /// Half of a valence on the line.

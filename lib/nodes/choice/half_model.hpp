@@ -40,6 +40,7 @@ class HalfModel {
   void mirror_override(const guide::CornerOverride& prescribed);
   void prescribe_even_valences();
   void mirror_walls();
+  void mirror_scale();
   Corner corner_of_half(int joint, const CriticalPoints& whole) const;
   int even_half(int valence, Vec2 position) const;
   void add_boundary_node(IrregularBoundaryPoint node, CriticalPoints& half) const;

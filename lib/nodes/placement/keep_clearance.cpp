@@ -15,6 +15,7 @@
 #include "curve/face_boundary.hpp"
 #include "curve/named_places.hpp"
 #include "curve/project.hpp"
+#include "placement/axis_pairs.hpp"
 #include "placement/half_planes.hpp"
 #include "placement/node_ledger.hpp"
 #include "placement/node_symmetry.hpp"
@@ -94,6 +95,7 @@ class WallSurroundings {
   }
 
   double clearance(int curve) const { return clearance_[curve]; }
+  const curve::FaceBoundary& boundary() const { return boundary_; }
 
   MissedClearance missed(Vec2 x) const {
     MissedClearance result;
@@ -196,7 +198,7 @@ void move_out(const CadFace& face, const WallSurroundings& around, const std::ve
 }
 
 struct CrowdedNode {
-  const CriticalPoint* node = nullptr;
+  int node = 0;
   MissedClearance missed;
   double fraction = 0;  ///< of the clearance that it misses
 };
@@ -206,22 +208,61 @@ std::vector<CrowdedNode> crowded_nodes(const WallSurroundings& around, const std
                                        const CriticalPoints& points) {
   std::vector<CrowdedNode> found;
   for (const MovingNode& m : moving) {
-    const CriticalPoint& node = points.critical_points[m.node];
-    const MissedClearance missed = around.missed(node.position);
+    const MissedClearance missed = around.missed(points.critical_points[m.node].position);
     if (missed.curve < 0) continue;
     const double fraction = missed.shortfall / around.clearance(missed.curve);
-    if (fraction > rules.crowded) found.push_back({&node, missed, fraction});
+    if (fraction > rules.crowded) found.push_back({m.node, missed, fraction});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const CrowdedNode& a, const CrowdedNode& b) { return a.fraction > b.fraction; });
   return found;
 }
 
-void report_crowded_nodes(const CadFace& face, const WallSurroundings& around, const std::vector<CrowdedNode>& nodes,
-                          Report& report) {
-  report.set("clearance.missed", nodes.size());
-  if (nodes.empty()) return;
-  const CrowdedNode& worst = nodes.front();
+/// The nodes before and after they move out, and those that still miss a clearance.
+struct Attempt {
+  CriticalPoints start, moved;
+  std::vector<MovingNode> moving;
+  std::vector<CrowdedNode> crowded;
+
+  double missed() const {
+    double sum = 0;
+    for (const CrowdedNode& node : crowded) sum += node.fraction;
+    return sum;
+  }
+};
+
+Attempt attempt_from(const CadFace& face, const WallSurroundings& around, const std::vector<bool>& may_move,
+                     const CriticalPoints& start) {
+  Attempt attempt{start, start, around.moving_nodes(may_move, start), {}};
+  if (attempt.moving.empty()) return attempt;
+  move_out(face, around, attempt.moving, attempt.moved);
+  attempt.crowded = crowded_nodes(around, attempt.moving, attempt.moved);
+  return attempt;
+}
+
+/// The same with the pairs turned that have too little room on a mirror axis and more beside it.
+Attempt best_attempt(const CadFace& face, const WallSurroundings& around, const std::vector<bool>& may_move,
+                     Attempt best) {
+  for (bool is_better = true; is_better && !best.crowded.empty();) {
+    is_better = false;
+    std::vector<bool> is_stuck(may_move.size(), false);
+    for (const CrowdedNode& node : best.crowded) is_stuck[node.node] = true;
+    const std::vector<NodeSymmetry> group = node_symmetries(face, best.start, may_move);
+    for (const CriticalPoints& turned : with_turned_pairs(around.boundary(), group, may_move, is_stuck, best.start)) {
+      Attempt next = attempt_from(face, around, may_move, turned);
+      if (next.missed() >= best.missed() - tolerance::tied) continue;
+      best = std::move(next);
+      is_better = true;
+    }
+  }
+  return best;
+}
+
+void report_crowded_nodes(const CadFace& face, const WallSurroundings& around, const Attempt& attempt, Report& report) {
+  report.set("clearance.missed", attempt.crowded.size());
+  if (attempt.crowded.empty()) return;
+  const CrowdedNode& worst = attempt.crowded.front();
+  const CriticalPoint& node = attempt.moved.critical_points[worst.node];
   const double clearance = around.clearance(worst.missed.curve);
   report.warn(
       warning::clearance_missed,
@@ -229,8 +270,9 @@ void report_crowded_nodes(const CadFace& face, const WallSurroundings& around, c
           "{} too little room for layers: that of valence {} at {} is {:.3g} from {}, where {:.3g} is best "
           "(--clearance; from quadmesh --wall twice the height of the layers and one more interval). If the layers do "
           "not fit, make them thinner, or give them blocks of their own (blocks=own)",
-          nodes.size() == 1 ? "an irregular node has" : fmt::format("{} irregular nodes have", nodes.size()),
-          worst.node->valence, surface::position_text(face, worst.node->position), clearance - worst.missed.shortfall,
+          attempt.crowded.size() == 1 ? "an irregular node has"
+                                      : fmt::format("{} irregular nodes have", attempt.crowded.size()),
+          node.valence, surface::position_text(face, node.position), clearance - worst.missed.shortfall,
           face.curve_names[worst.missed.curve], clearance));
 }
 
@@ -269,16 +311,22 @@ void keep_clearance(const CadFace& face, const std::vector<WallClearance>& walls
                     CriticalPoints& points, Report& report) {
   if (walls.empty()) return;
   const WallSurroundings around(face, walls);
-  const std::vector<MovingNode> moving = around.moving_nodes(may_move, points);
-  report.set("clearance.moved", moving.size());
-  if (moving.empty()) return;
-  CriticalPoints moved = points;
-  move_out(face, around, moving, moved);
-  report_crowded_nodes(face, around, crowded_nodes(around, moving, moved), report);
-  const auto reason = [](double way) {
-    return fmt::format("moved by {:.3g}, the shortest way to its clearance for layers", way);
-  };
-  record_moves(face, moved, reason, points);
+  const Attempt on_axes = attempt_from(face, around, may_move, points);
+  report.set("clearance.moved", on_axes.moving.size());
+  if (on_axes.moving.empty()) return;
+  const Attempt best = best_attempt(face, around, may_move, on_axes);
+  report_crowded_nodes(face, around, best, report);
+  record_moves(
+      face, best.start,
+      [](double way) {
+        return fmt::format("moved by {:.3g}, with its neighbour to both sides of a mirror axis, which has no room",
+                           way);
+      },
+      points);
+  record_moves(
+      face, best.moved,
+      [](double way) { return fmt::format("moved by {:.3g}, the shortest way to its clearance for layers", way); },
+      points);
 }
 
 }  // namespace quadrille::placement

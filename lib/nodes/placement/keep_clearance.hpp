@@ -7,6 +7,9 @@
 // lines of the field meet. Where there is no such point, it misses all clearances by the same amount, the least
 // possible. The other nodes stay.
 //
+// Two nodes on a mirror axis cannot pass each other. Where they miss a clearance, they are also moved out from the
+// positions of the turned pair (placement/axis_pairs), and take those if they miss less so.
+//
 // The distances are linearised (placement/half_planes) and all nodes move at once, in rounds, so that symmetric sets
 // stay symmetric. The energy of the nodes is not used: it depends on all pairs of nodes and boundary elements, and its
 // minimum under these conditions gives no better blocks.

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/symmetry_lines.hpp"
+#include "placement/axis_pairs.hpp"
 #include "placement/minimise.hpp"
 #include "placement/node_ledger.hpp"
 #include "placement/node_symmetry.hpp"
@@ -23,6 +25,8 @@ using Eigen::VectorXd;
 
 constexpr double visible_step = 1e-8;          // diameters: no warning if the last step was shorter
 constexpr int iterations_between_scales = 30;  // then the length scales of the nodes are recomputed
+
+constexpr double least_gain = 1e-6;  // of the energy, for another place of a pair
 
 struct Problem {
   const CadFace& face;
@@ -43,7 +47,7 @@ Problem problem_of(const CadFace& face, const EnergyFunction& energy, const Smoo
                    const std::vector<bool>& is_free, const PlacementOptions& options, const CriticalPoints& points) {
   const std::vector<int> free = indices_of(is_free);
   Problem problem{face,
-                  {energy, boundary, options.weight, free, {}},
+                  {energy, boundary, options.weight, free, {}, options.log_scale},
                   node_symmetries(face, points, is_free),
                   {free, {}, {}},
                   points};
@@ -107,6 +111,37 @@ Minimum find_minimum(Problem& problem, const PlacementOptions& options, Progress
   return result;
 }
 
+/// A problem with the minimum in which it ends.
+struct Solved {
+  Problem problem;
+  Minimum minimum;
+};
+
+Solved solved(Problem problem, const PlacementOptions& options, Progress* progress) {
+  const Minimum minimum = find_minimum(problem, options, progress);
+  return {std::move(problem), minimum};
+}
+
+/// From the minimum with some pairs on mirror axes to the least energy with one of them beside its axis, while that is
+/// lower.
+Solved with_pairs_beside_axes(Solved best, const std::vector<bool>& is_free, const PlacementOptions& options,
+                              Progress* progress) {
+  const PlacementObjective& objective = best.problem.objective;
+  for (const CriticalPoints& turned :
+       with_turned_pairs(objective.boundary, best.problem.group, is_free, is_free, best.problem.points)) {
+    try {
+      Solved next =
+          solved(problem_of(best.problem.face, objective.energy, objective.boundary, is_free, options, turned), options,
+                 progress);
+      if (next.minimum.value < best.minimum.value - least_gain * (1 + std::abs(best.minimum.value)))
+        return with_pairs_beside_axes(std::move(next), is_free, options, progress);
+    } catch (const ComputeError&) {
+      continue;  // the energy does not exist at the start
+    }
+  }
+  return best;
+}
+
 using surface::position_text;
 
 void report_minimum(const Minimum& minimum, Report& report) {
@@ -147,9 +182,10 @@ void place_nodes(const CadFace& face, const EnergyFunction& energy, const std::v
   if (std::none_of(is_free.begin(), is_free.end(), [](bool free) { return free; })) return;
   const CadFace whole = curve::whole_of(face, options.symmetry);
   const SmoothBoundaryDistance boundary(whole);
-  Problem problem = problem_of(face, energy, boundary, is_free, options, points);
-  report.set("placement.energy_before", problem.objective.at(problem.points).value);
-  const Minimum minimum = find_minimum(problem, options, report.progress());
+  Problem start = problem_of(face, energy, boundary, is_free, options, points);
+  report.set("placement.energy_before", start.objective.at(start.points).value);
+  const auto [problem, minimum] =
+      with_pairs_beside_axes(solved(std::move(start), options, report.progress()), is_free, options, report.progress());
   report_minimum(minimum, report);
   report.set("placement.symmetries", problem.group.size());
   warn_if_not_converged(minimum, report);

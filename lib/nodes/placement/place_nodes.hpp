@@ -9,6 +9,14 @@
 // radius R four nodes have their minimum at the radius r R, q = r^2, with 8 q^4 / (1 - q^4) + 2 w q / (1 - q) = 3:
 // 0.850 for w = 0, 0.691 for w = 1.4, 0.640 for w = 2.
 //
+// In a chart (lib/method.md §12) delta is that of the chart, and each node has the term of the surface's energy
+//
+//   pi d_k (d_k - 8) lambda(a_k)
+//
+// besides, so that blocks have even sizes on the surface: it moves nodes of valence 3 to where lengths in space are
+// greater than in the chart, those of valence 5 to where they are smaller. On the half sphere four nodes have their
+// minimum for w = 0 at the corners of a cube, r = (sqrt 3 - 1) / sqrt 2 in the stereographic chart.
+//
 // The default weight suits most blocks of tests/benchmarks/placement: nodes within a tenth of the diameter of the
 // boundary stay as far from it as the zeros of the field (within 4 %) or move farther away, most of all next to a
 // strongly curved boundary; the worst angles of blocks are no worse on any shape there; greater weights push pairs of
@@ -41,6 +49,7 @@ struct PlacementOptions {
   /// Patterns of the names of curves at lines of symmetry (curve/symmetry_lines.hpp), which are no boundary of the
   /// whole.
   std::vector<std::string> symmetry = {};
+  LogScale log_scale = {};  ///< lambda of a curved face's chart
 };
 
 /// Moves the nodes with is_free[k] to a minimum of F near their positions; the others stay. Nodes that are invariant

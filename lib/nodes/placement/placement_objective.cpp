@@ -69,6 +69,10 @@ NodeEnergy PlacementObjective::at(const CriticalPoints& points) const {
     Vec2 slope;
     sum.value -= factor * boundary.log_smooth(points.critical_points[k].position, slope);
     sum.gradient[k] -= factor * slope;
+    if (!log_scale) continue;
+    const double of_scale = pi * d * (d - 8);
+    sum.value += of_scale * log_scale(points.critical_points[k].position, slope);
+    sum.gradient[k] += of_scale * slope;
   }
   for (const RepulsionTerm& term : repulsion) sum.value += repulsion_energy(term, points, sum.gradient);
   return sum;

@@ -48,12 +48,16 @@ struct NodeEnergy {
 /// Throws ComputeError if a node is not inside the domain.
 using EnergyFunction = std::function<NodeEnergy(const CriticalPoints& points)>;
 
+/// lambda of a chart, the logarithm of a length in space over one in the chart, with its gradient; empty in a plane.
+using LogScale = std::function<double(Vec2 x, Vec2& gradient)>;
+
 struct PlacementObjective {
   const EnergyFunction& energy;
   const SmoothBoundaryDistance& boundary;
   double weight = 0;      ///< of the boundary term
-  std::vector<int> free;  ///< nodes that have a boundary term
+  std::vector<int> free;  ///< nodes that have a boundary term and one of the chart
   std::vector<RepulsionTerm> repulsion;
+  LogScale log_scale = {};
 
   /// The value and its gradient for each node. Throws the errors of the energy.
   NodeEnergy at(const CriticalPoints& points) const;

@@ -9,6 +9,7 @@
 #include <complex>
 #include <limits>
 
+#include "base/base64.hpp"
 #include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 #include "draw/palette.hpp"
@@ -122,19 +123,6 @@ void append_cubic(Chains& chains, const PageFrame& frame, const Nurbs& curve, do
 }
 
 }  // namespace
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return out;
-}
 
 std::string packed(const std::vector<std::int32_t>& values) { return packed_bytes(values); }
 std::string packed(const std::vector<std::int16_t>& values) { return packed_bytes(values); }

@@ -16,9 +16,6 @@
 
 namespace quadrille::page {
 
-/// RFC 4648, with padding.
-std::string base64(const std::string& bytes);
-
 /// The bytes of the numbers, little-endian, as base64.
 std::string packed(const std::vector<std::int32_t>& values);
 std::string packed(const std::vector<std::int16_t>& values);

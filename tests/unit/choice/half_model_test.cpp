@@ -54,6 +54,24 @@ void expect_half(const NodeOptions& half_options, const NodeOptions& whole_optio
 
 TEST(HalfModel, TheNodesAreThoseOfTheWhole) { expect_half(at_symmetry(), {}); }
 
+TEST(HalfModel, TheScaleOfTheWholeIsThatOfTheHalfAndItsImage) {
+  NodeOptions options = at_symmetry();
+  options.placement.log_scale = [](Vec2 x, Vec2& gradient) {
+    gradient = {1, 2 * x.y};
+    return x.x + x.y * x.y * (x.y < 0 ? -1 : 1);  // another one below
+  };
+  Field half;
+  half.mesh.face = half_box();
+  const auto lines =
+      curve::symmetry_lines(half.mesh.face, curve::curves_that_fit(half.mesh.face, options.symmetry)).lines;
+  const NodeOptions whole = HalfModel(half, options, lines.front()).options_of_whole();
+  Vec2 above, below;
+  EXPECT_NEAR(whole.placement.log_scale({2, 1.5}, above), 4.25, 1e-14);
+  EXPECT_NEAR(whole.placement.log_scale({2, -1.5}, below), 4.25, 1e-14);
+  EXPECT_NEAR(distance(above, {1, 3}), 0, 1e-14);
+  EXPECT_NEAR(distance(below, {1, -3}), 0, 1e-14);
+}
+
 TEST(HalfModel, KindsOfGridAndPlacedNodesAreThoseOfTheWhole) {
   NodeOptions half = at_symmetry(), whole;
   for (NodeOptions* options : {&half, &whole}) options->topology = topology::GridKind::h;

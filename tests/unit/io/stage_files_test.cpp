@@ -126,6 +126,24 @@ TEST_F(StageFiles, EveryStageOfACurvedFaceCarriesItsChart) {
   expect_chart(samples::quad_mesh(), own);
 }
 
+TEST_F(StageFiles, NumbersOfChartsArePackedInJson) {
+  SeparatrixGraph graph = samples::separatrix_graph();
+  graph.face = samples::sphere_face(1, 2);
+  const std::string written = stage_bytes(graph), packed = "\"log_scale\": \"7zn6/kIu5j";  // ln 2
+  ASSERT_NE(written.find(packed), std::string::npos);
+  const auto replaced = [&](const std::string& by) {
+    std::string bytes = written;
+    return InputFile{{"a.sep.json", ""}, bytes.replace(bytes.find(packed), packed.size(), by)};
+  };
+  for (const char* by : {"\"log_scale\": \"7zn6/kIu5", "\"log_scale\": \"7zn6 kIu5j"})
+    EXPECT_THROW(read_stage<SeparatrixGraph>(replaced(by)), FormatError) << by;
+  SeparatrixGraph broken = graph;
+  Chart chart = *graph.face.chart;
+  chart.log_scale[0] = NAN;
+  broken.face.chart = std::make_shared<const Chart>(chart);
+  EXPECT_THROW(stage_bytes(broken), Defect);
+}
+
 TEST_F(StageFiles, NodesInSpaceSurviveTheRoundTrip) {
   QuadMesh mesh = samples::quad_mesh();
   for (const Vec2 x : mesh.nodes) mesh.space_nodes.push_back(samples::on_sphere(x / 2));

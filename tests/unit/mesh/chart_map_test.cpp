@@ -18,6 +18,9 @@ TEST(ChartMap, LiftedPointsAreOnTheExactSurface) {
     EXPECT_NEAR(norm(map.lift(x)), 1, 1e-15);
     EXPECT_NEAR(distance(map.lift(x), samples::on_sphere(x)), 0, 1e-9);
     EXPECT_NEAR(map.log_scale(x), samples::sphere_log_scale(x), 1e-9);
+    Vec2 gradient;
+    EXPECT_EQ(map.log_scale(x, gradient), map.log_scale(x));
+    EXPECT_NEAR(distance(gradient, -2 / (1 + norm2(x)) * x), 0, 1e-7);
     EXPECT_NEAR(distance(map.normal(x), samples::on_sphere(x)), 0, 1e-7);
     std::optional<Vec2> uv;
     EXPECT_NEAR(map.distance_from_surface(1.0001 * samples::on_sphere(x), x, uv), 1e-4, 1e-14);

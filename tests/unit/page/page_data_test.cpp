@@ -6,19 +6,12 @@
 #include <complex>
 #include <limits>
 
+#include "base/base64.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::page {
 
 namespace {
-
-TEST(PageData, Base64IsThatOfTheStandard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe"), "//4=");
-}
 
 TEST(PageData, NumbersArePackedWithTheirLowByteFirst) {
   EXPECT_EQ(packed(std::vector<std::int32_t>{1, -2}), base64(std::string("\1\0\0\0\xfe\xff\xff\xff", 8)));

@@ -143,6 +143,23 @@ TEST(KeepClearance, SymmetricNodesMoveSymmetrically) {
   for (int k = 4; k < 6; ++k) EXPECT_NEAR(kept[k].x, 0, 1e-13);
 }
 
+TEST(KeepClearance, PairsOnAMirrorAxisPassToBothSidesOfIt) {
+  const Kept kept(two_holes(), points_at({{2.3, 0}, {2.5, 0}}, 5), {{{second_hole}, 0.45}});
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(distance(kept[k], {1.25, 0}), 1.45, 1e-7);
+  EXPECT_GT(kept[0].y, 0.1);
+  EXPECT_NEAR(distance(kept[1], {kept[0].x, -kept[0].y}), 0, 1e-13);
+  EXPECT_TRUE(kept.report.warnings().empty());
+  ASSERT_EQ(kept.points.changes.size(), 4u) << "turned and moved out";
+  EXPECT_NE(kept.points.changes[0].reason.find("to both sides of a mirror axis"), std::string::npos);
+  EXPECT_NEAR(distance(kept.points.changes[0].after[0].position, {2.4, 0.1}), 0, 1e-13);
+}
+
+TEST(KeepClearance, PairsOnAMirrorAxisStayThereWhereTheyHaveRoom) {
+  const Kept kept(two_holes(), points_at({{2.3, 0}, {2.9, 0}}, 5), {{{second_hole}, 0.3}});
+  EXPECT_NEAR(distance(kept[0], {2.55, 0}), 0, 1e-7);
+  EXPECT_EQ(kept[1], (Vec2{2.9, 0}));
+}
+
 TEST(KeepClearance, AWallAllAroundIsMissedFromAllSides) {
   const Kept kept(disc(), points_at({{0.1, 0.05}}), {{{0}, 1.5}});
   EXPECT_LE(norm(kept[0]), 0.12);

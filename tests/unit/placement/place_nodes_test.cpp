@@ -91,10 +91,11 @@ CadFace disc() { return make_face({circle({0, 0}, 1)}); }
 
 struct Placed {
   Placed(const CadFace& face, const EnergyFunction& energy, const CriticalPoints& start, double weight,
-         std::vector<bool> is_free = {})
+         std::vector<bool> is_free = {}, const LogScale& log_scale = {})
       : points(start) {
     PlacementOptions options;
     options.weight = weight;
+    options.log_scale = log_scale;
     is_free.resize(start.critical_points.size(), is_free.empty());
     place_nodes(face, energy, is_free, options, points, report);
   }
@@ -148,6 +149,51 @@ TEST(PlaceNodes, four_in_a_disc_come_to_the_radius_of_least_energy) {
     expect_square(placed, radius_of(weight), 1e-9);
     for (int k = 0; k < 4; ++k)
       EXPECT_NEAR(distance(normalized(placed[k]), unit(k * half_pi)), 0, 1e-12) << "they keep their directions";
+  }
+}
+
+/// lambda of the unit sphere in its stereographic chart.
+double sphere_scale(Vec2 x, Vec2& gradient) {
+  gradient = -2 / (1 + norm2(x)) * x;
+  return std::log(2 / (1 + norm2(x)));
+}
+
+TEST(PlaceNodes, four_on_the_half_sphere_are_corners_of_a_cube) {
+  const CriticalPoints start = points_at({{0.1, 0}, {0, 0.1}, {-0.1, 0}, {0, -0.1}});
+  const Placed placed(disc(), Motion()(in_disc), start, 0, {}, sphere_scale);
+  expect_square(placed, (std::sqrt(3.0) - 1) / std::sqrt(2.0), 1e-10);
+}
+
+TEST(PlaceNodes, the_distance_of_the_boundary_term_is_that_of_the_chart) {
+  const CriticalPoints start = points_at({{0.1, 0}, {0, 0.1}, {-0.1, 0}, {0, -0.1}});
+  const Placed placed(disc(), Motion()(in_disc), start, 2, {}, sphere_scale);
+  const double r = norm(placed[0]);
+  expect_square(placed, r, 1e-9);
+  const double of_energy = -12 / r + 32 * std::pow(r, 7) / (1 - std::pow(r, 8)) + 56 * r / (1 + r * r);
+  EXPECT_NEAR(of_energy + 2 * 8 * r / (1 - r * r), 0, 1e-7);
+}
+
+/// Four nodes of valence 5 on a square about a hole of radius 1 in a large plate: W = pi (52 ln s - 4 ln(s^8 - 1)).
+NodeEnergy energy_about_hole(const CriticalPoints& points) {
+  const double s = norm(points.critical_points[0].position), s8 = std::pow(s, 8);
+  if (s <= 1) throw ComputeError("a node is in the hole");
+  NodeEnergy w{pi * (52 * std::log(s) - 4 * std::log(s8 - 1)), {}};
+  const double slope = pi * (52 - 32 * s8 / (s8 - 1)) / s;
+  for (const CriticalPoint& p : points.critical_points) w.gradient.push_back(slope / 4 * normalized(p.position));
+  return w;
+}
+
+TEST(PlaceNodes, about_a_hole_sizes_that_grow_like_a_power_take_them_farther_out) {
+  const CadFace plate = make_face({circle({0, 0}, 50), hole({0, 0}, 1)});
+  const CriticalPoints start = points_at({{2, 0}, {0, 2}, {-2, 0}, {0, -2}}, 5);
+  for (const double power : {0.0, 0.25, 0.5}) {
+    const LogScale log_scale = [&](Vec2 x, Vec2& gradient) {
+      gradient = -power / norm2(x) * x;
+      return -power * std::log(norm(x));
+    };
+    const double part = (13 - 9 * power) / 8;  // s^8 / (s^8 - 1)
+    expect_square(Placed(plate, energy_about_hole, start, 0, {}, log_scale), std::pow(part / (part - 1), 1.0 / 8),
+                  1e-10);
   }
 }
 
@@ -227,6 +273,33 @@ TEST(PlaceNodes, at_the_minimum_nothing_changes) {
   EXPECT_TRUE(placed.points.changes.empty());
   EXPECT_EQ(placed.points.form, NodeForm::harmonic);
   for (int k = 0; k < 2; ++k) EXPECT_EQ(placed[k], start.critical_points[k].position);
+}
+
+/// Two nodes that repel each other in a valley along an axis: the sum of 4 across^2 + along^2, less 2 ln of their
+/// distance.
+NodeEnergy energy_in_valley(const CriticalPoints& points, bool is_along_x) {
+  const Vec2 a = points.critical_points[0].position, b = points.critical_points[1].position;
+  const Vec2 steep = is_along_x ? Vec2{1, 4} : Vec2{4, 1}, push = 2 / norm2(a - b) * (a - b);
+  NodeEnergy w{-std::log(norm2(a - b)), {-1 * push, push}};
+  for (int k = 0; k < 2; ++k) {
+    const Vec2 x = points.critical_points[k].position;
+    w.value += steep.x * x.x * x.x + steep.y * x.y * x.y;
+    w.gradient[k] += 2 * Vec2{steep.x * x.x, steep.y * x.y};
+  }
+  return w;
+}
+
+TEST(PlaceNodes, pairs_leave_a_mirror_axis_where_that_lowers_the_energy) {
+  const CadFace box = make_face({polygon({{-2, -1}, {2, -1}, {2, 1}, {-2, 1}})});
+  for (const bool is_along_x : {false, true}) {
+    const EnergyFunction energy = [&](const CriticalPoints& points) { return energy_in_valley(points, is_along_x); };
+    for (const Vec2 start : {Vec2{0.3, 0}, Vec2{0, 0.3}}) {
+      const Placed placed(box, energy, points_at({start, -start}, 5), 0);
+      const Vec2 x = placed[0], least = is_along_x ? Vec2{std::sqrt(0.5), 0} : Vec2{0, std::sqrt(0.5)};
+      EXPECT_NEAR(std::min(distance(x, least), distance(x, -least)), 0, 1e-9);
+      EXPECT_NEAR(distance(x, -placed[1]), 0, 1e-12);
+    }
+  }
 }
 
 TEST(PlaceNodes, of_opposite_index_are_kept_apart_and_named) {
