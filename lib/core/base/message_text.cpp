@@ -7,6 +7,8 @@
 
 namespace quadrille {
 
+constexpr double rounding_error = 1e-12;  ///< of a coordinate, relative to the greatest
+
 std::string position_text(Vec2 x) {
   if (!std::isfinite(x.x) || !std::isfinite(x.y))
     return "an unknown place (its coordinates are no numbers: an internal error, please report it)";
@@ -14,9 +16,15 @@ std::string position_text(Vec2 x) {
 }
 
 std::string rounded_position_text(Vec2 x) {
-  const double rounding = 1e-12 * std::max({std::abs(x.x), std::abs(x.y), 1e-3});
+  const double rounding = rounding_error * std::max({std::abs(x.x), std::abs(x.y), 1e-3});
   const auto shown = [&](double c) { return std::abs(c) < rounding ? 0.0 : c; };
-  return position_text({shown(x.x), shown(x.y)});
+  return position_text(Vec2{shown(x.x), shown(x.y)});
+}
+
+std::string position_text(Vec3 x) {
+  const double rounding = rounding_error * std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z), 1e-3});
+  const auto shown = [&](double c) { return std::abs(c) < rounding ? 0.0 : c; };
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", shown(x.x), shown(x.y), shown(x.z));
 }
 
 std::string json_string(const std::string& text) {

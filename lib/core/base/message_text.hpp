@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/vec2.hpp"
+#include "base/vec3.hpp"
 
 namespace quadrille {
 
@@ -30,6 +31,9 @@ std::string position_text(Vec2 x);
 
 /// position_text, where a coordinate that is only a rounding error relative to the other one is written as 0.
 std::string rounded_position_text(Vec2 x);
+
+/// "(x, y, z)" with six digits each; a coordinate that is only a rounding error relative to the others is written as 0.
+std::string position_text(Vec3 x);
 
 // Text as a JSON string.
 

@@ -16,6 +16,7 @@
 #include "base/vec2.hpp"
 #include "base/vec3.hpp"
 #include "check/check.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::check {
 
@@ -148,7 +149,6 @@ inline std::vector<bool> open_interfaces(const CadFace& face, const std::vector<
 inline bool is_slit_tip(const CadFace& face, int joint) {
   return is_index(joint, face.partners.size()) && face.partners[joint] == face.previous_in_loop(joint);
 }
-/// "(x, y)" in the coordinates of the CAD model's plane: with the face's origin added.
-inline std::string position_text(const CadFace& face, Vec2 p) { return quadrille::position_text(p + face.origin); }
+using surface::position_text;
 
 }  // namespace quadrille::check

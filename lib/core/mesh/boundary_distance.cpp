@@ -13,6 +13,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::mesh {
 namespace {
@@ -114,17 +115,17 @@ BoundaryDistance boundary_distance(const QuadMesh& mesh) {
 
 void report_distance(const BoundaryDistance& distance, const CadFace& face, double tolerance, Report& report) {
   const curve::FarthestPoint& worst = distance.worst();
-  const Vec2 position = worst.position + face.origin;
   report.set("boundary.mesh_to_cad", distance.mesh_to_cad.distance);
   report.set("boundary.cad_to_mesh", distance.cad_to_mesh.distance);
-  report.set("boundary.position", std::vector<double>{position.x, position.y});
+  report.set("boundary.position", surface::position_in_file(face, worst.position));
   report.set("boundary.tolerance", tolerance);
   if (distance.is_within(tolerance)) return;
   const bool is_by_fit = 2 * face.fit_distance > tolerance;
   report.warn(warning::geometry_tol_missed,
               fmt::format("the boundary of the mesh deviates from the CAD curves by up to {:.2g} diameters at {}, "
                           "more than the geometric tolerance {:.2g}: {}",
-                          worst.distance / face.diameter, position_text(position), tolerance / face.diameter,
+                          worst.distance / face.diameter, surface::position_text(face, worst.position),
+                          tolerance / face.diameter,
                           is_by_fit ? "lower --fit-tolerance of cad2tri" : "raise --order or lower --size"));
 }
 

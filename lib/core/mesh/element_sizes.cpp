@@ -13,6 +13,7 @@
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::mesh {
 
@@ -177,11 +178,12 @@ ElementSizes worst_element_sizes(const QuadMesh& mesh) {
   return worst;
 }
 
-std::string describe(const ElementSizes& sizes) {
+std::string describe(const ElementSizes& sizes, const CadFace& face) {
   return fmt::format(
       "greatest edge ratio {:.3g} at {}, greatest area jump {:.3g} at {}, least node distance {:.3g} at {}",
-      sizes.edge_ratio, position_text(sizes.edge_ratio_position), sizes.area_jump,
-      position_text(sizes.area_jump_position), sizes.node_distance, position_text(sizes.node_distance_position));
+      sizes.edge_ratio, surface::position_text(face, sizes.edge_ratio_position), sizes.area_jump,
+      surface::position_text(face, sizes.area_jump_position), sizes.node_distance,
+      surface::position_text(face, sizes.node_distance_position));
 }
 
 void report_element_sizes(const QuadMesh& mesh, Report& report) {
@@ -189,7 +191,7 @@ void report_element_sizes(const QuadMesh& mesh, Report& report) {
   const auto set = [&](const std::string& key, double value, int elem, Vec2 position) {
     report.set(key + ".value", value);
     report.set(key + ".element", elem);
-    report.set(key + ".position", std::vector<double>{position.x, position.y});
+    report.set(key + ".position", surface::position_in_file(mesh.face, position));
   };
   set("greatest_edge_ratio", worst.edge_ratio, worst.edge_ratio_elem, worst.edge_ratio_position);
   set("greatest_area_jump", worst.area_jump, worst.area_jump_elem, worst.area_jump_position);

@@ -16,7 +16,7 @@ namespace quadrille::mesh {
 /// elements.
 void measure_element_sizes(QuadMesh& mesh);
 
-/// The worst of all elements and where they are, in the face's own coordinates (origin included).
+/// The worst of all elements, and the positions of their centres relative to face.origin.
 struct ElementSizes {
   double edge_ratio = 1;     ///< greatest
   double area_jump = 1;      ///< greatest
@@ -29,7 +29,7 @@ struct ElementSizes {
 ElementSizes worst_element_sizes(const QuadMesh& mesh);
 
 /// "greatest edge ratio 12.3 at (1, 2), ...": one line.
-std::string describe(const ElementSizes& sizes);
+std::string describe(const ElementSizes& sizes, const CadFace& face);
 
 /// Reports value, element and position of each of the three (greatest_edge_ratio.*, ...). Elements must be measured.
 void report_element_sizes(const QuadMesh& mesh, Report& report);

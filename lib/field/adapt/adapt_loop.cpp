@@ -15,6 +15,7 @@
 #include "field/error_estimate.hpp"
 #include "galerkin/solve_laplace.hpp"
 #include "galerkin/solve_phase.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::adapt {
 
@@ -161,13 +162,13 @@ void judge_errors(const Field& field, const AdaptOptions& options, Report& repor
   if (num_missing == 0) return;
   const auto& [a, b, c] = field.mesh.elem2vertices[worst];
   const std::vector<Vec2>& x = field.mesh.vertices;
-  const Vec2 position = (x[a] + x[b] + x[c]) / 3 + field.mesh.face.origin;
+  const std::string position = surface::position_text(field.mesh.face, (x[a] + x[b] + x[c]) / 3);
   report.warn(
       warning::target_error_missed,
       fmt::format("the estimated error of the field is up to {:.1e}, above the target {:.1e}, although the order "
                   "is at its highest, {}: {} {}, the worst near {}",
                   greatest, options.target_error, options.max_order, num_missing,
-                  num_missing == 1 ? "element" : "elements", position_text(position)));
+                  num_missing == 1 ? "element" : "elements", position));
 }
 
 }  // namespace

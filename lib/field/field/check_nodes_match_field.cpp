@@ -9,6 +9,7 @@
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -28,7 +29,7 @@ bool is_zero(const FieldEvaluator& evaluator, const CriticalPoint& p) {
   return norm(off) <= tolerance::same_point * diameter;
 }
 
-std::string position_text(const CadFace& face, Vec2 x) { return quadrille::position_text(x + face.origin); }
+using surface::position_text;
 
 void check_zeros(const FieldEvaluator& evaluator, const CriticalPoints& points) {
   const CadFace& face = evaluator.field().mesh.face;

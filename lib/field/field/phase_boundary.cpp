@@ -11,6 +11,7 @@
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::field {
 namespace {
@@ -56,7 +57,7 @@ bool has_references(const Nurbs& piece, const std::vector<TurnCentre>& centres) 
 }
 
 [[noreturn]] void refuse(const CadFace& face, const Nurbs& piece) {
-  const std::string position = position_text(piece.poles.front() + face.origin);
+  const std::string position = surface::position_text(face, piece.poles.front());
   if (!tangents_are_near_chord(piece)) throw ComputeError("the boundary has a cusp near " + position);
   throw ComputeError(fmt::format("the irregular node near {} is on the boundary; it must be inside", position));
 }
@@ -222,7 +223,7 @@ void PhaseBoundary::require_inside(int loop, const LoopAngles& start, const Loop
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const TurnCentre& centre = centres[i];
     if (round_to_turns(end.centres[i] - start.centres[i]) == centre.winding_number(loop)) continue;
-    const std::string position = position_text(centre.position + face_->origin);
+    const std::string position = surface::position_text(*face_, centre.position);
     if (centre.loop >= 0) throw Defect(position + " was taken for a point outside the face");
     throw ComputeError(
         fmt::format("the irregular node at {} is {}", position, loop == 0 ? "outside the face" : "in a hole"));

@@ -16,6 +16,7 @@
 #include "mesh/tri_topology.hpp"
 #include "spectral/modified_basis.hpp"
 #include "stiffness/condensed_element.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::galerkin {
 
@@ -26,8 +27,8 @@ MeshContext::MeshContext(const TriMesh& tri_mesh)
       tree(mesh::nested_dissection(tri_mesh, topology)) {}
 
 std::string MeshContext::describe(int elem) const {
-  const Vec2 x = maps[elem].position(field::centroid) + mesh->face.origin;
-  return fmt::format("element {} near {}", elem, position_text(x));
+  return fmt::format("element {} near {}", elem,
+                     surface::position_text(mesh->face, maps[elem].position(field::centroid)));
 }
 
 ContinuousSystem::ContinuousSystem(const MeshContext& context, int num_threads, std::size_t kept_numbers,

@@ -12,6 +12,7 @@
 #include "curve/nurbs.hpp"
 #include "field/explicit_value.hpp"
 #include "spectral/quadrature.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -204,7 +205,7 @@ double explicit_energy(const CadFace& face, const PhaseNodes& asked, const Phase
 mesh::Location locate_node(const mesh::Locator& locator, const TriMesh& mesh, Vec2 node) {
   const mesh::Location at = locator.find(node);
   if (at.elem >= 0) return at;
-  throw ComputeError("the irregular node at " + position_text(node + mesh.face.origin) + " is outside the mesh");
+  throw ComputeError("the irregular node at " + surface::position_text(mesh.face, node) + " is outside the mesh");
 }
 
 Vec2 phase_energy_gradient(const PhaseTerms& terms, int k, Vec2 remainder_slope) {

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::galerkin {
 namespace {
@@ -26,7 +27,7 @@ void require_admissible(const CadFace& face, double angle, int valence, Vec2 pos
   if (is_admissible(angle, valence)) return;
   throw ComputeError(
       fmt::format("{} at {} cannot have valence {}: its angle is {:.6g} degrees, and blocks need 15 to 165 degrees",
-                  what, position_text(position + face.origin), valence, degrees(angle)));
+                  what, surface::position_text(face, position), valence, degrees(angle)));
 }
 
 void require_admissible_valences(const CadFace& face, const PhaseNodes& asked) {

@@ -13,6 +13,7 @@
 #include "galerkin/aligned_field.hpp"
 #include "galerkin/discretization.hpp"
 #include "galerkin/hybridised.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::galerkin {
 
@@ -41,7 +42,7 @@ void require_no_jump(const CadFace& face, const std::vector<Lifting>& jumps) {
   throw ComputeError(fmt::format(
       "the boundary data jump at {} {}, the first at {}: continuous elements cannot follow that; use "
       "--corners lift or --method dg",
-      jumps.size(), jumps.size() == 1 ? "corner" : "corners", position_text(jumps.front().apex + face.origin)));
+      jumps.size(), jumps.size() == 1 ? "corner" : "corners", surface::position_text(face, jumps.front().apex)));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "model/repair.hpp"
+#include "surface/positions.hpp"
 #include "triangulate/outline.hpp"
 #include "triangulate/triangle_sizes.hpp"
 
@@ -257,9 +258,9 @@ void BoundaryMesh::refuse_contact(const std::vector<int>& near, const std::strin
       sharpest->interior_angle >= blunted_angle
           ? "draw these parts further apart"
           : fmt::format("the corner of {:.2g} degrees at {} is sharp: cut its tip off with --blunt, or draw it wider",
-                        degrees(sharpest->interior_angle), rounded_position_text(sharpest->position + face.origin));
+                        degrees(sharpest->interior_angle), surface::rounded_position_text(face, sharpest->position));
   throw ComputeError(fmt::format("{}: it is {:.2g} ({:.2g} diameters) wide at {}: {}", what, gap, gap / face.diameter,
-                                 rounded_position_text(segments_[narrowest].samples[2] + face.origin), remedy));
+                                 surface::rounded_position_text(face, segments_[narrowest].samples[2]), remedy));
 }
 
 void BoundaryMesh::grade(double growth, const std::vector<SizePoint>& size_points) {

@@ -29,7 +29,7 @@ class BoundaryMesh {
     return !segment.is_rim() && fit_->outline().face().is_interface(segment.curve);
   }
   /// Origin of the face, added to positions in messages.
-  Vec2 origin() const { return fit_->outline().face().origin; }
+  const CadFace& face() const { return fit_->outline().face(); }
   /// Bisects segment i: i becomes the first half, the second half is appended. Returns the new vertex of the draft.
   int split(int i) { return split_at(i, middle(segments_[i])); }
   /// Bisects segments until none is longer than `ratio` times its distance to any segment that it does not touch.

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::triangulate {
 namespace {
@@ -64,8 +65,8 @@ int DomainRefiner::add_point(int draft_vertex) {
   if (vertex2point_[draft_vertex] >= 0) return vertex2point_[draft_vertex];
   const int point = delaunay_.insert(draft_->vertices[draft_vertex]);
   if (point < static_cast<int>(point2vertex_.size())) {
-    const Vec2 x = draft_->vertices[draft_vertex] + boundary_->origin();
-    throw ComputeError("two points of the boundary coincide at " + position_text(x) +
+    throw ComputeError("two points of the boundary coincide at " +
+                       surface::position_text(boundary_->face(), draft_->vertices[draft_vertex]) +
                        ": draw its parts further apart there");
   }
   point2vertex_.push_back(draft_vertex);
@@ -75,11 +76,10 @@ int DomainRefiner::add_point(int draft_vertex) {
 
 void DomainRefiner::constrain(const Segment& segment) {
   if (delaunay_.constrain(vertex2point_[segment.from], vertex2point_[segment.to], boundary_->is_inner(segment))) return;
-  const Vec2 x = segment.centre + boundary_->origin();
   throw ComputeError(
       fmt::format("the chords of two parts of the boundary cross near {}, one of them {:.2g} long: draw these "
                   "parts further apart, or give a smaller --size",
-                  position_text(x), segment.length()));
+                  surface::position_text(boundary_->face(), segment.centre), segment.length()));
 }
 
 void DomainRefiner::split(int segment) {

@@ -10,6 +10,7 @@
 #include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/tri_topology.hpp"
+#include "surface/positions.hpp"
 #include "triangulate/corner_fans.hpp"
 #include "triangulate/curved_edges.hpp"
 #include "triangulate/draft.hpp"
@@ -106,7 +107,7 @@ bool split_at(const Result& result, const std::vector<int>& elems, DomainRefiner
 
 Vec2 position_of(const TriMesh& mesh, int elem) {
   const auto& [a, b, c] = mesh.elem2vertices[elem];
-  return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3 + mesh.face.origin;
+  return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
 }
 
 Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const EdgeLimits& limits,
@@ -134,7 +135,7 @@ Result proved_mesh(const EdgeFit& fit, const TriangulateOptions& options, const 
     if (round == mesh_constants.max_proof_rounds || !split_at(result, elems, refiner)) {
       if (invalid.empty()) return result;
       const Vec2 position = position_of(result.mesh, invalid.front());
-      throw ComputeError("no valid curved element at " + position_text(position));
+      throw ComputeError("no valid curved element at " + surface::position_text(result.mesh.face, position));
     }
   }
 }

@@ -166,7 +166,7 @@ std::string elements_section(const GmshModel& model, const QuadMesh& mesh) {
       "$Elements\n{}\n", mesh.boundary_edges.size() + interface_edges_once(mesh).size() + mesh.elem_block.size());
   int tag = 0;
   const auto begin = [&](int type, int group, std::size_t entity) {
-    fmt::format_to(std::back_inserter(text), "{} {} 2 {} {}", ++tag, type, group, entity + 1);
+    fmt::format_to(std::back_inserter(text), "{} {} 2 {} {}", ++tag, type, group, model.entity_tag(entity));
   };
   for (std::size_t c = 0; c < model.skeleton.curves.size(); ++c) {
     const SkeletonCurve& curve = model.skeleton.curves[c];
@@ -198,7 +198,8 @@ Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) {
 }
 
 Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame) {
-  const GmshModel model = gmsh_model(mesh, frame);
+  GmshModel model = gmsh_model(mesh, frame);
+  model.tags_before = model.num_groups();
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + gmsh_names(model.groups);
   text += nodes_section(model);
   text += elements_section(model, mesh);

@@ -175,7 +175,7 @@ std::string gmsh_periodic(const GmshModel& model, const QuadMesh& mesh, const Fr
   std::string text = fmt::format("$Periodic\n{}\n", links.size());
   const auto out = std::back_inserter(text);
   for (const GmshPeriodicLink& link : links) {
-    fmt::format_to(out, "{} {} {}\n{}", link.dim, link.entity + 1, link.master + 1, motion);
+    fmt::format_to(out, "{} {} {}\n{}", link.dim, model.entity_tag(link.entity), model.entity_tag(link.master), motion);
     for (const double number : affine_motion(mesh.face, link.pair, frame)) fmt::format_to(out, " {}", number);
     fmt::format_to(out, "\n{}\n", link.nodes.size());
     for (const auto& [node, master] : link.nodes)

@@ -2,8 +2,9 @@
 // The common parts of both versions of Gmsh's MSH: entities, numbers, types and orders of nodes. Private to gmsh*.
 //
 // Points, curves and surfaces are taken from the skeleton; a node belongs to the entity of lowest dimension that
-// contains it. Every tag is positive: entity e has tag e + 1, and physical groups count through both dimensions (some
-// readers require them to be unique), the boundaries first, then interfaces, then regions.
+// contains it. Every tag is positive: physical groups count from 1 through both dimensions (some readers require them
+// to be unique), the boundaries first, then interfaces, then regions; entity e has tag e + 1, in version 2.2 above the
+// tags of all groups, because PETSc looks for both in one list there.
 
 #include <array>
 #include <string>
@@ -24,7 +25,10 @@ struct GmshModel {
   std::vector<std::vector<int>> block_elems;                  ///< elements of each block
   std::vector<int> quad_node_order;                           ///< Gmsh's order of the local nodes of a quad
   int line_type = 0, quad_type = 0;
+  int tags_before = 0;  ///< tags below that of the first entity of each dimension
 
+  int entity_tag(std::size_t entity) const { return static_cast<int>(entity) + 1 + tags_before; }
+  int num_groups() const { return groups.num_boundaries() + groups.num_interfaces() + groups.num_regions(); }
   int boundary_group(int cad_curve) const { return 1 + groups.curve2boundary[cad_curve]; }
   int region_group(int block) const {
     return 1 + groups.num_boundaries() + groups.num_interfaces() + groups.block2region[block];

@@ -17,15 +17,15 @@
 #include "graph/candidate_layout.hpp"
 #include "mesh/chords.hpp"
 #include "model/interfaces.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::block {
 namespace {
 
 void require_conforming(const SeparatrixGraph& graph) {
   if (graph.t_junctions.empty()) return;
-  const Vec2 position = graph.nodes[graph.t_junctions.front()].position + graph.face.origin;
-  throw ComputeError(
-      fmt::format("a separatrix ends on the side of a block at {}; blocks must conform", position_text(position)));
+  throw ComputeError(fmt::format("a separatrix ends on the side of a block at {}; blocks must conform",
+                                 surface::position_text(graph.face, graph.nodes[graph.t_junctions.front()].position)));
 }
 
 /// The region of each block: blocks beside each other are of one region if no interface lies between them, and every

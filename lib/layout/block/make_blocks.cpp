@@ -17,6 +17,7 @@
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "mesh/chords.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::block {
 namespace {
@@ -241,7 +242,7 @@ void warn_of_invalid(const Blocks& blocks, Report& report) {
     report.warn(warning::block_not_proved_valid,
                 fmt::format("{} cannot be proved valid near {}: its exact map folds there, or nearly so",
                             blocks.layout.block_names[b],
-                            position_text(m.scaled_jacobian_position + blocks.layout.face.origin)));
+                            surface::position_text(blocks.layout.face, m.scaled_jacobian_position)));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "curve/nurbs.hpp"
 #include "mesh/chords.hpp"
 #include "model/interfaces.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::block {
 namespace {
@@ -128,9 +129,7 @@ int worst_shape(const std::vector<BlockMeasure>& measures) {
   return worst(measures, [](const BlockMeasure& m) { return m.scaled_jacobian; });
 }
 
-Report::Value in_file(const BlockLayout& layout, Vec2 x) {
-  return std::vector<double>{x.x + layout.face.origin.x, x.y + layout.face.origin.y};
-}
+Report::Value in_file(const BlockLayout& layout, Vec2 x) { return surface::position_in_file(layout.face, x); }
 
 void report_counts(const BlockLayout& layout, Report& report) {
   report.set("blocks", layout.num_blocks());
@@ -224,8 +223,8 @@ std::string summarise_layout(const BlockLayout& layout, const std::vector<BlockM
       "{} block{}, least scaled Jacobian {:.2f} (block {} near {}), smallest block {}: a side of {:.3g} "
       "near {} {}",
       layout.num_blocks(), layout.num_blocks() == 1 ? "" : "s", measures[shape].scaled_jacobian, shape,
-      position_text(measures[shape].scaled_jacobian_position + layout.face.origin), smallest.block,
-      measures[smallest.block].shortest_side, position_text(smallest.position + layout.face.origin),
+      surface::position_text(layout.face, measures[shape].scaled_jacobian_position), smallest.block,
+      measures[smallest.block].shortest_side, surface::position_text(layout.face, smallest.position),
       first == second ? "at " + first : "between " + first + " and " + second);
 }
 

@@ -21,6 +21,7 @@
 #include "graph/arc_pieces.hpp"
 #include "model/periodic.hpp"
 #include "quantize/quantize_and_extend.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::couple {
 namespace {
@@ -90,7 +91,7 @@ std::vector<double> node_parameters(const ArcGraph& graph, int curve) {
   if (const auto corner = sharpest_interface_corner(face))
     remedy =
         fmt::format(", round the corner of the curve at {}, where it turns by {:.0f} degrees",
-                    rounded_position_text(face.joints[corner->joint].position + face.origin), degrees(corner->turn));
+                    surface::rounded_position_text(face, face.joints[corner->joint].position), degrees(corner->turn));
   throw ComputeError(
       "the lines on both sides of an embedded curve cannot be continued across: a strip of blocks winds onto itself; "
       "choose other nodes (critpoints --nodes, --topology)" +

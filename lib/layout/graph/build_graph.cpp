@@ -9,6 +9,7 @@
 #include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -145,7 +146,7 @@ void add_crossing(Building& build, const Crossing& c) {
   if (end_a >= 0 && end_a == end_b) return;
   if (end_a >= 0 || end_b >= 0) {
     throw ComputeError(fmt::format("a separatrix passes through the end of another at {}",
-                                   position_text(c.position + build.face.origin)));
+                                   surface::position_text(build.face, c.position)));
   }
   int node = crossing_near(build, c.a, c.position);
   if (node < 0) node = crossing_near(build, c.b, c.position);

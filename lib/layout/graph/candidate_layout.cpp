@@ -10,6 +10,7 @@
 #include "curve/nurbs.hpp"
 #include "graph/subdivision.hpp"
 #include "model/interfaces.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::graph {
 
@@ -57,7 +58,7 @@ Vec2 middle_of_face(const Subdivision& subdivision, int face) {
     const ArcPiece& piece = pieces[pieces.size() / 2];
     sum += curve::point(graph.curve(piece.curve), (piece.t0 + piece.t1) / 2);
   }
-  return sum / static_cast<double>(cycle.size()) + graph.face.origin;
+  return sum / static_cast<double>(cycle.size());
 }
 
 std::vector<int> faces_without_four_corners(const Subdivision& subdivision) {
@@ -76,7 +77,8 @@ int require_four_corners(const Subdivision& subdivision) {
     throw ComputeError(
         fmt::format("{} of {} faces of the separatrix graph {} not four corners; the one around {} has {}", bad.size(),
                     num_faces, bad.size() == 1 ? "has" : "have",
-                    position_text(middle_of_face(subdivision, bad.front())), subdivision.num_corners(bad.front())));
+                    surface::position_text(subdivision.graph().face, middle_of_face(subdivision, bad.front())),
+                    subdivision.num_corners(bad.front())));
   }
   // Regions with an open interface between them need not be connected.
   if (subdivision.num_components() > subdivision.graph().face.num_regions())
@@ -97,7 +99,7 @@ void require_drawn_in_order(const Subdivision& subdivision) {
     if (!subdivision.around(n).empty() && !is_drawn_in_order(subdivision, n))
       throw ComputeError(
           fmt::format("lines of the separatrix graph at {} run across each other",
-                      position_text(subdivision.graph().nodes[n].position + subdivision.graph().face.origin)));
+                      surface::position_text(subdivision.graph().face, subdivision.graph().nodes[n].position)));
 }
 
 std::vector<FaceCount> face_valence_histogram(const Subdivision& subdivision) {

@@ -8,6 +8,7 @@
 
 #include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::graph {
 namespace {
@@ -130,22 +131,26 @@ class Counter {
   void count(const Box& at) {
     if (bounds_.num_pairs) ++*bounds_.num_pairs;
     if (++num_ <= bounds_.max_pairs) return;
-    const Vec2 position = (at.low + at.high) / 2 + bounds_.origin;
+    const Vec2 position = (at.low + at.high) / 2;
     throw ComputeError(
         fmt::format("separatrices run beside each other too often: more than {} pairs of their pieces could cross, the "
                     "last near {}",
-                    bounds_.max_pairs, position_text(position)));
+                    bounds_.max_pairs, place(position)));
   }
 
   void require_few_crossings(const std::vector<Crossing>& found) const {
     if (found.size() <= bounds_.max_crossings) return;
-    const Vec2 position = found.back().position + bounds_.origin;
+    const Vec2 position = found.back().position;
     throw CrowdedLinesError(
         fmt::format("separatrices cross each other more than the {} times allowed, the last near {}",
-                    bounds_.max_crossings, position_text(position)));
+                    bounds_.max_crossings, place(position)));
   }
 
  private:
+  std::string place(Vec2 position) const {
+    return bounds_.face ? surface::position_text(*bounds_.face, position) : position_text(position);
+  }
+
   const CrossingBounds& bounds_;
   long long num_ = 0;
 };

@@ -34,7 +34,7 @@ struct CrossingBounds {
   /// Pairs of pieces whose boxes meet, halved ones included. The plates of 100 holes need half a million.
   long long max_pairs = 10'000'000;
   std::size_t max_crossings = std::numeric_limits<std::size_t>::max();  ///< of the pairs searched
-  Vec2 origin{};                                                        ///< added to positions in messages
+  const CadFace* face = nullptr;   ///< if given, positions in messages are in the coordinates of its file
   std::vector<bool> sought;        ///< only pairs with a marked curve are searched; empty: all pairs are
   long long* num_pairs = nullptr;  ///< if given, the pairs of the search are added to it
 };

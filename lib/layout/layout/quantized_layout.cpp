@@ -17,6 +17,7 @@
 #include "quantize/quantize_and_extend.hpp"
 #include "quantize/t_mesh.hpp"
 #include "simplify/simplify.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::layout {
 namespace {
@@ -89,11 +90,11 @@ std::vector<CornerChange> corner_changes(const std::vector<Corner>& corners) {
   const std::vector<std::string> remedies = strip_remedies(t_mesh, failed.strips.front(), points);
   report.set("quantize.remedies", fmt::format("{}", fmt::join(remedies, ", ")));
   const ArcPiece& piece = t_mesh.arcs[zero_arcs.front()].pieces.front();
-  const Vec2 position = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2) + t_mesh.face.origin;
+  const Vec2 position = curve::point(t_mesh.curve(piece.curve), (piece.t0 + piece.t1) / 2);
   throw ComputeError(fmt::format(
       "no whole numbers of elements fit this field: a strip of blocks winds onto itself, and {} arcs of the T-mesh "
       "have length 0 in every solution, the first at {}",
-      zero_arcs.size(), position_text(position)));
+      zero_arcs.size(), surface::position_text(t_mesh.face, position)));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "base/tolerance.hpp"
 #include "graph/candidate_layout.hpp"
 #include "quantize/integer_program.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::quantize {
 namespace {
@@ -27,9 +28,10 @@ TFace sides_of(const graph::Subdivision& subdivision, int f) {
   if (subdivision.num_corners(f) != 4 || !std::all_of(cycle.begin(), cycle.end(), [&](HalfEdge h) {
         return is_corner(h) || subdivision.quarters(h) == 2;
       }))
-    throw ComputeError(fmt::format("the face of the T-mesh around {} is not four-sided: {} arcs, {} corners",
-                                   position_text(graph::middle_of_face(subdivision, f)), cycle.size(),
-                                   subdivision.num_corners(f)));
+    throw ComputeError(
+        fmt::format("the face of the T-mesh around {} is not four-sided: {} arcs, {} corners",
+                    surface::position_text(subdivision.graph().face, graph::middle_of_face(subdivision, f)),
+                    cycle.size(), subdivision.num_corners(f)));
   const size_t n = cycle.size();
   size_t first = 0;  // the half-edge after a corner
   while (!is_corner(cycle[(first + n - 1) % n])) ++first;

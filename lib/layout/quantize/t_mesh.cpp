@@ -13,6 +13,7 @@
 #include "base/tolerance.hpp"
 #include "graph/build_graph.hpp"
 #include "graph/candidate_layout.hpp"
+#include "surface/positions.hpp"
 #include "trace/launch.hpp"
 
 namespace quadrille::quantize {
@@ -55,8 +56,8 @@ std::vector<MotorcycleTrail> trails_of(const trace::LineArrangement& arrangement
   throw ComputeError(
       fmt::format("{} steps take the separatrix from {} no farther than {:.3g} diameters, to {}: the field turns too "
                   "fast there, or from element to element: lower padapt --target-error",
-                  line.steps.size(), position_text(line.launch.origin + face.origin), line.length() / face.diameter,
-                  position_text(line.end_position + face.origin)));
+                  line.steps.size(), surface::position_text(face, line.launch.origin), line.length() / face.diameter,
+                  surface::position_text(face, line.end_position)));
 }
 
 std::ptrdiff_t num_stopped(const std::vector<CoveredPart>& covered) {
@@ -71,8 +72,8 @@ CutStart cut_across_limit_cycle(const field::FieldEvaluator& evaluator, const tr
     const trace::Streamline half = tracer.follow_from(line.end_position, line.end_angle + turn);
     if (half.end == trace::Streamline::End::boundary) return {half.reached.curve, half.reached.t};
   }
-  const Vec2 at = line.end_position + evaluator.field().mesh.face.origin;
-  throw ComputeError(fmt::format("no line leads from the limit cycle at {} to the boundary", position_text(at)));
+  const std::string at = surface::position_text(evaluator.field().mesh.face, line.end_position);
+  throw ComputeError(fmt::format("no line leads from the limit cycle at {} to the boundary", at));
 }
 
 std::vector<int> unconnected_loops(const SeparatrixGraph& graph) {

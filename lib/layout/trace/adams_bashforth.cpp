@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "curve/project.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::trace {
 namespace {
@@ -139,7 +140,7 @@ class FixedStepIntegrator {
     throw ComputeError(fmt::format(
         "a separatrix cannot be followed beyond {}: the field has no direction there, or a step jumps over the "
         "boundary",
-        position_text(x_ + evaluator_.field().mesh.face.origin)));
+        surface::position_text(evaluator_.field().mesh.face, x_)));
   }
 
   const field::FieldEvaluator& evaluator_;

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "curve/project.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::trace {
 namespace {
@@ -48,11 +49,12 @@ ExitPoint boundary_foot(const field::FieldEvaluator& evaluator, const StreamStep
 }
 
 [[noreturn]] void fail_without_direction(const field::FieldEvaluator& evaluator, const Streamline& line, Vec2 x) {
-  const Vec2 origin = evaluator.field().mesh.face.origin;
-  throw ComputeError(fmt::format(
-      "the separatrix from {} at {:.2f} degrees cannot be followed beyond {}: "
-      "the field has no direction there",
-      position_text(line.launch.origin + origin), degrees(wrap_pi(line.launch.angle)), position_text(x + origin)));
+  const CadFace& face = evaluator.field().mesh.face;
+  throw ComputeError(
+      fmt::format("the separatrix from {} at {:.2f} degrees cannot be followed beyond {}: "
+                  "the field has no direction there",
+                  surface::position_text(face, line.launch.origin), degrees(wrap_pi(line.launch.angle)),
+                  surface::position_text(face, x)));
 }
 
 // Begins at the line's front.

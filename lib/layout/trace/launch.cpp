@@ -14,6 +14,7 @@
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
 #include "field/evaluate.hpp"
+#include "surface/positions.hpp"
 #include "trace/launch_directions.hpp"
 
 namespace quadrille::trace {
@@ -24,7 +25,7 @@ GraphNode irregular_node(const CadFace& face, const CriticalPoint& p) {
   throw ComputeError(
       fmt::format("the zero of the field at {} has index {:+d}: it must be split into nodes of valence "
                   "3: run critpoints",
-                  position_text(p.position + face.origin), p.index));
+                  surface::position_text(face, p.position), p.index));
 }
 
 GraphNode joint_node(const CadFace& face, int joint, NodeKind kind, int valence) {
@@ -36,7 +37,7 @@ GraphNode corner_node(const CadFace& face, const Corner& c) {
   throw ComputeError(
       fmt::format("the corner of {:.1f} degrees at {} has valence 0 and makes a block of three sides: critpoints "
                   "--degenerate divide splits it into three blocks of four sides",
-                  c.angle_degrees, position_text(c.position + face.origin)));
+                  c.angle_degrees, surface::position_text(face, c.position)));
 }
 
 GraphNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
@@ -49,7 +50,7 @@ GraphNode boundary_node(const CadFace& face, const IrregularBoundaryPoint& b) {
   throw ComputeError(
       fmt::format("a node of valence {} on the smooth boundary at {} makes a block whose "
                   "sides form a straight angle there: no valid element has such a corner",
-                  b.valence, position_text(node.position + face.origin)));
+                  b.valence, surface::position_text(face, node.position)));
 }
 
 // The direction of the field's cross nearest to `direction` at x; false outside the mesh. `at`: where to look first.
@@ -209,7 +210,7 @@ Launch launch_line(const field::FieldEvaluator& evaluator, int node, Vec2 origin
     return launch;
   }
   throw ComputeError(fmt::format("the separatrix from {} at {:.2f} degrees starts outside the mesh",
-                                 position_text(origin + evaluator.field().mesh.face.origin), degrees(wrap_pi(angle))));
+                                 surface::position_text(evaluator.field().mesh.face, origin), degrees(wrap_pi(angle))));
 }
 
 Launch launch_from_boundary(const field::FieldEvaluator& evaluator, int curve, double t) {

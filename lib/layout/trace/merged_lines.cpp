@@ -9,6 +9,7 @@
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "graph/arc_pieces.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::trace {
 namespace {
@@ -51,8 +52,8 @@ constexpr std::size_t many_lines = 500;
   throw ComputeError(
       fmt::format("the separatrix from {} at {:.2f} degrees has reached neither boundary "
                   "nor node after {:.3g} diameters{}, near {}",
-                  position_text(line.launch.origin + face.origin), degrees(wrap_pi(line.launch.angle)),
-                  line.length() / face.diameter, steps, position_text(line.end_position + face.origin)));
+                  surface::position_text(face, line.launch.origin), degrees(wrap_pi(line.launch.angle)),
+                  line.length() / face.diameter, steps, surface::position_text(face, line.end_position)));
 }
 
 }  // namespace
@@ -198,13 +199,13 @@ std::vector<int> MergePlan::merge_of_lines(const std::vector<int>& chosen) const
 bool is_of_one_family(const graph::Crossing& crossing) { return crossing.angle < pi / 4; }
 
 void require_family_order(const std::vector<graph::Crossing>& crossings, const std::vector<bool>& is_exempt,
-                          Vec2 origin) {
+                          const CadFace& face) {
   for (const graph::Crossing& c : crossings) {
     if (!is_of_one_family(c) || c.angle < same_direction || is_exempt[c.a] || is_exempt[c.b]) continue;
     throw FamilyOrderError(
         fmt::format("two separatrices of one family cross at {}, at {:.3g} degrees: --tolerance is too "
                     "coarse for the field there",
-                    position_text(c.position + origin), degrees(c.angle)));
+                    surface::position_text(face, c.position), degrees(c.angle)));
   }
 }
 
@@ -299,7 +300,7 @@ void MergedLines::arrange(Progress* progress) {
     splines.push_back(m.line.spline);
   }
   arrangement_.crossings = cache_.find(keys, splines, tolerance::round_off * face().diameter,
-                                       {.max_crossings = max_crossings_, .origin = face().origin, .sought = {}});
+                                       {.max_crossings = max_crossings_, .face = &face(), .sought = {}});
   arrangement_.inner_crossings.clear();
   for (const graph::Crossing& c : arrangement_.crossings)
     if (!is_common_end(c)) arrangement_.inner_crossings.push_back(c);
@@ -319,7 +320,7 @@ void MergedLines::require_family_order() const {
   std::vector<bool> is_exempt;  // cuts that stop at each other may start on two sides and be one line
   for (const MergedLine& m : arrangement_.lines)
     is_exempt.push_back(m.merge >= 0 || (ends_ == LineEnds::optional && m.line.kind == LineKind::cut));
-  trace::require_family_order(arrangement_.inner_crossings, is_exempt, face().origin);
+  trace::require_family_order(arrangement_.inner_crossings, is_exempt, face());
 }
 
 double MergedLines::largest_deviation() const {

@@ -99,7 +99,7 @@ struct FamilyOrderError : ComputeError {
 /// by line of the crossings: lines bent by a merge may cross their neighbours. Crossings at common ends must have been
 /// removed before.
 void require_family_order(const std::vector<graph::Crossing>& crossings, const std::vector<bool>& is_exempt,
-                          Vec2 origin);
+                          const CadFace& face);
 
 /// A line, or a pair that was merged into one, with its curve.
 struct MergedLine {

@@ -152,7 +152,7 @@ CriticalPoints nodes_of_face(const Field& field, const NodeOptions& options, int
   const double feature_size = options.feature_size.value_or(features::automatic_feature_size(face));
   features::resolve_features(face, feature_size, curves_with_clearance(face, options.walls), points, report.progress());
   report.set("feature_size", feature_size);
-  guide::require_index_sum(points);
+  guide::require_index_sum(points, face);
   begin_part("place");
   // The zeros of a field follow the directions that are prescribed for it, which the energy of nodes does not know.
   const bool leaves_zeros = options.place == placement::PlaceRule::energy && field.alignment.empty();

@@ -16,6 +16,7 @@
 #include "galerkin/solve_laplace.hpp"
 #include "guide/valence.hpp"
 #include "mesh/tri_topology.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::choice {
 
@@ -53,7 +54,7 @@ CriticalPoints HalfModel::nodes_of_half(const CriticalPoints& whole) const {
   add_records(whole, half);
   half.index_sum = index_sum_of(half);
   half.index_sum_expected = 4 * face().euler_characteristic();
-  guide::require_index_sum(half);
+  guide::require_index_sum(half, face());
   return half;
 }
 
@@ -81,7 +82,7 @@ void HalfModel::mirror_override(const guide::CornerOverride& prescribed) {
   if (!joint.is_corner && valence == 1) return;
   if (!joint.is_corner || !guide::is_admissible_valence(degrees(joint.interior_angle), 2 * valence))
     throw ComputeError(fmt::format("the whole cannot have the valence {} at {}, twice the one that is prescribed",
-                                   2 * valence, rounded_position_text(joint.position + face().origin)));
+                                   2 * valence, surface::rounded_position_text(face(), joint.position)));
   const std::array<int, 2> curves{mirrored_.copy[c], mirrored_.image[c]};
   options_.overrides.push_back({curves[c == in ? 0 : 1], curves[c == in ? 1 : 0], 2 * valence});
 }
@@ -116,7 +117,7 @@ int HalfModel::even_half(int valence, Vec2 position) const {
     throw OddValenceError(
         fmt::format("the grid of the whole has a node of valence {} on the line of symmetry, at {}, and the line cuts "
                     "a block beside it from corner to corner, into triangles",
-                    valence, rounded_position_text(position + face().origin)));
+                    valence, surface::rounded_position_text(face(), position)));
   return valence / 2;
 }
 

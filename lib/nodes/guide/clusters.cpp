@@ -11,6 +11,7 @@
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "guide/zeros_in_circle.hpp"
+#include "surface/positions.hpp"
 #include "zeros/undecided_zeros.hpp"
 #include "zeros/winding.hpp"
 
@@ -174,10 +175,9 @@ class ClusterFinder {
       if (least > enough) break;
     }
     if (result) return *result;
-    const Vec2 x = circle.centre + evaluator_->field().mesh.face.origin;
     throw ComputeError(
         fmt::format("the guiding field vanishes to higher order near {}, within {:.2g}: its index is not known",
-                    position_text(x), circle.radius));
+                    surface::position_text(evaluator_->field().mesh.face, circle.centre), circle.radius));
   }
 
   Cluster cluster(const std::vector<int>& group) const {

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::guide {
 
@@ -28,7 +29,7 @@ void complete_nodes(const field::FieldEvaluator& evaluator, CriticalPoints& poin
     const mesh::Location at = evaluator.locator().find(p.position);
     if (at.elem < 0)
       throw ComputeError(
-          fmt::format("the irregular node at {} lies outside the face", position_text(p.position + face.origin)));
+          fmt::format("the irregular node at {} lies outside the face", surface::position_text(face, p.position)));
     p.elem = at.elem;
     p.xi = at.xi;
   }

@@ -15,6 +15,7 @@
 #include "curve/nurbs.hpp"
 #include "guide/valence.hpp"
 #include "placement/node_ledger.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -167,7 +168,7 @@ void divide_degenerate_corners(const CadFace& face, CriticalPoints& points) {
         {ChangeKind::divide,
          fmt::format("midpoint division: a corner of {:.6g} degrees at {} is too sharp for a block of four sides; a "
                      "node of valence 3 divides the block of three sides there into three of four",
-                     corner.angle_degrees, position_text(corner.position + face.origin)),
+                     corner.angle_degrees, surface::position_text(face, corner.position)),
          {{corner.joint, 1}},
          {{centre_of_division(face, corner, points.critical_points), 3}}});
   }
@@ -186,7 +187,7 @@ void report_sharp_corners(const CadFace& face, const CriticalPoints& points, Rep
   report.warn(warning::sharp_corner,
               fmt::format("{} below {:.0f} degrees: that of {:.3g} degrees at {} limits the scaled Jacobian to {:.2g}",
                           count == 1 ? "one corner is" : fmt::format("{} corners are", count), least_block_angle,
-                          sharpest->angle_degrees, rounded_position_text(sharpest->position + face.origin),
+                          sharpest->angle_degrees, surface::rounded_position_text(face, sharpest->position),
                           std::sin(radians(sharpest->angle_degrees))));
 }
 

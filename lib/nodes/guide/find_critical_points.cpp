@@ -16,6 +16,7 @@
 #include "guide/clusters.hpp"
 #include "guide/complete_nodes.hpp"
 #include "placement/node_ledger.hpp"
+#include "surface/positions.hpp"
 #include "zeros/undecided_zeros.hpp"
 
 namespace quadrille::guide {
@@ -102,7 +103,7 @@ zeros::SearchResult search_all(const field::FieldEvaluator& evaluator, const std
   zeros::ZeroSearch search(evaluator, discs, noise);
   const Progress::Part elements(progress, "elements", mesh.num_elems());
   for (int e = 0; e < mesh.num_elems() && !search.is_budget_exhausted(); ++e, elements.advance()) search.search(e);
-  zeros::require_decided(search, mesh.face.origin);
+  zeros::require_decided(search, mesh.face);
   return search.take();
 }
 
@@ -112,7 +113,7 @@ void warn_of_undecided(const Field& field, const std::vector<Cluster>& clusters,
     if (!cluster.is_undecided) continue;
     std::string places;
     for (const Vec2 x : cluster.members)
-      places += (places.empty() ? "" : ", ") + position_text(x + field.mesh.face.origin);
+      places += (places.empty() ? "" : ", ") + surface::position_text(field.mesh.face, x);
     report.warn(
         warning::zeros_not_decided,
         fmt::format(

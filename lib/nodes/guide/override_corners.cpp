@@ -16,6 +16,7 @@
 #include "curve/face_boundary.hpp"
 #include "guide/valence.hpp"
 #include "placement/node_ledger.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::guide {
 namespace {
@@ -29,7 +30,7 @@ std::optional<int> whole_number(const std::string& text) {
 
 std::string name_of(const CadFace& face, const Corner& c) {
   return fmt::format("the corner of {:.6g} degrees at {}, between curves {} and {},", c.angle_degrees,
-                     position_text(c.position + face.origin), c.curves[0], c.curves[1]);
+                     surface::position_text(face, c.position), c.curves[0], c.curves[1]);
 }
 
 [[noreturn]] void refuse_curves(const CadFace& face, const CornerOverride& o) {

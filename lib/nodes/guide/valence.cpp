@@ -9,6 +9,7 @@
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
+#include "surface/positions.hpp"
 #include "zeros/winding.hpp"
 
 namespace quadrille::guide {
@@ -70,9 +71,9 @@ std::optional<int> valence_at_tie(const field::FieldEvaluator& evaluator, int jo
   return best.valence;
 }
 
-[[noreturn]] void refuse(const Joint& joint, Vec2 origin) {
+[[noreturn]] void refuse(const Joint& joint, const CadFace& face) {
   throw ComputeError(fmt::format("the guiding field does not decide the valence of the corner of {:.6g} degrees at {}",
-                                 degrees(joint.interior_angle), position_text(joint.position + origin)));
+                                 degrees(joint.interior_angle), surface::position_text(face, joint.position)));
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ CornerValences corner_valences(const field::FieldEvaluator& evaluator, double no
     if (tie_distance(face.joints[corner.joint].interior_angle) >= tolerance::same_angle) continue;
     zeros::Disc disc;
     const auto by_arc = valence_at_tie(evaluator, corner.joint, noise, disc);
-    if (!by_arc) refuse(face.joints[corner.joint], face.origin);
+    if (!by_arc) refuse(face.joints[corner.joint], face);
     result.discs.push_back(disc);
     corner.valence = *by_arc;
     corner.source = NodeSource::field;
@@ -129,7 +130,7 @@ int index_sum_with_clusters(const CriticalPoints& points) {
   return sum;
 }
 
-void require_index_sum(const CriticalPoints& points) {
+void require_index_sum(const CriticalPoints& points, const CadFace& face) {
   const int excess = points.index_sum - points.index_sum_expected;
   if (excess == 0) return;
   std::string message = fmt::format(
@@ -142,7 +143,7 @@ void require_index_sum(const CriticalPoints& points) {
                                         [&](const Corner& a, const Corner& b) { return from_tie(a) < from_tie(b); });
   if (nearest != points.corners.end()) {
     message += fmt::format("; the least certain corner is the one of {:.6g} degrees at {}, valence {}",
-                           nearest->angle_degrees, position_text(nearest->position + points.origin), nearest->valence);
+                           nearest->angle_degrees, surface::position_text(face, nearest->position), nearest->valence);
   }
   throw ComputeError(message);
 }

@@ -67,6 +67,6 @@ bool is_admissible_after_absorption(double angle_degrees, int valence);
 int index_sum_with_clusters(const CriticalPoints& points);
 
 /// Throws ComputeError if index_sum != index_sum_expected, with the difference and the corner nearest to a tie.
-void require_index_sum(const CriticalPoints& points);
+void require_index_sum(const CriticalPoints& points, const CadFace& face);
 
 }  // namespace quadrille::guide

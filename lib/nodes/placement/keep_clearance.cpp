@@ -18,6 +18,7 @@
 #include "placement/half_planes.hpp"
 #include "placement/node_ledger.hpp"
 #include "placement/node_symmetry.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -229,7 +230,7 @@ void report_crowded_nodes(const CadFace& face, const WallSurroundings& around, c
           "(--clearance; from quadmesh --wall twice the height of the layers and one more interval). If the layers do "
           "not fit, make them thinner, or give them blocks of their own (blocks=own)",
           nodes.size() == 1 ? "an irregular node has" : fmt::format("{} irregular nodes have", nodes.size()),
-          worst.node->valence, position_text(worst.node->position + face.origin), clearance - worst.missed.shortfall,
+          worst.node->valence, surface::position_text(face, worst.node->position), clearance - worst.missed.shortfall,
           face.curve_names[worst.missed.curve], clearance));
 }
 

@@ -13,6 +13,7 @@
 #include "placement/minimise.hpp"
 #include "placement/node_ledger.hpp"
 #include "placement/node_symmetry.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::placement {
 
@@ -106,7 +107,7 @@ Minimum find_minimum(Problem& problem, const PlacementOptions& options, Progress
   return result;
 }
 
-std::string position_text(const CadFace& face, Vec2 x) { return quadrille::position_text(x + face.origin); }
+using surface::position_text;
 
 void report_minimum(const Minimum& minimum, Report& report) {
   report.set("placement.energy_after", minimum.value);

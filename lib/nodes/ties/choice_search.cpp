@@ -19,7 +19,7 @@ zeros::SearchResult ChoiceSearch::zeros_of(const Choice& choice) {
     const bool is_new = next != last_.end() && next->elem == elem;
     search_->add(is_new ? (next++)->known.found : known_[elem].found);
   }
-  zeros::require_decided(*search_, mesh.face.origin);
+  zeros::require_decided(*search_, mesh.face);
   return search_->take();
 }
 
@@ -60,7 +60,7 @@ ChoiceSearch::Known ChoiceSearch::known_now(int elem) {
   const bool is_continuous = evaluator_->field().method == FieldMethod::cg;
   Known now{choice_, {}, is_continuous ? before.cells : zeros::KnownCells()};
   search_->search(elem, before.change, now.cells);
-  zeros::require_decided(*search_, evaluator_->field().mesh.face.origin);
+  zeros::require_decided(*search_, evaluator_->field().mesh.face);
   now.found = search_->take();
   num_examined_ += now.found.counts.examined;
   now.rest = is_continuous ? rest_of(now) : 0;

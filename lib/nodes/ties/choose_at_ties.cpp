@@ -13,6 +13,7 @@
 #include "base/warning_codes.hpp"
 #include "guide/resolve_clusters.hpp"
 #include "placement/node_ledger.hpp"
+#include "surface/positions.hpp"
 #include "ties/choice_cost.hpp"
 #include "ties/choice_search.hpp"
 
@@ -249,7 +250,7 @@ void warn_of_halves(const CadFace& face, const Choice& choice, const TieOrbits& 
         fmt::format("the chamfer at {} is too small for a node: corners that are mirror images of each other get "
                     "different valences there, and the mesh is not symmetric; suppress the chamfer, or choose "
                     "with --corner-valence",
-                    position_text(face.joints[joint].position + face.origin)));
+                    surface::position_text(face, face.joints[joint].position)));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::zeros {
 namespace {
@@ -218,10 +219,10 @@ void ZeroSearch::visit(const Cell& cell, int depth, std::size_t at) {
                   std::max(now_[here + 1].most, now_[between].most), static_cast<int>(now_.size() - here)};
 }
 
-void require_decided(const ZeroSearch& search, Vec2 origin) {
+void require_decided(const ZeroSearch& search, const CadFace& face) {
   if (!search.is_budget_exhausted()) return;
-  const Vec2 x = search.open_cells().back().centre + origin;
-  throw ComputeError("the guiding field vanishes to higher order, or on a whole curve, near " + position_text(x));
+  throw ComputeError("the guiding field vanishes to higher order, or on a whole curve, near " +
+                     surface::position_text(face, search.open_cells().back().centre));
 }
 
 std::vector<FoundZero> distinct_zeros(const field::FieldEvaluator& evaluator, const std::vector<FoundZero>& zeros) {

@@ -121,7 +121,7 @@ class ZeroSearch {
 };
 
 /// Throws ComputeError with the position if the search cannot be completed.
-void require_decided(const ZeroSearch& search, Vec2 origin);
+void require_decided(const ZeroSearch& search, const CadFace& face);
 
 /// Removes duplicates: a zero on an edge or vertex is found in every adjacent element. Two zeros of equal index are one
 /// if they are nearer to each other than their shifts allow: near each other and with J of one sign the field is

@@ -100,7 +100,7 @@ std::vector<layers::WallSpec> walls_of(const QuadrefineOptions& options) {
 void report_worst(const QuadMesh& mesh, const Run& run) {
   run.info(fmt::format("{} of order {}, the worst:", counted(mesh.num_elems(), "quad"), mesh.order));
   for (const refine::WorstElement& worst : refine::worst_elements(mesh, 5)) run.info(refine::describe(worst, mesh));
-  run.info(mesh::describe(mesh::worst_element_sizes(mesh)));
+  run.info(mesh::describe(mesh::worst_element_sizes(mesh), mesh.face));
 }
 
 void declare_sizes(Options& o, QuadrefineOptions& options) {

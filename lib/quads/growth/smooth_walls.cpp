@@ -12,6 +12,7 @@
 #include "base/warning_codes.hpp"
 #include "mesh/mesh_score.hpp"
 #include "prescribe/named_arcs.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::growth {
 
@@ -94,19 +95,19 @@ void report_growth(const std::optional<GrowthOutcome>& outcome, const LinePlan& 
                    double limit, Report& report) {
   const auto lost = std::ranges::count_if(lines.lengths, is_dropped);
   const mesh::EdgeGrowth growth = mesh::edge_growth(mesh);
-  const Vec2 position = growth.position + mesh.face.origin;
   if (outcome) {
     report.set("growth.greatest_before", outcome->worst_before);
     report.set("growth.raised_chords", outcome->raised_chords);
   }
   report.set("growth.greatest", growth.greatest);
-  report.set("growth.place", std::vector<double>{position.x, position.y});
+  report.set("growth.place", surface::position_in_file(mesh.face, growth.position));
   report.set("growth.blocks_straightened", std::ranges::count_if(lines.shifts, std::not_fn(&layers::RowShifts::empty)));
   report.set("growth.blocks_kept", outcome ? lost : static_cast<std::ptrdiff_t>(mesh.block_names.size()));
   if (growth.greatest <= limit * (1 + growth_constants.warned_excess)) return;
   report.warn(warning::target_growth_missed,
               fmt::format("adjacent edges differ by a factor of {:.3g} near {}, more than --target-growth {:g}{}",
-                          growth.greatest, position_text(position), limit, cause_and_remedy(outcome, lost, limit)));
+                          growth.greatest, surface::position_text(mesh.face, growth.position), limit,
+                          cause_and_remedy(outcome, lost, limit)));
 }
 
 }  // namespace quadrille::growth

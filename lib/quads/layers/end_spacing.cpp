@@ -14,6 +14,7 @@
 #include "layers/normal_line.hpp"
 #include "layers/wall_spec.hpp"
 #include "mesh/chords.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -73,7 +74,7 @@ std::vector<double> nodes_in_layers(const WallInput& input, const WallSide& wall
   throw ComputeError(
       fmt::format("--wall: the line between blocks that starts at the wall at {} turns back to it before "
                   "the layers end: use fewer or thinner layers",
-                  position_text(line(0) + input.blocks().face.origin)));
+                  surface::position_text(input.blocks().face, line(0))));
 }
 
 /// `above`: the number of intervals in which the rest of the arc is divided in any case; 0: any.

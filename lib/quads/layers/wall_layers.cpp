@@ -16,6 +16,7 @@
 #include "layers/wall_spec.hpp"
 #include "mesh/chords.hpp"
 #include "model/name_rules.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -94,10 +95,10 @@ void require_room(const sizing::MeasuredLayout& measured, const sizing::ArcDivis
     const std::vector<double>& ends = divisions[arc].ends;
     const auto at = std::ranges::adjacent_find(ends, [](double a, double b) { return !(a < b); });
     if (at == ends.end()) continue;
-    const Vec2 position = measured.chain(arc).position(std::clamp(*at, 0.0, 1.0)) + measured.blocks().face.origin;
+    const Vec2 position = measured.chain(arc).position(std::clamp(*at, 0.0, 1.0));
     throw ComputeError(
         fmt::format("--wall: the layers do not fit along the sides of blocks at {}: give fewer or thinner layers",
-                    position_text(position)));
+                    surface::position_text(measured.blocks().face, position)));
   }
 }
 

@@ -9,17 +9,18 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "curve/named_places.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::prescribe {
 namespace {
 
 [[noreturn]] void refuse_partial(const sizing::MeasuredLayout& measured, int arc, const std::string& name,
                                  const std::string& option) {
-  const Vec2 position = measured.chain(arc).position(0.5) + measured.blocks().face.origin;
-  throw UsageError(
-      fmt::format("{}: the side of a block through {} follows the boundary '{}' in part only: use the "
-                  "number of its chord, {}, in --count",
-                  option, position_text(position), name, measured.chord_of(arc)));
+  const CadFace& face = measured.blocks().face;
+  throw UsageError(fmt::format(
+      "{}: the side of a block through {} follows the boundary '{}' in part only: use the "
+      "number of its chord, {}, in --count",
+      option, surface::position_text(face, measured.chain(arc).position(0.5)), name, measured.chord_of(arc)));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -54,9 +55,9 @@ int least_topological_count(const sizing::MeasuredLayout& measured, int arc) {
 
 void require_bounded(const ChordTask& task, int count, const char* cause, const char* remedy) {
   if (count <= max_intervals) return;
-  const Vec2 position = task.chain(0).at(0.5).position + task.measured.blocks().face.origin;
+  const CadFace& face = task.measured.blocks().face;
   throw ComputeError(fmt::format("{} requires more than {} elements along the arc through {}: {}", cause, max_intervals,
-                                 position_text(position), remedy));
+                                 surface::position_text(face, task.chain(0).at(0.5).position), remedy));
 }
 
 int first_count(const ChordTask& task) {

@@ -10,6 +10,7 @@
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -224,7 +225,7 @@ void warn_of_joints(const QuadMesh& mesh, Report& report) {
                   "them {} after {} at {}: give them names (cad2tri --name) where other boundary conditions begin, or "
                   "lower --size",
                   joints.size(), face.curve_names[curve], face.curve_names[face.previous_in_loop(curve)],
-                  position_text(face.joints[curve].position + face.origin)));
+                  surface::position_text(face, face.joints[curve].position)));
 }
 
 }  // namespace quadrille::refine

@@ -12,6 +12,7 @@
 #include "base/tolerance.hpp"
 #include "mesh/element_sizes.hpp"
 #include "spectral/quad_map.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -57,8 +58,8 @@ std::vector<Vec2> bounded_nodes(const QuadMesh& mesh, int elem) {
 WorstElement look_at(const QuadMesh& mesh, int elem) {
   const std::vector<Vec2> nodes = element_nodes(mesh, elem);
   const Vec2 xi = worst_point(mesh, elem);
-  return {elem, spectral::quad_position(mesh.order, nodes.data(), xi) + mesh.face.origin,
-          mesh.elem_scaled_jacobian[elem], mesh.elem_jacobian_bound[elem]};
+  return {elem, spectral::quad_position(mesh.order, nodes.data(), xi), mesh.elem_scaled_jacobian[elem],
+          mesh.elem_jacobian_bound[elem]};
 }
 
 /// The ratio of one element if it is less than `known`; else a value that is not less.
@@ -165,7 +166,7 @@ std::vector<WorstElement> worst_elements(const QuadMesh& mesh, int count) {
 
 std::string describe(const WorstElement& worst, const QuadMesh& mesh) {
   return fmt::format("element {} of {} at {}: scaled Jacobian {:.4f}, det J >= {:.3g}", worst.elem,
-                     mesh.block_names[mesh.elem_block[worst.elem]], position_text(worst.position),
+                     mesh.block_names[mesh.elem_block[worst.elem]], surface::position_text(mesh.face, worst.position),
                      worst.scaled_jacobian, worst.bound);
 }
 
@@ -183,23 +184,24 @@ void require_valid_elements(const QuadMesh& mesh) {
   throw ComputeError(
       fmt::format("{} of {} elements cannot be proved valid; the worst lies at {} in {}: det J is only known to be "
                   "at least {:.3g} (--allow-invalid writes the mesh all the same)",
-                  mesh.num_unproved(), mesh.num_elems(), position_text(worst.position),
+                  mesh.num_unproved(), mesh.num_elems(), surface::position_text(mesh.face, worst.position),
                   mesh.block_names[mesh.elem_block[worst.elem]], worst.bound));
 }
 
 void require_quality(const QuadMesh& mesh, double min_scaled_jacobian, double max_edge_ratio) {
   const WorstElement worst = worst_elements(mesh, 1).front();
   if (min_scaled_jacobian > 0 && worst.scaled_jacobian < min_scaled_jacobian * (1 - tolerance::tied))
-    throw ComputeError(
-        fmt::format("element {} at {} has the scaled Jacobian {:.4g}, below --min-scaled-jacobian {:.4g}: lower "
-                    "--size, use --relax, or lower the limit",
-                    worst.elem, position_text(worst.position), worst.scaled_jacobian, min_scaled_jacobian));
+    throw ComputeError(fmt::format(
+        "element {} at {} has the scaled Jacobian {:.4g}, below --min-scaled-jacobian {:.4g}: lower "
+        "--size, use --relax, or lower the limit",
+        worst.elem, surface::position_text(mesh.face, worst.position), worst.scaled_jacobian, min_scaled_jacobian));
   const mesh::ElementSizes sizes = mesh::worst_element_sizes(mesh);
   if (max_edge_ratio > 0 && sizes.edge_ratio > max_edge_ratio * (1 + tolerance::tied))
     throw ComputeError(
         fmt::format("element {} at {} has sides whose lengths have the ratio {:.4g}, above --max-edge-ratio {:.4g}: "
                     "remove short edges from the CAD face, lower --size, or raise the limit",
-                    sizes.edge_ratio_elem, position_text(sizes.edge_ratio_position), sizes.edge_ratio, max_edge_ratio));
+                    sizes.edge_ratio_elem, surface::position_text(mesh.face, sizes.edge_ratio_position),
+                    sizes.edge_ratio, max_edge_ratio));
 }
 
 void report_validity(const QuadMesh& mesh, Report& report) {
@@ -215,7 +217,7 @@ void report_validity(const QuadMesh& mesh, Report& report) {
     report.set(key + "element", worst[i].elem);
     report.set(key + "block", mesh.elem_block[worst[i].elem]);
     report.set(key + "block_name", mesh.block_names[mesh.elem_block[worst[i].elem]]);
-    report.set(key + "position", std::vector<double>{worst[i].position.x, worst[i].position.y});
+    report.set(key + "position", surface::position_in_file(mesh.face, worst[i].position));
     report.set(key + "scaled_jacobian", worst[i].scaled_jacobian);
     report.set(key + "jacobian_bound", worst[i].bound);
   }

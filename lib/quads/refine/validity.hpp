@@ -29,8 +29,7 @@ void summarise_validity(QuadMesh& mesh);
 double least_scaled_jacobian(const QuadMesh& mesh);
 double mean_scaled_jacobian(const QuadMesh& mesh);
 
-/// One of the worst elements, and the position of its least scaled Jacobian, in the face's own coordinates (origin
-/// included).
+/// One of the worst elements, and the position of its least scaled Jacobian, relative to face.origin.
 struct WorstElement {
   int elem = 0;
   Vec2 position;

@@ -8,6 +8,7 @@
 #include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/element_sizes.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::sizing {
 namespace {
@@ -80,8 +81,8 @@ std::vector<ChordError> chord_errors(const MeasuredLayout& measured, const ArcDi
 std::string place_of_thin_element(const QuadMesh& mesh) {
   const mesh::ElementSizes worst = mesh::worst_element_sizes(mesh);
   if (worst.edge_ratio <= greatest_edge_ratio) return {};
-  return fmt::format(", and edges of one element, near ({:.6g}, {:.6g}), are of lengths 1 : {:.3g}",
-                     worst.edge_ratio_position.x, worst.edge_ratio_position.y, worst.edge_ratio);
+  return fmt::format(", and edges of one element, near {}, are of lengths 1 : {:.3g}",
+                     surface::position_text(mesh.face, worst.edge_ratio_position), worst.edge_ratio);
 }
 
 /// With the number of elements along the worst chord by which their part would be that of equal squares.

@@ -97,11 +97,11 @@ $Nodes
 $EndNodes
 $Elements
 5
-1 1 2 1 1 1 2
-2 1 2 1 2 2 3
-3 1 2 2 3 3 4
-4 1 2 3 4 4 1
-5 3 2 4 1 1 2 3 4
+1 1 2 1 5 1 2
+2 1 2 1 6 2 3
+3 1 2 2 7 3 4
+4 1 2 3 8 4 1
+5 3 2 4 5 1 2 3 4
 $EndElements
 )");
 }
@@ -136,10 +136,11 @@ TEST(Gmsh22, EveryElementIsInOneNamedGroupOfItsDimension) {
     EXPECT_TRUE(msh.names.count({is_line ? 1 : 2, e.group}));
     lines += is_line;
     if (!is_line) blocks.insert(e.entity);
+    EXPECT_FALSE(tags.count(e.entity)) << "a tag of a group and of an entity";
   }
   EXPECT_EQ(lines, mesh.boundary_edges.size());
   EXPECT_EQ(msh.elements.size() - lines, mesh.elem_block.size());
-  EXPECT_EQ(blocks, (std::set<int>{1, 2, 3, 4}));
+  EXPECT_EQ(blocks.size(), 4u);
 }
 
 TEST(Gmsh22, EveryOrderUpToTenHasItsTypes) {

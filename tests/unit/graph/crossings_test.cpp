@@ -128,7 +128,9 @@ TEST(Crossings, TooManyPairsOfPiecesAreSaidWithAPlace) {
   EXPECT_EQ(find_crossings(lines, 1e-9).size(), 400u);
   CrossingBounds bounds;
   bounds.max_pairs = 300;
-  bounds.origin = {1000, 0};
+  CadFace face;
+  face.origin = {1000, 0};
+  bounds.face = &face;
   try {
     find_crossings(lines, 1e-9, bounds);
     FAIL();

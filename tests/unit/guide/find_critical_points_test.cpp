@@ -308,7 +308,7 @@ TEST(FindCriticalPoints, corners_of_a_square_close_the_index_sum) {
   }
   EXPECT_EQ(search.points.index_sum, 4);
   EXPECT_EQ(search.points.index_sum_expected, 4);
-  EXPECT_NO_THROW(require_index_sum(search.points));
+  EXPECT_NO_THROW(require_index_sum(search.points, CadFace()));
 }
 
 /// Hand-made zeros beside the corner of 135 degrees at the lower left of a square: only places and indices count.

@@ -131,19 +131,20 @@ TEST(IndexSumWithClusters, AddsNodesCornersBoundaryNodesAndClusters) {
 TEST(RequireIndexSum, AcceptsTheExpectedSum) {
   CriticalPoints points = some_points();
   points.index_sum = points.index_sum_expected = 1;
-  EXPECT_NO_THROW(require_index_sum(points));
+  EXPECT_NO_THROW(require_index_sum(points, CadFace()));
   points.index_sum_expected = 2;
-  EXPECT_THROW(require_index_sum(points), ComputeError) << "any other one is refused";
+  EXPECT_THROW(require_index_sum(points, CadFace()), ComputeError) << "any other one is refused";
 }
 
 TEST(RequireIndexSum, ReportsTheDifferenceAndTheCornerNearestToATie) {
   CriticalPoints points;
-  points.origin = {100, 0};
+  CadFace face;
+  face.origin = {100, 0};
   points.corners = {{0, {0, 0}, 90, 1, {1, 0}}, {1, {1, 2}, 134, 1, {0, 1}}};
   points.index_sum = 2;
   points.index_sum_expected = 4;
   try {
-    require_index_sum(points);
+    require_index_sum(points, face);
     FAIL();
   } catch (const ComputeError& error) {
     const std::string message = error.what();

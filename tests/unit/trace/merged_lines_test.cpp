@@ -117,11 +117,13 @@ TEST_F(Passing, RejectedMergesAreNotChosenAgain) {
 
 TEST(FamilyOrder, ACrossingAtASmallAngleIsNamedUnlessAMergeHasMadeIt) {
   const std::vector<graph::Crossing> crossings{{0, 1, 1, 1, {2, 3}, half_pi}, {1, 2, 1, 1, {4, 5}, 0.2}};
-  EXPECT_NO_THROW(require_family_order({crossings[0]}, {false, false, false}, {}));
-  EXPECT_NO_THROW(require_family_order(crossings, {false, false, true}, {}));
-  EXPECT_NO_THROW(require_family_order(crossings, {false, true, false}, {}));
+  EXPECT_NO_THROW(require_family_order({crossings[0]}, {false, false, false}, CadFace()));
+  EXPECT_NO_THROW(require_family_order(crossings, {false, false, true}, CadFace()));
+  EXPECT_NO_THROW(require_family_order(crossings, {false, true, false}, CadFace()));
   try {
-    require_family_order(crossings, {true, false, false}, {100, 0});
+    CadFace face;
+    face.origin = {100, 0};
+    require_family_order(crossings, {true, false, false}, face);
     FAIL();
   } catch (const FamilyOrderError& error) {
     EXPECT_NE(std::string(error.what()).find("(104, 5)"), std::string::npos) << error.what();

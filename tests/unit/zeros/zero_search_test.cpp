@@ -114,7 +114,7 @@ TEST(ZeroSearch, the_corner_absorbs_what_is_closer_than_a_block) {
     const Field field = adapted_field(chamfered(excess));
     Report report;
     const CriticalPoints points = guide::find_critical_points(field::FieldEvaluator(field), {}, report);
-    EXPECT_NO_THROW(guide::require_index_sum(points));
+    EXPECT_NO_THROW(guide::require_index_sum(points, field.mesh.face));
     const bool separate = excess > 1e-3;
     EXPECT_EQ(points.critical_points.size(), separate ? 1u : 0u) << excess;
     EXPECT_EQ(points.corners[2].valence, separate ? 2 : 1) << excess;
@@ -129,7 +129,7 @@ TEST(ZeroSearch, regular_polygons_have_their_zero_at_the_centre) {
     ASSERT_EQ(points.critical_points.size(), 1u);
     EXPECT_NEAR(norm(points.critical_points[0].position), 0, 1e-12);
     EXPECT_EQ(points.critical_points[0].index, 4 - n);
-    EXPECT_NO_THROW(guide::require_index_sum(points));
+    EXPECT_NO_THROW(guide::require_index_sum(points, field.mesh.face));
   }
 }
 
@@ -142,7 +142,7 @@ TEST(ZeroSearch, a_turned_and_moved_face_has_its_points_turned_and_moved) {
   const Field a = adapted_field(polygon_face(corners)), b = adapted_field(polygon_face(moved));
   const CriticalPoints here = guide::find_critical_points(field::FieldEvaluator(a), {}, report);
   const CriticalPoints there = guide::find_critical_points(field::FieldEvaluator(b), {}, report);
-  EXPECT_NO_THROW(guide::require_index_sum(here));
+  EXPECT_NO_THROW(guide::require_index_sum(here, a.mesh.face));
   ASSERT_EQ(here.critical_points.size(), there.critical_points.size());
   ASSERT_GE(here.critical_points.size(), 1u);
   for (const CriticalPoint& p : here.critical_points) {

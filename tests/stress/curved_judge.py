@@ -1,0 +1,110 @@
+#!/usr/bin/python3
+"""Judges the mesh of a curved face by the CAD kernel: none of our C++ code is used.
+
+    tests/stress/curved_judge.py [--bin DIR] [--tol DIAMETERS] FILE.step FACE MESH.quad.h5
+
+Prints a line of JSON: the greatest distances, in diameters of the face, of boundary nodes from the edges of the face
+(`edges`), of all nodes from its surface (`nodes`) and of points inside elements from it (`inside`); `turned`, the
+least cosine of an element's normals and that at its centre; whether neighbours are oriented alike; the number of quads.
+Ends with 1 where `edges` exceeds 1e-12, `inside` exceeds --tol (default: that of quadrefine, by the order), `turned` is
+not positive, or two neighbours are oriented differently. Needs cad_distances (ninja curved_faces).
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TOLERANCES = {1: 5e-3, 2: 5e-4, 3: 2e-5}  # quadrefine --help, --geometry-tol
+FINEST = 5e-7
+ON_EDGE = 1e-12
+MOST_POINTS = 4000  # of a group that are measured
+SAMPLES = numpy.linspace(-0.9, 0.9, 5)
+
+
+def gll_points(order):
+    """The ends of [-1, 1] and the zeros of the derivative of the Legendre polynomial."""
+    inner = numpy.polynomial.legendre.Legendre.basis(order).deriv().roots()
+    return numpy.concatenate([[-1.0], numpy.sort(inner.real), [1.0]])
+
+
+def lagrange(points):
+    """Values and derivatives of the Lagrange polynomials of the points at the samples: two arrays [sample, point]."""
+    basis = [numpy.polynomial.Polynomial.fromroots(numpy.delete(points, k)) for k in range(len(points))]
+    basis = [p / p(points[k]) for k, p in enumerate(basis)]
+    return (numpy.array([p(SAMPLES) for p in basis]).T, numpy.array([p.deriv()(SAMPLES) for p in basis]).T)
+
+
+def read_mesh(path):
+    """Order, nodes in space, node numbers of the elements, and those of boundary edges."""
+    with h5py.File(path) as file:
+        order = int(file["order"][()])
+        nodes = file["space_nodes"][:]
+        elems = file["elem_nodes"][:].reshape(-1, (order + 1)**2)
+        edges = file["boundary_edges"]
+        grid = numpy.arange((order + 1)**2).reshape(order + 1, order + 1)
+        sides = [grid[0], grid[:, -1], grid[-1], grid[:, 0]]
+        boundary = numpy.unique([elems[e][sides[s]] for e, s in zip(edges["elem"][:], edges["side"][:])])
+    return order, nodes, elems, boundary
+
+
+def inside(order, corners):
+    """Points inside the elements, and the normals there: arrays [element, sample, sample, 3]. `corners`: their nodes."""
+    values, slopes = lagrange(gll_points(order))
+    grids = corners.reshape(-1, order + 1, order + 1, 3)
+    along = [numpy.einsum("pj,qi,ejic->epqc", b, a, grids) for a, b in ((values, values), (slopes, values), (values, slopes))]
+    return along[0], numpy.cross(along[1], along[2])
+
+
+def least_cosine(normals):
+    unit = normals / numpy.linalg.norm(normals, axis=-1, keepdims=True)
+    middle = len(SAMPLES) // 2
+    return float(numpy.einsum("epqc,ec->epq", unit, unit[:, middle, middle]).min())
+
+
+def are_alike(order, elems):
+    """Whether no side is run through twice in one direction."""
+    corners = elems[:, [0, order, (order + 1)**2 - 1, order * (order + 1)]]
+    sides = [(int(a), int(b)) for quad in corners for a, b in zip(quad, numpy.roll(quad, -1))]
+    return len(set(sides)) == len(sides)
+
+
+def thinned(points):
+    return points[::max(1, -(-len(points) // MOST_POINTS))]
+
+
+def distances(tool, step, face, groups):
+    """The greatest distance of each group ("e" from edges, "f" from the surface; points), in diameters."""
+    text = "".join(f"{kind} {x:.17g} {y:.17g} {z:.17g}\n" for kind, points in groups for x, y, z in points)
+    run = subprocess.run([tool, step, str(face)], input=text, capture_output=True, text=True, check=True)
+    diameter, *values = [float(line) for line in run.stdout.split()]
+    starts = numpy.cumsum([0] + [len(points) for _, points in groups])
+    return [max(values[a:b]) / diameter for a, b in zip(starts, starts[1:])]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "bin")
+    parser.add_argument("--tol", type=float)
+    parser.add_argument("step")
+    parser.add_argument("face", type=int)
+    parser.add_argument("mesh")
+    args = parser.parse_args()
+    order, nodes, elems, boundary = read_mesh(args.mesh)
+    points, normals = inside(order, nodes[elems])
+    edges, on, within = distances(args.bin / "cad_distances", args.step, args.face,
+                                  [("e", thinned(nodes[boundary])), ("f", thinned(nodes)),
+                                   ("f", thinned(points.reshape(-1, 3)))])
+    turned, alike = least_cosine(normals), are_alike(order, elems)
+    print(json.dumps({"quads": len(elems), "order": order, "edges": edges, "nodes": on, "inside": within,
+                      "turned": turned, "oriented_alike": alike}))
+    tol = args.tol or TOLERANCES.get(order, FINEST)
+    return 0 if edges <= ON_EDGE and within <= tol and turned > 0 and alike else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
