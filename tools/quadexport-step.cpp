@@ -18,11 +18,6 @@ exports::StepModel step_model_of(exports::StepRequest request) {
   file.bytes = std::move(request.bytes);
   BlockLayout layout = io::read_stage<BlockLayout>(file);
   check::require_sound(layout, file.name);
-  if (layout.face.chart)
-    throw ComputeError(
-        file.name +
-        ": blocks on a curved face cannot be written as a STEP model: export their mesh as msh, vtu, nektar "
-        "or mfem");
   if (request.length.unit == "file" && !occ::has_step_unit(layout.face)) request.length.unit = "mm";
   const LengthScale length = length_scale(layout.face, request.length);
   scale_lengths(layout, length);

@@ -32,6 +32,38 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
   done
 }
 
+# Across the seam of the surface, and with its pole inside a block.
+@test "blocks of a STEP model are faces that can be meshed, wherever seams and poles are" {
+  for shape in tube sphere_cap; do
+    "$quadmesh" -q "$curved/$shape.step" --face 0 --block-groups -o $shape.blocks.step
+  done
+  assert_equal "$(grep -c "ADVANCED_FACE('block_" tube.blocks.step)" 4
+  assert_equal "$(grep -c "ADVANCED_FACE('block_" sphere_cap.blocks.step)" 5
+  for i in 0 1 2 3; do cad2chart tube.blocks.step --face block_$i -o block.chart.h5; done
+  cad2chart sphere_cap.blocks.step --face block_4 -o block.chart.h5
+}
+
+@test "refusals name the face and say how to cut it" {
+  run -1 cad2chart "$curved/ramp.step" --face 0 -o a.chart.h5
+  assert_output --partial 'ramp.step: face 0: the chart of the face'
+  assert_output --partial 'cut it in two in the CAD'
+  run -3 cad2chart "$curved/roof.step" --face 0 -o a.chart.h5
+  assert_output --regexp 'roof.step: face 0: the surface of the face has a kink of 53.1 degrees along u = 1, at .*: cut the face there'
+  run -1 cad2chart "$curved/half_sphere.step" --face 0 --scale-range 1.5 -o a.chart.h5
+  assert_output --partial 'half_sphere.step: face 0: the chart of the face would have scales between'
+  assert_output --partial 'cut the face between them in the CAD'
+  run -3 "$quadmesh" "$curved/sphere.step" --face 0 -o a.msh
+  assert_output --partial 'sphere.step: face 0: the face is closed'
+  assert_file_not_exist a.chart.h5
+}
+
+@test "cad2tri --list shows the size of curved faces, and which are closed" {
+  run -0 cad2tri --list "$curved/half_cylinder.step"
+  assert_line --regexp '^0 +cylinder .* radius 1$'
+  run -0 cad2tri --list "$curved/sphere.step"
+  assert_line --regexp '^0 +sphere .* radius 1, closed: cut it to mesh it$'
+}
+
 @test "names and files: --name works on the curves of the chart, --workdir keeps it" {
   "$quadmesh" "$curved/sphere_cap.step" --face 0 --name 'rim=*' --workdir stages -o a.msh
   run -0 grep -c '"rim' a.msh

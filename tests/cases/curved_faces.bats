@@ -63,11 +63,36 @@ PYTHON
   grep -q 'SPACE="3"' cap.nektar
   for format in ism-v2 inp re2 blockmesh; do
     run -1 quadexport "$stem.quad.h5" --format $format -o no
-    assert_output --partial "lies on a curved face"
+    assert_output --partial "meshes of the plane only, but this face is curved"
   done
-  run -1 quadexport "$stem.blocks.h5" -o no.step
-  assert_output --partial "curved face"
   assert_file_not_exist no
+}
+
+@test "quadmesh refuses formats of the plane before the work begins" {
+  run -2 quadmesh "$CAP" -o no.re2 --report no.json
+  assert_output --partial "the format re2 supports meshes of the plane only"
+  assert_file_not_exist no.re2
+  assert_equal "$(jq -c '.stages | keys' no.json)" '["cad2tri"]'
+}
+
+@test "blocks are faces of the exact surface in a STEP model, with their names" {
+  quadexport "$stem.blocks.h5" -o cap.step
+  quadexport - --format step <"$stem.blocks.h5" >piped.step
+  cmp cap.step piped.step
+  grep -q B_SPLINE_SURFACE cap.step
+  assert_equal "$(grep -c "ADVANCED_FACE('cap'" cap.step)" "$(h5dump -d /block2nodes "$stem.blocks.h5" | sed -nE 's/.*SIMPLE \{ \( ([0-9]+), 4 .*/\1/p')"
+  grep -q "EDGE_CURVE('rim'" cap.step
+  quadexport "$stem.blocks.h5" --block-groups -o named.step
+  # Each is a face that is meshed by itself.
+  for name in block_0 block_1; do cad2chart named.step --face $name -o $name.chart.h5; done
+  stagecheck block_0.chart.h5 block_1.chart.h5
+}
+
+@test "messages and reports name places in space" {
+  run -0 jq -e '[.. | objects | to_entries[] | select(.key | test("(position|place)$")) | .value
+    | (length == 3) and (([.[] | . * .] | add) - 1 | fabs < 1e-4)] | length > 5 and all' "$stem.json"
+  run -0 quadrefine "$stem.blocks.h5" -v -o again.quad.h5
+  assert_output --regexp 'element [0-9]+ of cap at \(-?[.0-9]+, [.0-9]+, [.0-9]+\): scaled Jacobian'
 }
 
 @test "names are given as in the plane; options that change curves are refused" {
@@ -90,6 +115,7 @@ PYTHON
 
 @test "--view shows the mesh in space, without it both" {
   stageview "$stem.quad.h5" -o both.svg
+  assert_equal "$(grep -c ' in the chart<' both.svg)" 1
   grep -q 'id="a-elem-0"' both.svg
   grep -q 'id="b-elem-0"' both.svg
   for view in iso 1,0,0 0,0,-1; do

@@ -62,10 +62,19 @@ load ../tools/common
   for file in shape.msh meshes/square.msh meshes/table.html; do assert_file_exists "$file"; done
 }
 
+@test "the commands of curved faces work" {
+  ln -s "$ROOT/pipelines" "$ROOT/tests" .
+  mkdir build && ln -s "$BIN" build/bin
+  sed -n '/^## Curved faces/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
+  assert [ "$(wc -l <commands)" -eq 3 ]
+  run -0 bash -euo pipefail commands
+  for file in torus_patch.msh torus_patch.blocks.step torus_patch.svg; do assert_file_exists "$file"; done
+}
+
 # The lines of "In a program" are run by python.bats and library.bats.
 @test "the sections whose commands are run above are all that have commands, but for the set-up" {
   run -0 awk '/^## / { heading = substr($0, 4) } /^    [^ ]/ && !seen[heading]++ { print heading }' "$ROOT/README.md"
-  assert_output "$(printf '%s\n' Set-up 'One command' 'Many shapes' 'Step by step' 'Part of the chain' 'From points' \
+  assert_output "$(printf '%s\n' Set-up 'One command' 'Curved faces' 'Many shapes' 'Step by step' 'Part of the chain' 'From points' \
     Names 'Irregular nodes where you want them' 'Sizes and wall layers' 'In a program')"
 }
 

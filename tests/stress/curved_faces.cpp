@@ -36,6 +36,8 @@
 #include <Message_Messenger.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
@@ -352,6 +354,29 @@ int write_faces(const std::filesystem::path& folder, int count, std::uint64_t se
   return 0;
 }
 
+/// A spiral ramp of one and a half turns, whose chart overlaps itself; and a surface with a kink along its middle.
+TopoDS_Face ramp() {
+  constexpr int count = 40;
+  TColgp_Array2OfPnt points(1, count, 1, 2);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 3 * pi * i / (count - 1);
+    for (int j = 0; j < 2; ++j)
+      points(i + 1, j + 1) = gp_Pnt((1 + j) * std::cos(angle), (1 + j) * std::sin(angle), 0.1 * angle);
+  }
+  return BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(points, 1, 5, GeomAbs_C2, 1e-3).Surface(), 1e-7);
+}
+
+TopoDS_Face roof() {
+  TColgp_Array2OfPnt poles(1, 3, 1, 2);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 2; ++j) poles(i + 1, j + 1) = gp_Pnt(i, 2 * j, i == 1 ? 0.5 : 0);
+  TColStd_Array1OfReal u(1, 3), v(1, 2);
+  TColStd_Array1OfInteger of_u(1, 3), of_v(1, 2);
+  for (int i = 0; i < 3; ++i) u(i + 1) = i, of_u(i + 1) = i == 1 ? 1 : 2;
+  for (int j = 0; j < 2; ++j) v(j + 1) = j, of_v(j + 1) = 2;
+  return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(poles, u, v, of_u, of_v, 1, 1), 1e-7);
+}
+
 /// Small files for the tests, without random numbers but for that of a surface.
 int write_samples(const std::filesystem::path& folder) {
   Random r(1);
@@ -371,6 +396,8 @@ int write_samples(const std::filesystem::path& folder) {
              folder / "torus_patch.step");
   write_step(nurbs_holes(r), folder / "hills_hole.step");
   write_step(filleted_box(r, 0.3, 12), folder / "filleted_box.step");
+  write_step(ramp(), folder / "ramp.step");
+  write_step(roof(), folder / "roof.step");
   return 0;
 }
 

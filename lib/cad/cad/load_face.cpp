@@ -53,6 +53,11 @@ SpaceFace load_space_face_guarded(const std::string& bytes, const std::string& n
   return space_face_from_bytes(answer_about_file({CadTask::load_space, name, bytes, options, CadFace()}), report);
 }
 
+AnyFace load_any_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
+                              Report& report) {
+  return any_face_from_bytes(answer_about_file({CadTask::load_any, name, bytes, options, CadFace()}), report);
+}
+
 std::string face_kind_guarded(const std::string& bytes, const std::string& name, const std::string& face) {
   LoadOptions options;
   options.face = face;
@@ -73,7 +78,7 @@ std::string file_of_face(const CadFace& face, CadFormat format) {
 
 namespace {
 
-using Row = std::array<std::string, 8>;
+using Row = std::array<std::string, 9>;
 
 double greatest_coordinate(const FaceList& list) {
   double greatest = 0;
@@ -89,24 +94,28 @@ std::string place_text(std::array<double, 3> place, double noise) {
 }
 
 Row row(const std::string& face, const std::string& edge, const ListedShape& shape, double noise) {
-  return {face,       edge, shape.kind, fmt::format("{:.6g}", shape.length), place_text(shape.place, noise),
-          shape.name, "",   ""};
+  return {face, edge, shape.kind, fmt::format("{:.6g}", shape.length), place_text(shape.place, noise), shape.name,
+          "",   "",   ""};
 }
 
 Row face_row(int number, const ListedFace& listed, double noise) {
   Row cells = row(std::to_string(number), "", listed.face, noise);
-  cells[6] = listed.part, cells[7] = listed.layer;
+  cells[6] = listed.part, cells[7] = listed.layer, cells[8] = listed.size;
+  if (listed.is_closed) cells[8] += fmt::format("{}closed: cut it to mesh it", listed.size.empty() ? "" : ", ");
   return cells;
 }
 
 std::vector<Row> rows_of(const FaceList& list) {
   const double noise = 1e-12 * greatest_coordinate(list);
-  std::vector<Row> rows{{"face", "edge", "kind", "length", "place", "name", "part", "layer"}};
+  std::vector<Row> rows{{"face", "edge", "kind", "length", "place", "name", "part", "layer", ""}};
   for (size_t f = 0; f < list.faces.size(); ++f) {
     rows.push_back(face_row(static_cast<int>(f), list.faces[f], noise));
     for (size_t e = 0; e < list.faces[f].edges.size(); ++e)
       rows.push_back(row("", std::to_string(e), list.faces[f].edges[e], noise));
   }
+  // Planar faces have no such column.
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& cells) { return !cells.back().empty(); }))
+    rows.front().back() = "surface";
   return rows;
 }
 
@@ -132,7 +141,7 @@ std::string not_built_text(const std::vector<std::string>& entities) {
 
 std::string face_table(const FaceList& list) {
   const std::vector<Row> rows = rows_of(list);
-  std::array<size_t, 8> widths{};
+  std::array<size_t, 9> widths{};
   for (const Row& cells : rows)
     for (size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
   std::string table;
@@ -156,6 +165,8 @@ void report_faces(const FaceList& list, Report& report) {
     report_shape(key, list.faces[f].face, report);
     report.set(key + "part", list.faces[f].part);
     report.set(key + "layer", list.faces[f].layer);
+    report.set(key + "size", list.faces[f].size);
+    report.set(key + "closed", list.faces[f].is_closed);
     report.set(key + "edges", list.faces[f].edges.size());
     for (size_t e = 0; e < list.faces[f].edges.size(); ++e)
       report_shape(fmt::format("{}edge.{}.", key, e), list.faces[f].edges[e], report);

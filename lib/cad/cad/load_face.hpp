@@ -24,6 +24,10 @@ LoadedFace load_face_guarded(const std::string& bytes, const std::string& name, 
 SpaceFace load_space_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
                                   Report& report);
 
+/// As load_face_guarded if the chosen face is planar, else as load_space_face_guarded; the file is read once.
+AnyFace load_any_face_guarded(const std::string& bytes, const std::string& name, const LoadOptions& options,
+                              Report& report);
+
 /// The kind of the surface of the chosen face, as in ListedShape: "plane" for faces of one plane too.
 std::string face_kind_guarded(const std::string& bytes, const std::string& name, const std::string& face);
 

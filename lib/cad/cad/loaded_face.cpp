@@ -20,7 +20,7 @@ concept Is = std::same_as<std::remove_const_t<T>, Struct>;
 void members(auto& a, Is<Joint> auto& j) { a(j.position, j.tangent_in, j.tangent_out, j.interior_angle, j.is_corner); }
 void members(auto& a, Is<Nurbs> auto& c) { a(c.degree, c.knots, c.poles, c.weights); }
 void members(auto& a, Is<ListedShape> auto& s) { a(s.name, s.kind, s.length, s.place); }
-void members(auto& a, Is<ListedFace> auto& f) { a(f.face, f.part, f.layer, f.edges); }
+void members(auto& a, Is<ListedFace> auto& f) { a(f.face, f.part, f.layer, f.edges, f.size, f.is_closed); }
 void members(auto& a, Is<FaceList> auto& l) { a(l.length_unit, l.faces, l.not_built); }
 void members(auto& a, Is<CadFace> auto& f) {
   a(f.length_unit, f.metres_per_unit, f.plane_origin, f.plane_x, f.plane_y, f.origin, f.diameter, f.fit_distance);
@@ -186,6 +186,16 @@ std::string to_bytes(const SpaceFace& face, const Report& report) {
 
 SpaceFace space_face_from_bytes(const std::string& bytes, Report& report) {
   return face_and_report<SpaceFace>(bytes, report);
+}
+
+std::string to_bytes(const AnyFace& face, const Report& report) {
+  const std::string kind = std::holds_alternative<SpaceFace>(face) ? "s" : "p";
+  return kind + std::visit([&](const auto& f) { return to_bytes(f, report); }, face);
+}
+
+AnyFace any_face_from_bytes(const std::string& bytes, Report& report) {
+  if (bytes.starts_with('s')) return space_face_from_bytes(bytes.substr(1), report);
+  return from_bytes(bytes.substr(1), report);
 }
 
 }  // namespace quadrille::cad

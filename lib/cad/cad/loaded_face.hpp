@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/report.hpp"
@@ -27,6 +28,7 @@ enum class CadTask : int {
   list,        ///< answered by to_bytes(FaceList)
   write,       ///< answered by the bytes of a CAD file
   load_space,  ///< answered by to_bytes(SpaceFace, Report)
+  load_any,    ///< answered by either, as the face is planar or curved
   kind         ///< answered by the kind of the chosen face's surface, as in ListedShape
 };
 
@@ -34,7 +36,7 @@ struct CadRequest {
   CadTask task = CadTask::load;
   std::string name;     ///< of the file, for messages
   std::string bytes;    ///< contents of the file to read
-  LoadOptions options;  ///< of load, load_space and kind
+  LoadOptions options;  ///< of the loads and of kind
   CadFace face;         ///< to write
 };
 
@@ -56,6 +58,8 @@ struct ListedFace {
   std::string part;   ///< names of the products, solids and shells around it, outermost first: "rig/bolt"
   std::string layer;  ///< of the face, else of the innermost part that has one
   std::vector<ListedShape> edges;
+  std::string size = {};   ///< of a curved surface: "radius 1"; empty where numbers do not say it
+  bool is_closed = false;  ///< has no boundary, and so no chart
 };
 
 struct FaceList {
@@ -77,6 +81,11 @@ LoadedFace from_bytes(const std::string& bytes, Report& report);
 /// The same for a face in space.
 std::string to_bytes(const SpaceFace& face, const Report& report);
 SpaceFace space_face_from_bytes(const std::string& bytes, Report& report);
+
+/// The same for one of them.
+using AnyFace = std::variant<LoadedFace, SpaceFace>;
+std::string to_bytes(const AnyFace& face, const Report& report);
+AnyFace any_face_from_bytes(const std::string& bytes, Report& report);
 
 /// The same for a list of faces.
 std::string to_bytes(const FaceList& list);

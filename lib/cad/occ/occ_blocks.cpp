@@ -23,6 +23,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
+#include <memory>
 #include <optional>
 
 #include "base/angle.hpp"
@@ -30,6 +31,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
+#include "occ/occ_block_geometry.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -181,61 +183,23 @@ class SharedEdges {
   std::vector<TopoDS_Edge> edges_;  // by curve; null: not made, or that of the partner is used
 };
 
-class ShellBuilder {
+/// In the plane of the face.
+class PlaneBlocks : public BlockGeometry {
  public:
-  ShellBuilder(const BlockLayout& layout, double scale) : layout_(layout), scale_(scale) {
-    tolerance_ = 1e-7 * layout.face.diameter * scale;
+  PlaneBlocks(const BlockLayout& layout, double scale)
+      : layout_(layout),
+        scale_(scale),
+        tolerance_(1e-7 * layout.face.diameter * scale),
+        plane_(new Geom_Plane(plane_in_space(layout.face, scale))) {}
+
+  TopoDS_Vertex vertex(int n) override { return vertex(layout_.nodes[n].position); }
+  TopoDS_Vertex vertex_at_end(const ArcPiece& piece) override {
+    return vertex(curve::point(layout_.curve(piece.curve), piece.t1));
   }
 
-  OccShape build() {
-    for (const GraphNode& node : layout_.nodes) vertices_.push_back(vertex(node.position));
-    for (int a = 0; a < static_cast<int>(layout_.arcs.size()); ++a) edges_.push_back(edges_of_arc(a));
-    const Handle(Geom_Plane) plane = new Geom_Plane(plane_in_space(layout_.face, scale_));
-    TopoDS_Shell shell;
-    builder_.MakeShell(shell);
-    for (size_t b = 0; b < layout_.block2arcs.size(); ++b) {
-      TopoDS_Face face;
-      builder_.MakeFace(face, plane, tolerance_);
-      builder_.Add(face, wire_of(layout_.block2arcs[b]));
-      builder_.Add(shell, face);
-      const bool has_name = b < layout_.block_names.size();
-      result_.names.emplace_back(face, has_name ? layout_.block_names[b] : fmt::format("block_{}", b));
-    }
-    result_.shape = shell;
-    return std::move(result_);
-  }
-
- private:
-  gp_Pnt in_space(Vec2 x) const { return point_in_space(layout_.face, scale_, x); }
-
-  TopoDS_Vertex vertex(Vec2 x) {
-    TopoDS_Vertex v;
-    builder_.MakeVertex(v, in_space(x), tolerance_);
-    return v;
-  }
-
-  // The edges of the pieces of an arc from its first node to its last, each in the direction of the arc.
-  std::vector<TopoDS_Edge> edges_of_arc(int a) {
-    const GraphArc& arc = layout_.arcs[a];
-    std::vector<TopoDS_Edge> edges;
-    TopoDS_Vertex last = vertices_[arc.from];
-    for (size_t i = 0; i < arc.pieces.size(); ++i) {
-      const ArcPiece& piece = arc.pieces[i];
-      const bool is_last = i + 1 == arc.pieces.size();
-      const TopoDS_Vertex next =
-          is_last ? vertices_[arc.to] : vertex(curve::point(layout_.curve(piece.curve), piece.t1));
-      edges.push_back(edge_of_piece(a, piece, last, next));
-      if (piece.curve < layout_.face.num_curves())
-        result_.names.emplace_back(edges.back(), layout_.face.curve_names[piece.curve]);
-      last = next;
-    }
-    return edges;
-  }
-
-  TopoDS_Edge edge_of_piece(int arc, const ArcPiece& piece, const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+  TopoDS_Edge edge(int arc, const ArcPiece& piece, const TopoDS_Vertex& from, const TopoDS_Vertex& to) override {
     const Nurbs& whole = layout_.curve(piece.curve);
     const auto [low, high] = std::minmax(piece.t0, piece.t1);
-    if (!(low < high)) throw ComputeError(fmt::format("arc {} has an empty piece of curve {}", arc, piece.curve));
     Nurbs part = curve::trimmed(whole, low, high);
     if (piece.t0 > piece.t1) part = curve::reversed(part);
     for (const auto& [vertex, end] : {std::pair{from, part.poles.front()}, std::pair{to, part.poles.back()}}) {
@@ -247,22 +211,85 @@ class ShellBuilder {
     return edge_in_space(layout_.face, scale_, part, from, to, tolerance_);
   }
 
-  TopoDS_Wire wire_of(const std::array<HalfEdge, 4>& arcs) {
+  TopoDS_Face face(int /*block*/, const std::vector<EdgeUse>& loop) override {
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
-    for (const auto& [arc, backwards] : arcs) {
-      std::vector<TopoDS_Edge> edges = edges_[arc];
-      if (backwards) std::reverse(edges.begin(), edges.end());
-      for (const TopoDS_Edge& edge : edges)
-        builder_.Add(wire, edge.Oriented(backwards ? TopAbs_REVERSED : TopAbs_FORWARD));
-    }
+    for (const EdgeUse& use : loop)
+      builder_.Add(wire, use.edge.Oriented(use.is_backwards ? TopAbs_REVERSED : TopAbs_FORWARD));
     wire.Closed(true);
-    return wire;
+    TopoDS_Face face;
+    builder_.MakeFace(face, plane_, tolerance_);
+    builder_.Add(face, wire);
+    return face;
+  }
+
+ private:
+  gp_Pnt in_space(Vec2 x) const { return point_in_space(layout_.face, scale_, x); }
+
+  TopoDS_Vertex vertex(Vec2 x) {
+    TopoDS_Vertex v;
+    builder_.MakeVertex(v, in_space(x), tolerance_);
+    return v;
   }
 
   const BlockLayout& layout_;
   double scale_, tolerance_;
+  Handle(Geom_Plane) plane_;
   BRep_Builder builder_;
+};
+
+class ShellBuilder {
+ public:
+  ShellBuilder(const BlockLayout& layout, BlockGeometry& geometry) : layout_(layout), geometry_(geometry) {}
+
+  OccShape build() {
+    for (int n = 0; n < static_cast<int>(layout_.nodes.size()); ++n) vertices_.push_back(geometry_.vertex(n));
+    for (int a = 0; a < static_cast<int>(layout_.arcs.size()); ++a) edges_.push_back(edges_of_arc(a));
+    const BRep_Builder builder;
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    for (int b = 0; b < layout_.num_blocks(); ++b) {
+      const TopoDS_Face face = geometry_.face(b, loop_of(layout_.block2arcs[b]));
+      builder.Add(shell, face);
+      const bool has_name = b < static_cast<int>(layout_.block_names.size());
+      result_.names.emplace_back(face, has_name ? layout_.block_names[b] : fmt::format("block_{}", b));
+    }
+    result_.shape = shell;
+    return std::move(result_);
+  }
+
+ private:
+  // The edges of the pieces of an arc from its first node to its last, each in the direction of the arc.
+  std::vector<TopoDS_Edge> edges_of_arc(int a) {
+    const GraphArc& arc = layout_.arcs[a];
+    std::vector<TopoDS_Edge> edges;
+    TopoDS_Vertex last = vertices_[arc.from];
+    for (size_t i = 0; i < arc.pieces.size(); ++i) {
+      const ArcPiece& piece = arc.pieces[i];
+      const bool is_last = i + 1 == arc.pieces.size();
+      const TopoDS_Vertex next = is_last ? vertices_[arc.to] : geometry_.vertex_at_end(piece);
+      if (piece.t0 == piece.t1)
+        throw ComputeError(fmt::format("arc {} has an empty piece of curve {}", a, piece.curve));
+      edges.push_back(geometry_.edge(a, piece, last, next));
+      if (piece.curve < layout_.face.num_curves())
+        result_.names.emplace_back(edges.back(), layout_.face.curve_names[piece.curve]);
+      last = next;
+    }
+    return edges;
+  }
+
+  std::vector<EdgeUse> loop_of(const std::array<HalfEdge, 4>& arcs) const {
+    std::vector<EdgeUse> loop;
+    for (const auto& [arc, backwards] : arcs) {
+      std::vector<TopoDS_Edge> edges = edges_[arc];
+      if (backwards) std::reverse(edges.begin(), edges.end());
+      for (const TopoDS_Edge& edge : edges) loop.push_back({edge, backwards});
+    }
+    return loop;
+  }
+
+  const BlockLayout& layout_;
+  BlockGeometry& geometry_;
   std::vector<TopoDS_Vertex> vertices_;
   std::vector<std::vector<TopoDS_Edge>> edges_;
   OccShape result_;
@@ -270,7 +297,14 @@ class ShellBuilder {
 
 }  // namespace
 
-OccShape occ_blocks(const BlockLayout& layout, double scale) { return ShellBuilder(layout, scale).build(); }
+OccShape occ_blocks(const BlockLayout& layout, double scale) {
+  std::unique_ptr<BlockGeometry> geometry;
+  if (layout.face.chart)
+    geometry = surface_blocks(layout, scale);
+  else
+    geometry = std::make_unique<PlaneBlocks>(layout, scale);
+  return ShellBuilder(layout, *geometry).build();
+}
 
 OccShape occ_face_shape(const CadFace& face, double scale) {
   OccShape result;

@@ -14,9 +14,11 @@
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "occ/occ_face.hpp"
 #include "sew/one_sheet.hpp"
@@ -102,10 +104,38 @@ cad::ListedShape listed_edge(const OccModel& model, const TopoDS_Edge& edge) {
   return listed;
 }
 
+/// "radius 1"
+std::string size_of(const TopoDS_Face& face) {
+  if (BRep_Tool::Surface(face).IsNull()) return {};
+  const BRepAdaptor_Surface surface(face, false);
+  switch (surface.GetType()) {
+    case GeomAbs_Cylinder:
+      return fmt::format("radius {:.6g}", surface.Cylinder().Radius());
+    case GeomAbs_Sphere:
+      return fmt::format("radius {:.6g}", surface.Sphere().Radius());
+    case GeomAbs_Cone:
+      return fmt::format("half-angle {:.6g} degrees", degrees(std::abs(surface.Cone().SemiAngle())));
+    case GeomAbs_Torus:
+      return fmt::format("radii {:.6g} and {:.6g}", surface.Torus().MajorRadius(), surface.Torus().MinorRadius());
+    default:
+      return {};
+  }
+}
+
+/// Whether all edges are seams and poles.
+bool is_closed(const TopoDS_Face& face) {
+  for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(e.Current());
+    if (!BRep_Tool::Degenerated(edge) && !BRep_Tool::IsClosed(edge, face)) return false;
+  }
+  return true;
+}
+
 cad::ListedFace listed_face(const OccModel& model, const PlacedFace& placed) {
   const TopoDS_Face& face = placed.face;
   cad::ListedFace listed{{model.label_of(face).name, kind_of(face), 0, {}}, placed.part_path(), placed.layer, {}};
   measure(face, listed.face);
+  if (listed.face.kind != "plane") listed.size = size_of(face), listed.is_closed = is_closed(face);
   for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
     for (TopoDS_Iterator e(wire.Value().Oriented(TopAbs_FORWARD)); e.More(); e.Next())
       if (e.Value().ShapeType() == TopAbs_EDGE) listed.edges.push_back(listed_edge(model, TopoDS::Edge(e.Value())));

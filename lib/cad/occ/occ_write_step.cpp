@@ -49,12 +49,13 @@ WrittenUnit written_unit(const CadFace& face) {
 
 Handle(TCollection_HAsciiString) text(const std::string& s) { return new TCollection_HAsciiString(s.c_str()); }
 
-void set_up(STEPControl_Writer& writer, const char* unit) {
+// Curves in the parameters of a plane follow from those in space; on curved faces they are written too.
+void set_up(STEPControl_Writer& writer, const char* unit, bool is_curved) {
   // With equal source and target units the writer does not scale coordinates and only states the unit.
   writer.Model()->SetLocalLengthUnit(1.0);
   writer.Model()->SetWriteLengthUnit(1.0);
   Interface_Static::SetCVal("write.step.unit", unit);
-  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+  Interface_Static::SetIVal("write.surfacecurve.mode", is_curved ? 1 : 0);
   Interface_Static::SetIVal("write.precision.mode", 0);
 }
 
@@ -105,11 +106,11 @@ std::string written(const STEPControl_Writer& writer, const Handle(StepData_Step
   return stream.str();
 }
 
-// `product`: name of the product, and of the file in its header; `tolerance`: a length in the unit of the file.
-std::string step_text(const OccShape& shape, const WrittenUnit& unit, const std::string& product, double tolerance) {
+// `product`: name of the product, and of the file in its header.
+std::string step_text(const OccShape& shape, const WrittenUnit& unit, const std::string& product, const CadFace& face) {
   STEPControl_Writer writer;
-  set_up(writer, unit.name);
-  writer.SetTolerance(tolerance);
+  set_up(writer, unit.name, face.chart != nullptr);
+  writer.SetTolerance(1e-7 * face.diameter * unit.scale);
   const bool has_free_edges = shape.shape.ShapeType() == TopAbs_COMPOUND;
   if (writer.Transfer(shape.shape, has_free_edges ? STEPControl_AsIs : STEPControl_ShellBasedSurfaceModel) !=
       IFSelect_RetDone)
@@ -129,14 +130,14 @@ bool has_step_unit(const CadFace& face) { return written_unit(face).scale == 1; 
 std::string step_of_blocks(const BlockLayout& layout) {
   return written_by_kernel("the blocks", [&] {
     const WrittenUnit unit = written_unit(layout.face);
-    return step_text(occ_blocks(layout, unit.scale), unit, "blocks", 1e-7 * layout.face.diameter * unit.scale);
+    return step_text(occ_blocks(layout, unit.scale), unit, "blocks", layout.face);
   });
 }
 
 std::string step_of_face(const CadFace& face) {
   return written_by_kernel("the face", [&] {
     const WrittenUnit unit = written_unit(face);
-    return step_text(occ_face_shape(face, unit.scale), unit, "face", 1e-7 * face.diameter * unit.scale);
+    return step_text(occ_face_shape(face, unit.scale), unit, "face", face);
   });
 }
 

@@ -63,43 +63,35 @@ FacesAndEdges closed_curves(const OccModel& model, double tolerance, const std::
   return found;
 }
 
-}  // namespace
-
-cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
-                          const cad::LoadOptions& options, Report& report) {
-  report.set("input.format", cad::format_name(format.format));
-  return of_file(format, name, [&] {
-    const OccModel model = occ_load(format, bytes, name);
-    const bool has_no_face = model.num_faces == 0 && options.face.empty();
-    const std::vector<FaceChoice> choices =
-        has_no_face ? std::vector<FaceChoice>(1) : choose_faces(model, options.face, name);
-    FacesAndEdges found = has_no_face ? closed_curves(model, options.heal_tolerance, name, report)
-                                      : occ_faces(model, choices, options.face.empty(), name, report);
-    for (size_t f = 0; f < choices.size(); ++f) {
-      cad::choose_names(found.faces[f]);
-      if (found.faces[f].name.empty()) found.faces[f].name = choices[f].part;
-    }
-    choose_names_of(found.free_edges);
-    cad::LoadedFace loaded;
-    if (sew::are_to_be_sewn(found.faces, found.free_edges)) {
-      loaded.face = sew::sewn_face(found.faces, found.free_edges,
-                                   {options.corner_angle, options.blunt_width, options.fit_tolerance,
-                                    options.heal_tolerance, choices.front().piece},
-                                   loaded.repairs, report);
-      cad::name_interfaces(loaded.face);
-    } else {
-      heal::RawFace& raw = found.faces.front();
-      loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
-      loaded.face = outline::assemble_face(
-          raw, {options.corner_angle, options.blunt_width, choices.front().piece, options.fit_tolerance},
-          loaded.repairs, report);
-    }
-    warn_of_ignored(found, name, report);
-    return loaded;
-  });
+cad::LoadedFace planar_face(const OccModel& model, const std::string& name, const cad::LoadOptions& options,
+                            Report& report) {
+  const bool has_no_face = model.num_faces == 0 && options.face.empty();
+  const std::vector<FaceChoice> choices =
+      has_no_face ? std::vector<FaceChoice>(1) : choose_faces(model, options.face, name);
+  FacesAndEdges found = has_no_face ? closed_curves(model, options.heal_tolerance, name, report)
+                                    : occ_faces(model, choices, options.face.empty(), name, report);
+  for (size_t f = 0; f < choices.size(); ++f) {
+    cad::choose_names(found.faces[f]);
+    if (found.faces[f].name.empty()) found.faces[f].name = choices[f].part;
+  }
+  choose_names_of(found.free_edges);
+  cad::LoadedFace loaded;
+  if (sew::are_to_be_sewn(found.faces, found.free_edges)) {
+    loaded.face = sew::sewn_face(found.faces, found.free_edges,
+                                 {options.corner_angle, options.blunt_width, options.fit_tolerance,
+                                  options.heal_tolerance, choices.front().piece},
+                                 loaded.repairs, report);
+    cad::name_interfaces(loaded.face);
+  } else {
+    heal::RawFace& raw = found.faces.front();
+    loaded.repairs = heal::heal_face(raw, {options.heal_tolerance}, outline::raw_diameter(raw), report);
+    loaded.face = outline::assemble_face(
+        raw, {options.corner_angle, options.blunt_width, choices.front().piece, options.fit_tolerance}, loaded.repairs,
+        report);
+  }
+  warn_of_ignored(found, name, report);
+  return loaded;
 }
-
-namespace {
 
 FaceChoice choose_one_face(const OccModel& model, const std::string& choice, const std::string& name) {
   const std::vector<FaceChoice> choices = choose_faces(model, choice, name);
@@ -125,24 +117,41 @@ std::string chosen_kind(const OccModel& model, const std::string& choice, const 
   return kind_of(choose_faces(model, choice, name).front().face);
 }
 
+SpaceFace curved_face(const OccModel& model, const std::string& name, const cad::LoadOptions& options, Report& report) {
+  const FaceChoice choice = choose_one_face(model, options.face, name);
+  require_unscaled(choice.face, name);
+  space::RawSpaceFace raw;
+  raw.labels = labels_of_face(model, choice.face, name);
+  if (!options.face.empty()) raw.labels.file += ": face " + options.face;  // the begin of all messages
+  read_curved_face(model, choice.face, raw, report);
+  space::improve_triangles(raw);
+  cad::choose_names(raw.labels);
+  report.set("surface.kind", kind_of(choice.face));
+  require_smooth(raw, options.corner_angle);
+  return space::assemble_space_face(raw, options.heal_tolerance, report);
+}
+
 }  // namespace
+
+cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
+                          const cad::LoadOptions& options, Report& report) {
+  report.set("input.format", cad::format_name(format.format));
+  return of_file(format, name, [&] { return planar_face(occ_load(format, bytes, name), name, options, report); });
+}
 
 SpaceFace read_space_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
                           const cad::LoadOptions& options, Report& report) {
   report.set("input.format", cad::format_name(format.format));
-  return of_file(format, name, [&] {
+  return of_file(format, name, [&] { return curved_face(occ_load(format, bytes, name), name, options, report); });
+}
+
+cad::AnyFace read_any_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
+                           const cad::LoadOptions& options, Report& report) {
+  report.set("input.format", cad::format_name(format.format));
+  return of_file(format, name, [&]() -> cad::AnyFace {
     const OccModel model = occ_load(format, bytes, name);
-    const FaceChoice choice = choose_one_face(model, options.face, name);
-    require_unscaled(choice.face, name);
-    space::RawSpaceFace raw;
-    raw.labels = labels_of_face(model, choice.face, name);
-    read_curved_face(model, choice.face, raw, report);
-    space::improve_triangles(raw);
-    cad::choose_names(raw.labels);
-    report.set("surface.kind", kind_of(choice.face));
-    SpaceFace face = space::assemble_space_face(raw, options.heal_tolerance, report);
-    require_smooth(raw, options.corner_angle);
-    return face;
+    if (chosen_kind(model, options.face, name) == "plane") return planar_face(model, name, options, report);
+    return curved_face(model, name, options, report);
   });
 }
 
@@ -158,10 +167,10 @@ std::string answer_request(const KernelFormat& format, const std::string& reques
     return of_file(format, r.name,
                    [&] { return chosen_kind(occ_load(format, r.bytes, r.name), r.options.face, r.name); });
   Report report;
-  if (r.task == cad::CadTask::load_space) {
-    const SpaceFace face = read_space_face(format, r.bytes, r.name, r.options, report);
-    return cad::to_bytes(face, report);
-  }
+  if (r.task == cad::CadTask::load_any)
+    return cad::to_bytes(read_any_face(format, r.bytes, r.name, r.options, report), report);
+  if (r.task == cad::CadTask::load_space)
+    return cad::to_bytes(read_space_face(format, r.bytes, r.name, r.options, report), report);
   const cad::LoadedFace loaded = read_face(format, r.bytes, r.name, r.options, report);
   return cad::to_bytes(loaded, report);
 }

@@ -20,6 +20,10 @@ cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, 
 SpaceFace read_space_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
                           const cad::LoadOptions& options, Report& report);
 
+/// One of the two: the file is read once, and the face's surface decides.
+cad::AnyFace read_any_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
+                           const cad::LoadOptions& options, Report& report);
+
 /// The main function of the program of one format (cad/load_face.hpp), without its input and output: does what
 /// cad::to_bytes(CadRequest) asks for and returns the face and its report, the list of faces, or the bytes of a file.
 std::string answer_request(const KernelFormat& format, const std::string& request);

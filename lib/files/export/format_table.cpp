@@ -67,6 +67,15 @@ void require_options(const ExportFormat& format, const ExportOptions& options) {
     throw UsageError(fmt::format("--patch-type: boundaries have no types in the format {}", format.name));
 }
 
+std::string planar_format_text(const ExportFormat& format) {
+  std::string others;
+  for (const ExportFormat& other : export_formats())
+    if (other.holds_space) others += fmt::format("{}, ", other.name);
+  return fmt::format(
+      "the format {} supports meshes of the plane only, but this face is curved: choose {}or step for the blocks",
+      format.name, others);
+}
+
 Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options) {
   require_options(format, options);
   if (mesh.order > format.max_order)
@@ -74,11 +83,7 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
         fmt::format("the format {} supports quads up to order {}, this mesh has order {}: refine with a "
                     "lower --order",
                     format.name, format.max_order, mesh.order));
-  if (!mesh.space_nodes.empty() && !format.holds_space)
-    throw ComputeError(
-        fmt::format("the format {} supports meshes of the plane only, but this one lies on a curved face: choose msh, "
-                    "vtu, nektar or mfem",
-                    format.name));
+  if (!mesh.space_nodes.empty() && !format.holds_space) throw ComputeError(planar_format_text(format));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_lengths(mesh, length);
   if (options.block_groups) separate_blocks(mesh);

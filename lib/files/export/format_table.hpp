@@ -45,6 +45,9 @@ const ExportFormat* export_format_of(std::string_view file_name);
 /// Throws UsageError for a frame in space or types of boundaries that the format does not support.
 void require_options(const ExportFormat& format, const ExportOptions& options);
 
+/// Why a format without coordinates in space is refused for a curved face, and which are not.
+std::string planar_format_text(const ExportFormat& format);
+
 /// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError as require_options,
 /// for a unit where that of the mesh is unknown, and for types of boundaries that the mesh does not have.
 Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options = {});

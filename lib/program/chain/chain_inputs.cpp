@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <sstream>
+#include <utility>
+#include <variant>
 
 #include "base/message_text.hpp"
 #include "cad/load_face.hpp"
@@ -88,16 +90,14 @@ std::string cad_file(ChainState& chain) {
   return made;
 }
 
-/// The options of cad2chart for a curved face, which the options of cad2tri name; no value for a planar one.
-std::optional<stage::Cad2chartOptions> chart_options(const ChainState& chain, const std::string& path) {
-  const stage::Cad2triOptions& options = chain.values.cad2tri;
-  if (!chain.is_due(ChainStage::cad2tri) || options.face.empty()) return std::nullopt;
-  std::string kind;
-  const cli::Outcome outcome = cli::outcome_of([&] {
-    const io::InputFile file = read_input(chain, path);
-    if (!io::is_chart(file)) kind = cad::face_kind_guarded(file.bytes, file.name, options.face);
-  });
-  if (!outcome.is_success() || kind.empty() || kind == "plane") return std::nullopt;  // cad2tri says what is wrong
+bool is_curved(const ChainState& chain, const std::string& path) {
+  const io::InputFile file = read_input(chain, path);
+  if (io::is_chart(file)) return false;
+  return cad::face_kind_guarded(file.bytes, file.name, chain.values.cad2tri.face) != "plane";
+}
+
+/// The options of cad2chart, which those of cad2tri name.
+stage::Cad2chartOptions chart_options(const stage::Cad2triOptions& options) {
   stage::Cad2chartOptions result;
   result.face = options.face;
   result.corner_angle = options.corner_angle, result.heal_tolerance = options.heal_tolerance;
@@ -113,9 +113,11 @@ stage::Cad2triOptions options_in_chart(stage::Cad2triOptions options) {
 }
 
 /// The chart as its file is, or would be.
-io::InputFile chart_file(const ChainState& chain, const stage::Cad2chartOptions& options, const io::InputFile& shape,
-                         const std::string& path, Run& run) {
-  std::string bytes = io::stage_bytes(stage::cad2chart({shape.bytes, shape}, options, run));
+io::InputFile chart_file(const ChainState& chain, const SpaceFace& face, const io::InputFile& shape, Run& run) {
+  stage::require_format_in_space(stage::format_of(output_of(chain.options), chain.values.quadexport));
+  const std::string path = chain.files.stem + ".chart.h5";
+  std::string bytes =
+      io::stage_bytes(stage::cad2chart(face, {shape.bytes, shape}, chart_options(chain.values.cad2tri), run));
   if (chain.keeps_files) io::write_stage_bytes(path, bytes, io::Lasting::for_the_run);
   const FileIdentity identity = io::identity_of(path, bytes);
   return {identity, std::move(bytes)};
@@ -151,26 +153,50 @@ std::string move_words_to_chart(ChainState& chain, const std::string& shape, con
 
 }  // namespace
 
+namespace {
+
+/// The face of the CAD file that --face names, planar or curved: the file is read once.
+TriMesh triangles_of(const ChainState& chain, const std::string& shape, Run& run) {
+  io::InputFile file = read_input(chain, shape);
+  stage::Cad2triOptions options = chain.values.cad2tri;
+  std::optional<cad::LoadedFace> face;
+  if (!options.face.empty() && !io::is_chart(file)) {
+    cad::AnyFace any = stage::read_any_face({file.bytes, file}, options, run);
+    if (auto* const curved = std::get_if<SpaceFace>(&any)) {
+      file = chart_file(chain, *curved, file, run);
+      options = options_in_chart(options);
+    } else {
+      face = std::get<cad::LoadedFace>(std::move(any));
+    }
+  }
+  const Names names = boundary_names(chain);
+  stage::Cad2triInput input{{file.bytes, file}, {}, {}, std::move(face)};
+  std::optional<ChartedFace> chart;
+  if (io::is_chart(file)) input.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
+  if (names.file) input.names.emplace(names.content, *names.file);
+  const stage::LoadedShape loaded = stage::load_shape(input, options, run);
+  if (!options.healed_file.empty())
+    io::write_output(options.healed_file, stage::cad_file_of(loaded.face, options.healed_file), false);
+  return stage::cad2tri(loaded, options, run);
+}
+
+/// Whether cad2tri is only printed as a command, or run as one, which needs to know whether cad2chart comes before.
+bool needs_command(const ChainState& chain) {
+  return chain.is_due(ChainStage::cad2tri) && !chain.values.cad2tri.face.empty() &&
+         (chain.options.is_dry_run || chain.options.programs.contains(ChainStage::cad2tri));
+}
+
+}  // namespace
+
 void triangulate_shape(ChainState& chain) {
-  std::string path = chain.is_due(ChainStage::cad2tri) ? cad_file(chain) : chain.options.shape;
-  const std::string shape = path;
-  const auto of_chart = chart_options(chain, path);
-  if (of_chart) path = move_words_to_chart(chain, shape, chain.files.stem + ".chart.h5");
-  const auto triangles = [&](Run& run) {
-    io::InputFile file = read_input(chain, shape);
-    if (of_chart) file = chart_file(chain, *of_chart, file, path, run);
-    const Names names = boundary_names(chain);
-    stage::Cad2triInput input{{file.bytes, file}, {}};
-    std::optional<ChartedFace> chart;
-    if (io::is_chart(file)) input.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
-    if (names.file) input.names.emplace(names.content, *names.file);
-    const stage::Cad2triOptions options = of_chart ? options_in_chart(chain.values.cad2tri) : chain.values.cad2tri;
-    const stage::LoadedShape loaded = stage::load_shape(input, options, run);
-    if (!options.healed_file.empty())
-      io::write_output(options.healed_file, stage::cad_file_of(loaded.face, options.healed_file), false);
-    return stage::cad2tri(loaded, options, run);
-  };
-  make_file(chain, {ChainStage::cad2tri, false, {path}}, chain.files.triangles, triangles);
+  const std::string shape = chain.is_due(ChainStage::cad2tri) ? cad_file(chain) : chain.options.shape;
+  std::string path = shape;
+  bool has_chart = false;
+  if (needs_command(chain))
+    cli::outcome_of([&] { has_chart = is_curved(chain, shape); });  // cad2tri says what is wrong
+  if (has_chart) path = move_words_to_chart(chain, shape, chain.files.stem + ".chart.h5");
+  make_file(chain, {ChainStage::cad2tri, false, {path}}, chain.files.triangles,
+            [&](Run& run) { return triangles_of(chain, shape, run); });
 }
 
 namespace fs = std::filesystem;

@@ -75,6 +75,9 @@ struct ChainOptions {
   bool has(const std::string& tool, const std::string& flag) const;  ///< whether the words of the tool hold the flag
 };
 
+/// Where the mesh is written; "-": standard output.
+inline std::string output_of(const ChainOptions& options) { return options.output.empty() ? "-" : options.output; }
+
 /// Reads the command line (argv without the name of the program), which asks for work (cli/outcome). Throws UsageError.
 void read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);
 

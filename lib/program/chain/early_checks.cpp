@@ -67,7 +67,7 @@ void check_stage_options(const StageOptions& values) {
 }
 
 void check_output_format(const ChainOptions& options, const StageOptions& values) {
-  const std::string format = stage::format_of(options.output.empty() ? "-" : options.output, values.quadexport);
+  const std::string format = stage::format_of(output_of(options), values.quadexport);
   if (options.last == ChainStage::quadexport) stage::require_order(format, values.quadrefine.refine.order);
 }
 
@@ -200,7 +200,7 @@ cli::RunFiles files_of(const ChainState& chain) {
   for (int i = 0; i < num_stages; ++i)
     cli::add_files([&](Options& o) { declare(o, static_cast<ChainStage>(i), values); }, files);
   if (options.last == ChainStage::quadexport) {
-    const std::string output = options.output.empty() ? "-" : options.output;
+    const std::string output = output_of(options);
     files.write(output, "--output");
     for (const std::string& path : stage::side_paths(output, values.quadexport)) files.write(path, "--output");
   }
@@ -244,7 +244,7 @@ std::optional<CadFace> known_face(ChainState& chain) {
 }
 
 void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
-  if (chosen_words(chain, stage).empty()) return;
+  if (chosen_words(chain, stage).empty() && stage != ChainStage::quadexport) return;
   const cli::Outcome outcome = cli::outcome_of([&] {
     if (stage == ChainStage::critpoints) stage::require_critpoints_of(face, chain.values.critpoints);
     if (stage == ChainStage::quadrefine) {
@@ -252,7 +252,8 @@ void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
       sizes.metric = prescribed_metric(chain, face).content;
       stage::require_quadrefine_of(face, sizes, chain.values.quadrefine);
     }
-    if (stage == ChainStage::quadexport) stage::require_quadexport_of(face, chain.values.quadexport);
+    if (stage == ChainStage::quadexport)
+      stage::require_quadexport_of(face, output_of(chain.options), chain.values.quadexport);
   });
   if (outcome.code != ExitCode::usage && outcome.code != ExitCode::no_result) return;  // the stage says the rest
   chain.last.clear();                                                                  // no later stage has seen it
@@ -280,7 +281,7 @@ std::string stem_of(const std::string& shape) {
 }
 
 std::string exported_ending(const ChainOptions& options, const StageOptions& values) {
-  const bool is_step = stage::format_of(options.output.empty() ? "-" : options.output, values.quadexport) == "step";
+  const bool is_step = stage::format_of(output_of(options), values.quadexport) == "step";
   return is_step ? "blocks.h5" : "quad.h5";
 }
 

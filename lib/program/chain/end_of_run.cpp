@@ -48,7 +48,7 @@ void print_summary(const ChainState& chain, const io::ChainReport& report) {
   const ChainOptions& options = chain.options;
   const bool ends_early = options.last != ChainStage::quadexport;
   if (options.is_quiet) return;
-  const bool uses_stdout = options.report == "-" || (!ends_early && (options.output.empty() || options.output == "-"));
+  const bool uses_stdout = options.report == "-" || (!ends_early && output_of(options) == "-");
   const int stream = uses_stdout ? STDERR_FILENO : STDOUT_FILENO;
   if (options.is_verbose) cli::print_message(report.times(), stream);
   const std::string result =

@@ -114,10 +114,10 @@ void export_mesh(ChainState& chain) {
   const bool is_step = ending == "blocks.h5";
   StageTask task;
   task.stage = ChainStage::quadexport;
-  task.output = chain.options.output.empty() ? "-" : chain.options.output;
+  task.output = output_of(chain.options);
   task.words = {files.stem + '.' + ending};
   task.compute = [&, is_step](Run& run) {
-    const std::string output = chain.options.output.empty() ? "-" : chain.options.output;
+    const std::string output = output_of(chain.options);
     std::vector<stage::OutputFile> written;
     if (is_step) {
       const std::string bytes = io::stage_bytes(files.of_nodes.blocks.model());
@@ -135,7 +135,7 @@ void export_mesh(ChainState& chain) {
 /// Layers with blocks of their own need curves that cad2tri makes, others room below the irregular nodes; for formats
 /// with straight sides, elements along them are short.
 void add_options_of_walls(ChainState& chain) {
-  const std::string output = chain.options.output.empty() ? "-" : chain.options.output;
+  const std::string output = output_of(chain.options);
   if (bool& is_straight = chain.values.quadrefine.has_straight_sides;
       !is_straight && !chain.values.quadrefine.walls.empty() &&
       stage::has_straight_sides(stage::format_of(output, chain.values.quadexport))) {

@@ -56,19 +56,29 @@ void declare(Options& o, Cad2chartOptions& cad2chart) {
 
 ChartedFace cad2chart(const Input<std::string>& cad, const Cad2chartOptions& options, Run& run) {
   require_intervals(options);
-  const std::string& name = cad.file.name;
-  const double corner_angle = radians(options.corner_angle);
   run.begin_phase("load");
   cad::LoadOptions load;
-  load.corner_angle = corner_angle, load.heal_tolerance = options.heal_tolerance, load.face = options.face;
-  const SpaceFace space_face = cad::load_space_face_guarded(cad.model, name, load, run.report());
+  load.corner_angle = radians(options.corner_angle);
+  load.heal_tolerance = options.heal_tolerance, load.face = options.face;
+  return cad2chart(cad::load_space_face_guarded(cad.model, cad.file.name, load, run.report()), cad, options, run);
+}
+
+ChartedFace cad2chart(const SpaceFace& space_face, const Input<std::string>& cad, const Cad2chartOptions& options,
+                      Run& run) {
+  require_intervals(options);
+  const std::string& name = cad.file.name;
+  const double corner_angle = radians(options.corner_angle);
   run.begin_phase("chart");
   ChartedFace charted;
   chart::ChartOptions limits;
   limits.closedness = options.closedness, limits.corner_angle = corner_angle;
   limits.greatest_scale_range = options.scale_range;
-  charted.face = chart::make_chart(space_face, limits, run.report());
-  require_simple_outline(charted.face);
+  try {
+    charted.face = chart::make_chart(space_face, limits, run.report());
+    require_simple_outline(charted.face);
+  } catch (const ComputeError& e) {
+    throw ComputeError(fmt::format("{}{}: {}", name, options.face.empty() ? "" : ": face " + options.face, e.what()));
+  }
   if (const double closedness = charted.face.chart->closedness; closedness > options.closedness)
     run.report().warn(
         warning::closedness_missed,

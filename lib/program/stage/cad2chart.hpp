@@ -6,6 +6,7 @@
 #include "base/options.hpp"
 #include "base/run.hpp"
 #include "model/charted_face.hpp"
+#include "model/space_face.hpp"
 #include "stage/stage_input.hpp"
 
 namespace quadrille::stage {
@@ -23,5 +24,8 @@ void declare(Options& options, Cad2chartOptions& cad2chart);
 /// `cad`: the bytes of a STEP, IGES or BREP file. Throws FormatError for a file or a face that cannot be read,
 /// ComputeError for a face that has no chart in the limits of the options.
 ChartedFace cad2chart(const Input<std::string>& cad, const Cad2chartOptions& options, Run& run);
+
+/// The same of a face that was read from `cad`.
+ChartedFace cad2chart(const SpaceFace& face, const Input<std::string>& cad, const Cad2chartOptions& options, Run& run);
 
 }  // namespace quadrille::stage

@@ -215,13 +215,16 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
 
 namespace {
 
-LoadedShape face_of_cad(const Input<std::string>& cad, const Cad2triOptions& options, double blunt_width, Run& run) {
+cad::LoadOptions load_options(const Cad2triOptions& options) {
+  return {radians(options.corner_angle), options.heal_tolerance, options.face, parsed(options).blunt_width,
+          options.fit_tolerance};
+}
+
+LoadedShape face_of_cad(const Cad2triInput& input, const Cad2triOptions& options, Run& run) {
+  const Input<std::string>& cad = input.cad;
   const std::string &name = cad.file.name, &bytes = cad.model;
   run.begin_phase("load");
-  LoadedShape shape{cad::load_face_guarded(bytes, name,
-                                           {radians(options.corner_angle), options.heal_tolerance, options.face,
-                                            blunt_width, options.fit_tolerance},
-                                           run.report()),
+  LoadedShape shape{input.face ? *input.face : cad::load_face_guarded(bytes, name, load_options(options), run.report()),
                     {cad.file.digest(cad::format_stem(cad::cad_format(bytes, name)))}};
   run.end_phase();
   return shape;
@@ -248,13 +251,21 @@ LoadedShape face_of_chart(const Input<ChartedFace>& chart, const Cad2triOptions&
 
 }  // namespace
 
+cad::AnyFace read_any_face(const Input<std::string>& cad, const Cad2triOptions& options, Run& run) {
+  require_intervals(options);
+  options.validate();
+  run.begin_phase("load");
+  cad::AnyFace face = cad::load_any_face_guarded(cad.model, cad.file.name, load_options(options), run.report());
+  run.end_phase();
+  return face;
+}
+
 LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options, Run& run) {
   require_intervals(options);
   options.validate();
   const Wishes wishes = parsed(options);
   const double corner_angle = radians(options.corner_angle);
-  LoadedShape shape =
-      input.chart ? face_of_chart(*input.chart, options) : face_of_cad(input.cad, options, wishes.blunt_width, run);
+  LoadedShape shape = input.chart ? face_of_chart(*input.chart, options) : face_of_cad(input, options, run);
   if (input.names) shape.inputs.push_back(input.names->file.digest("boundary-names"));
   const std::vector<int> named_regions = cad::rename_regions(shape.face, wishes.region_names);
   if (!options.keep_joints) cad::merge_regions(shape.face, named_regions, corner_angle);

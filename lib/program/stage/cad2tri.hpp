@@ -44,7 +44,11 @@ struct Cad2triInput {
   Input<std::string> cad;
   std::optional<Input<std::vector<NameRule>>> names;  ///< those of Cad2triOptions::curve_names override them
   std::optional<Input<ChartedFace>> chart = {};       ///< in place of `cad`: what the file holds, x.chart.h5
+  std::optional<cad::LoadedFace> face = {};           ///< what read_any_face has read of `cad`
 };
+
+/// Reads the chosen face of a CAD file, whether it is planar, for load_shape, or curved, for stage/cad2chart.
+cad::AnyFace read_any_face(const Input<std::string>& cad, const Cad2triOptions& options, Run& run);
 
 /// A face that was read, what healing changed, and the digests of its files.
 struct LoadedShape : cad::LoadedFace {

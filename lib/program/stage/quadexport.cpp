@@ -168,8 +168,14 @@ void require_order(const std::string& format, int order) {
         fmt::format("--order {}: the format {} supports quads up to order {}", order, format, row->max_order));
 }
 
-void require_quadexport_of(const CadFace& face, const QuadexportOptions& options) {
+void require_format_in_space(const std::string& format) {
+  const exports::ExportFormat* row = exports::find_export_format(format);
+  if (row != nullptr && !row->holds_space) throw UsageError(exports::planar_format_text(*row));
+}
+
+void require_quadexport_of(const CadFace& face, const std::string& output, const QuadexportOptions& options) {
   require_intervals(options);
+  if (face.chart) require_format_in_space(format_of(output, options));
   length_scale(face, options.length);
   exports::require_boundaries(face.curve_names, parsed(options).patch_types);
 }

@@ -36,8 +36,13 @@ bool has_straight_sides(const std::string& format);
 /// Throws UsageError if the format `name` does not support quads of this order, before there is a mesh.
 void require_order(const std::string& format, int order);
 
-/// Throws UsageError for a unit or names of boundaries that do not fit the face, before there is a mesh.
-void require_quadexport_of(const CadFace& face, const QuadexportOptions& options);
+/// Throws UsageError if the format `name` supports meshes of the plane only, for a curved face, before there is a
+/// chart.
+void require_format_in_space(const std::string& format);
+
+/// Throws UsageError for a unit or names of boundaries that do not fit the face, and a format of `output` that does not
+/// support it, before there is a mesh.
+void require_quadexport_of(const CadFace& face, const std::string& output, const QuadexportOptions& options);
 
 struct OutputFile {
   std::string path, bytes;

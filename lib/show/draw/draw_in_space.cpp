@@ -13,6 +13,7 @@
 #include "draw/embedded.hpp"
 #include "draw/figures.hpp"
 #include "draw/marks.hpp"
+#include "model/length_scale.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -132,8 +133,12 @@ SpaceView space_view(const QuadMesh& mesh, const ViewDirection& view) {
   Vec3 towards = view.value_or(Vec3{});
   if (!view) {
     Vec3 normal;
-    for (int e = 0; e < mesh.num_elems(); ++e) normal += corner_normal(mesh, e);
-    const double rounding = 1e-9 * norm(normal);
+    double area = 0;
+    for (int e = 0; e < mesh.num_elems(); ++e) {
+      normal += corner_normal(mesh, e);
+      area += norm(corner_normal(mesh, e));
+    }
+    const double rounding = 1e-6 * area;  // those of a tube cancel each other
     const auto sign = [&](double x) { return x < -rounding ? -1.0 : 1.0; };
     towards = {sign(normal.x), sign(normal.y), sign(normal.z)};
   }
@@ -155,7 +160,7 @@ std::string draw_in_space(const QuadMesh& mesh, const SpaceView& view, const Dra
                   counted(mesh.num_elems(), "quad"), mesh.order, counted(num_blocks(mesh), "block"), t.x, t.y, t.z));
   SpacePicture(mesh, view, picture).draw();
   picture.legend_bar(palette(Paper::light).quality, "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
-  legend_scale(picture, mesh.face);
+  picture.legend_scale(unit_symbol(mesh.face));
   return picture.str();
 }
 

@@ -180,7 +180,7 @@ void legend_scale(Picture& picture, const CadFace& face) {
   };
   if (has_interface) add("interface", "interface of two regions");
   if (has_slit) add("slit", "slit");
-  picture.legend_scale(unit_symbol(face));
+  picture.legend_scale(unit_symbol(face) + (face.chart ? " in the chart" : ""));
 }
 
 std::string square_mark(const std::string& fill) {

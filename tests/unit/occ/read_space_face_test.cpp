@@ -142,7 +142,7 @@ TEST(ReadSpaceFace, faces_of_a_solid_have_their_normal_outside) {
 }
 
 TEST(ReadSpaceFace, closed_faces_are_refused) {
-  expect_contains(message_of<FormatError>([] { read("sphere.step"); }), "sphere.step: the face is closed");
+  expect_contains(message_of<FormatError>([] { read("sphere.step"); }), "sphere.step: face 0: the face is closed");
 }
 
 TEST(ReadFace, a_curved_face_is_named_with_what_to_do) {
@@ -168,6 +168,21 @@ TEST(Answer, is_the_kind_of_the_face_or_the_face_in_space) {
   const SpaceFace face = cad::space_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
   expect_valid(face);
   EXPECT_EQ(cad::to_bytes(face, report), answer_request(step_format(), cad::to_bytes(request)));
+}
+
+TEST(Answer, is_a_face_in_the_plane_or_in_space_of_one_reading) {
+  cad::CadRequest request;
+  request.task = cad::CadTask::load_any;
+  request.bytes = test_bytes("curved/half_cylinder.step");
+  request.options.face = "0";
+  Report report;
+  const cad::AnyFace curved = cad::any_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
+  ASSERT_TRUE(std::holds_alternative<SpaceFace>(curved));
+  expect_valid(std::get<SpaceFace>(curved));
+  request.options.face = "1";
+  const cad::AnyFace planar = cad::any_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
+  ASSERT_TRUE(std::holds_alternative<cad::LoadedFace>(planar));
+  EXPECT_EQ(std::get<cad::LoadedFace>(planar).face.num_curves(), 3);
 }
 
 }  // namespace

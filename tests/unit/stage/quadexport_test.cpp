@@ -47,12 +47,12 @@ TEST(Quadexport, TheFaceAloneTellsWhichOptionsDoNotFit) {
   CadFace face = samples::face();
   QuadexportOptions options;
   options.length.unit = "m";
-  EXPECT_NO_THROW(require_quadexport_of(face, options));
+  EXPECT_NO_THROW(require_quadexport_of(face, "-", options));
   face.metres_per_unit = 0;
-  EXPECT_THROW(require_quadexport_of(face, options), UsageError);
+  EXPECT_THROW(require_quadexport_of(face, "-", options), UsageError);
   options = {};
   options.patch_types = {"hole=wall"};
-  EXPECT_THROW(require_quadexport_of(face, options), UsageError);
+  EXPECT_THROW(require_quadexport_of(face, "-", options), UsageError);
 }
 
 TEST(Quadexport, TheFilesAreThoseOfTheFormatTheMainOneLast) {
