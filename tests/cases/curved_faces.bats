@@ -162,3 +162,13 @@ setup() {
   run -2 quadrefine "$stem.blocks.h5" --straight-sides -o no.quad.h5
   assert_output --partial "--straight-sides: this face is curved"
 }
+
+@test "heights of layers are lengths in space where the scale varies along the wall" {
+  # The axis is a great circle, along which lengths in space are 1.2 to 2 times those of the chart: the distance of a
+  # point from it is asin y.
+  quadrefine "$stem.blocks.h5" --wall axis:first=0.01,layers=3 --order 4 -o wall.quad.h5
+  quadexport wall.quad.h5 --format msh22 -o wall.msh22
+  run -0 awk '/^\$Nodes/ { on = 1 } /^\$End/ { on = 0 }
+    on && NF == 4 && $3 > .009 && $3 < .0115 { n++; h = atan2($3, sqrt(1 - $3^2)); if (h < .00999 || h > .01001) exit 1 }
+    END { exit n < 20 }' wall.msh22
+}
