@@ -39,6 +39,13 @@ setup() {
   cmp cap.msh stages.msh
 }
 
+@test "quadmesh takes sizes and layers of a curved face" {
+  quadmesh -q "$CAP" --wall axis:first=0.01,layers=3 --size 0.2 -o walls.msh --report walls.json
+  grep -q '"valid": true' walls.json
+  run -2 quadmesh -q "$CAP" --wall axis:first=0.01,layers=3,blocks=own -o no.msh
+  assert_output --partial "leave blocks=own out of --wall"
+}
+
 @test "nodes of the mesh are on the unit sphere, in every format with coordinates in space" {
   for format in msh msh22 mfem nektar vtu vtu-bezier; do
     quadexport "$stem.quad.h5" --format $format -o cap.$format

@@ -51,6 +51,7 @@ std::vector<Vec2> keep_points_of(const CadFace& face, const mesh::ChartMap& map,
 }  // namespace
 
 SizeSources sizes_on_face(SizeSources sources, const CadFace& face, const std::string& where) {
+  if (sources.points.empty() && sources.boxes.empty()) return sources;
   const bool is_curved = face.chart != nullptr;
   if (is_curved || !sources.is_table) require_coordinates(sources.is_in_space, is_curved, where);
   std::vector<Vec2> positions;

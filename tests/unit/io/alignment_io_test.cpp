@@ -72,7 +72,7 @@ TEST(AlignmentIo, AMetricInSpaceHasSixComponents) {
   const GivenMetric metric = read_metric({{"metric.csv", ""}, heading + "1,2,3,4,0.5,0.25,5,0.125,6\n"}, {1, 0});
   ASSERT_EQ(metric.in_space.size(), 1u);
   EXPECT_EQ(metric.in_space[0].position, (Vec3{1, 2, 3}));
-  EXPECT_EQ(metric.in_space[0].tensor, (std::array{4, 0.5, 0.25, 5, 0.125, 6}));
+  EXPECT_EQ(metric.in_space[0].tensor, (std::array<double, 6>{4, 0.5, 0.25, 5, 0.125, 6}));
   EXPECT_EQ(metric.in_space[0].product({1, 0, 0}, {0, 0, 1}), 0.25);
   EXPECT_EQ(metric.in_plane[0].position, (Vec2{0, 2})) << "for a planar face";
   EXPECT_EQ(read(heading + "1,2,3,4,0.5,0.25,5,0.125,6\n").metric_in_space.size(), 1u);

@@ -38,6 +38,7 @@ TEST(GivenPositions, OnACurvedFaceTheyStayInSpace) {
   const CadFace face = samples::sphere_face();
   EXPECT_EQ(sizes_on_face(point({1, 2, 3}, true), face, "").points[0].position, (Vec3{1, 2, 3}));
   expect_contains(refusal(point({1, 2}, false), face), "--size-field: this face is curved");
+  EXPECT_NO_THROW(sizes_on_face({}, face, "")) << "no size field";
 }
 
 TEST(GivenPositions, TheColumnZOfATableHasNoEffectOnAPlanarFace) {
