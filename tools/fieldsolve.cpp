@@ -46,7 +46,7 @@ class OptionalInputs {
   std::optional<io::InputFile> orders_file_, nodes_file_, align_file_;
   OrderMap orders_;
   CriticalPoints nodes_;
-  AlignmentRequest alignment_;
+  GivenAlignment alignment_;
 };
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
 #include "stage/fieldsolve.hpp"
-#include "triangulate/size_triangles.hpp"
 
 using namespace quadrille;
 
@@ -25,7 +24,7 @@ class OptionalInputs {
       if (!path.empty()) file = io::read_input(path);
       return file.has_value();
     };
-    if (read(options.size_field_file, sizes_file_)) io::read_size_field(*sizes_file_, {});
+    if (read(options.size_field_file, sizes_file_)) sizes_ = io::read_size_field(*sizes_file_);
     if (read(options.metric_file, metric_file_)) io::read_metric(*metric_file_, {});
     if (read(options.align_file, align_file_)) io::read_alignment(*align_file_, {}, 1);
   }
@@ -34,11 +33,7 @@ class OptionalInputs {
   stage::QuadrefineInput with(const stage::Input<BlockLayout>& layout) {
     const CadFace& face = layout.model.face;
     stage::QuadrefineInput input{layout};
-    if (sizes_file_) {
-      sizes_ = io::read_size_field(*sizes_file_, face.origin);
-      if (sizes_.is_table) triangulate::add_size_triangles(sizes_);
-      input.sizes.emplace(sizes_, *sizes_file_);
-    }
+    if (sizes_file_) input.sizes.emplace(sizes_, *sizes_file_);
     if (metric_file_) {
       metric_ = io::read_metric(*metric_file_, face.origin);
       input.metric.emplace(metric_, *metric_file_);
@@ -53,8 +48,8 @@ class OptionalInputs {
  private:
   std::optional<io::InputFile> sizes_file_, metric_file_, align_file_;
   SizeSources sizes_;
-  std::vector<MetricSample> metric_;
-  AlignmentRequest alignment_;
+  GivenMetric metric_;
+  GivenAlignment alignment_;
 };
 
 }  // namespace

@@ -54,6 +54,13 @@ PYTHON
   cmp cap.msh stages.msh
 }
 
+@test "quadmesh takes sizes and layers of a curved face" {
+  quadmesh -q "$CAP" --wall axis:first=0.01,layers=3 --size 0.2 -o walls.msh --report walls.json
+  grep -q '"valid": true' walls.json
+  run -2 quadmesh -q "$CAP" --wall axis:first=0.01,layers=3,blocks=own -o no.msh
+  assert_output --partial "leave blocks=own out of --wall"
+}
+
 @test "nodes of the mesh are on the unit sphere, in every format with coordinates in space" {
   for format in msh msh22 mfem nektar vtu vtu-bezier; do
     quadexport "$stem.quad.h5" --format $format -o cap.$format
@@ -102,6 +109,7 @@ PYTHON
     run -2 cad2tri "$CAP" $option -o no.tri.h5
     assert_output --partial "is not for charts"
   done
+  assert_output --partial "cad2chart reports what it moves"
 }
 
 @test "sizes are lengths in space" {
@@ -137,13 +145,78 @@ PYTHON
   done
 }
 
-@test "places of a plane are refused on a curved face" {
-  printf 'x,y,h1,h2,angle\n0,0,.1,.2,0\n1,0,.1,.2,0\n0,1,.1,.2,0\n' >metric.csv
+@test "positions in space name curves, regions and blocks; those of a plane are refused" {
+  # The arc's ends are (+-0.976, 0, 0.22) on the sphere, its middle (0, 0.976, 0.22).
+  cad2tri "$CAP" --name top@0.7,0.7,0.22 --name flat@0,0.01,1.01 -o named.tri.h5
+  run -0 h5dump -d /face/curve_names named.tri.h5
+  assert_output --regexp '"flat", "top[\\0"]*, "rim'
+  printf '[{"near": [0.7, 0.7, 0.22], "name": "top"}]' >names.json
+  cad2tri "$CAP" --boundary-names names.json -o same.tri.h5
+  run -0 h5dump -d /face/curve_names same.tri.h5
+  assert_output --regexp '"axis", "top[\\0"]*, "rim'
+  run -3 cad2tri "$CAP" --name top@0.5,0.6 -o no.tri.h5
+  assert_output --partial "--name top@0.5,0.6: (0.5, 0.6) has two coordinates, and this face is curved"
+  run -3 cad2tri "$CAP" --name top@9,9,9 -o no.tri.h5
+  assert_output --partial "away from the boundary"
+  cad2tri "$CAP" --region-name shell@0,0.6,0.8 -o shell.tri.h5
+  run -3 cad2tri "$CAP" --region-name shell@0,0.6,0.9 -o no.tri.h5
+  assert_output --partial "off the face"
+  printf '[{"at": [0.1, 0.1], "name": "first"}]' >blocks.json
+  run -3 blocksplit "$stem.sep.json" --block-names blocks.json -o no.blocks.h5
+  assert_output --partial "has two coordinates, and this face is curved"
+  run -2 cad2tri "$CAP" --name farfield=rim -o no.tri.h5
+  assert_output --partial "outer flow in the plane"
+}
+
+@test "sizes at points, in boxes and in tables are those at positions in space" {
+  quadrefine "$stem.blocks.h5" --size 0.2 -o coarse.quad.h5 --report coarse.json
+  printf '{"format": "size-field", "version": [1, 1], "points": [{"position": [0, 0.6, 0.8], "size": 0.03}]}' >point.json
+  quadrefine "$stem.blocks.h5" --size 0.2 --size-field point.json -o point.quad.h5 --report point.json.report
+  # The element that contains the point is nearly as small as prescribed.
+  quadexport point.quad.h5 --format msh22 -o point.msh22
+  run -0 awk '/^\$Nodes/ { on = 1 } /^\$End/ { on = 0 } on && NF == 4 && ($2^2 + ($3 - .6)^2 + ($4 - .8)^2 < .03^2) { n++ } END { exit n < 9 }' point.msh22
+  (( $(jq .quads point.json.report) > 2 * $(jq .quads coarse.json) ))
+  # A table of the same sizes everywhere is --size.
+  { echo x,y,z,size; for x in -.9 -.5 0 .5 .9; do for y in .05 .3 .6 .9; do
+    awk -v x=$x -v y=$y 'BEGIN { r = x * x + y * y; if (r < 1) print x "," y "," sqrt(1 - r) ",0.1" }'; done; done; } >table.csv
+  quadrefine "$stem.blocks.h5" --size-field table.csv -o table.quad.h5 --report table.json
+  quadrefine "$stem.blocks.h5" --size 0.1 -o constant.quad.h5 --report constant.json
+  assert_equal "$(jq .quads table.json)" "$(jq .quads constant.json)"
   printf 'x,y,size\n0,0,.1\n1,0,.1\n0,1,.1\n' >sizes.csv
-  run -2 quadrefine "$stem.blocks.h5" --metric metric.csv -o no.quad.h5
-  assert_output --partial "this face is curved"
   run -2 quadrefine "$stem.blocks.h5" --size-field sizes.csv -o no.quad.h5
-  assert_output --partial "this face is curved"
-  run -2 fieldsolve "$stem.tri.h5" --align metric.csv -o no.field.h5
-  assert_output --partial "this face is curved"
+  assert_output --partial "--size-field: this face is curved: positions on it are those in space"
+}
+
+@test "a metric in space has lengths by direction; one of a plane is refused" {
+  # Edges of 0.05 along the z axis, of 0.2 across.
+  { echo x,y,z,m11,m12,m13,m22,m23,m33; for x in -.9 -.5 0 .5 .9; do for y in .05 .3 .6 .9; do
+    awk -v x=$x -v y=$y 'BEGIN { r = x * x + y * y; if (r < 1) print x "," y "," sqrt(1 - r) ",25,0,0,25,0,400" }'
+  done; done; } >metric.csv
+  quadrefine "$stem.blocks.h5" --metric metric.csv -o metric.quad.h5
+  stagecheck metric.quad.h5
+  fieldsolve "$stem.tri.h5" --align metric.csv -o aligned.field.h5 --report aligned.json
+  (( $(jq '.["align.rms_degrees"] < 45' aligned.json | grep -c true) == 1 ))
+  printf 'x,y,h1,h2,angle\n0,0,.1,.2,0\n1,0,.1,.2,0\n0,1,.1,.2,0\n' >plane.csv
+  run -2 quadrefine "$stem.blocks.h5" --metric plane.csv -o no.quad.h5
+  assert_output --partial "--metric: this face is curved: a metric on it has the columns x, y, z, m11"
+  run -2 fieldsolve "$stem.tri.h5" --align plane.csv -o no.field.h5
+  assert_output --partial "--align: this face is curved"
+  printf '{"format": "alignment", "version": [1, 0], "points": [{"position": [0, 0], "angle": 0}]}' >angle.json
+  run -2 fieldsolve "$stem.tri.h5" --align angle.json -o no.field.h5
+  assert_output --partial "have positions and angles in a plane"
+}
+
+@test "sides of elements on a surface are not straight" {
+  run -2 quadrefine "$stem.blocks.h5" --straight-sides -o no.quad.h5
+  assert_output --partial "--straight-sides: this face is curved"
+}
+
+@test "heights of layers are lengths in space where the scale varies along the wall" {
+  # The axis is a great circle, along which lengths in space are 1.2 to 2 times those of the chart: the distance of a
+  # point from it is asin y.
+  quadrefine "$stem.blocks.h5" --wall axis:first=0.01,layers=3 --order 4 -o wall.quad.h5
+  quadexport wall.quad.h5 --format msh22 -o wall.msh22
+  run -0 awk '/^\$Nodes/ { on = 1 } /^\$End/ { on = 0 }
+    on && NF == 4 && $3 > .009 && $3 < .0115 { n++; h = atan2($3, sqrt(1 - $3^2)); if (h < .00999 || h > .01001) exit 1 }
+    END { exit n < 20 }' wall.msh22
 }

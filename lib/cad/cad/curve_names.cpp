@@ -15,7 +15,7 @@
 #include "base/name_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/named_places.hpp"
-#include "curve/project.hpp"
+#include "surface/space_extent.hpp"
 
 namespace quadrille::cad {
 
@@ -55,19 +55,18 @@ std::string known_curves(const CadFace& face, const std::string& text = {}) {
 }
 
 std::vector<int> nearest_curve(const CadFace& face, const NameRule& rule) {
-  const Vec2 x = curve::face_position(face, rule.position, rule.where);
+  const std::vector<double> distances = curve::curve_distances(face, rule.position, rule.where);
   const std::string text = fmt::format("({:.6g})", fmt::join(rule.position, ", "));
-  std::vector<double> distances;
-  for (const Nurbs& curve : face.curves) distances.push_back(curve::project(curve, x).distance);
+  const double diameter = face.chart ? surface::diameter(*face.chart) : face.diameter;
   const double least = *std::min_element(distances.begin(), distances.end());
-  if (!(least <= rule.max_distance * face.diameter))
+  if (!(least <= rule.max_distance * diameter))
     throw FormatError(fmt::format("{}: {} lies {:.3g} away from the boundary, whose diameter is {:.3g}{}", rule.where,
-                                  text, least, face.diameter,
+                                  text, least, diameter,
                                   rule.max_distance < 1 ? fmt::format(" (at most {} of it)", rule.max_distance) : ""));
   std::vector<std::string> equals;
   std::vector<int> curves;
   for (int c = 0; c < face.num_curves(); ++c)
-    if (distances[c] <= least + 1e-6 * face.diameter && !(face.is_interface(c) && face.partners[c] < c)) {
+    if (distances[c] <= least + 1e-6 * diameter && !(face.is_interface(c) && face.partners[c] < c)) {
       curves.push_back(c);
       equals.push_back(fmt::format("{} \"{}\"", c, face.curve_names[c]));
     }

@@ -12,8 +12,8 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
-#include "curve/named_places.hpp"
 #include "curve/project.hpp"
+#include "mesh/given_position.hpp"
 #include "outline/extent.hpp"
 #include "outline/face_of_loops.hpp"
 #include "outline/outline_checks.hpp"
@@ -43,7 +43,7 @@ int winding_number(const CadFace& face, int loop, Vec2 x) {
 }
 
 std::vector<int> region_around(const CadFace& face, const NameRule& rule) {
-  const Vec2 x = curve::face_position(face, rule.position, rule.where);
+  const Vec2 x = mesh::given_position(face, rule.position, rule.where);
   const std::string text = fmt::format("({:.6g})", fmt::join(rule.position, ", "));
   for (const Nurbs& curve : face.curves)
     if (curve::project(curve, x).distance <= on_boundary * face.diameter)

@@ -10,7 +10,9 @@
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "curve/project.hpp"
 #include "model/interfaces.hpp"
+#include "surface/space_extent.hpp"
 
 namespace quadrille::curve {
 
@@ -31,6 +33,28 @@ Vec2 face_position(const CadFace& face, const std::vector<double>& coordinates, 
     throw FormatError(fmt::format("{}: ({:.6g}, {:.6g}, {:.6g}) lies {:.3g} off the plane of the face", where,
                                   coordinates[0], coordinates[1], coordinates[2], std::sqrt(height2)));
   return x - face.origin;
+}
+
+Vec3 space_position(const std::vector<double>& coordinates, const std::string& where) {
+  if (coordinates.size() != 3)
+    throw FormatError(
+        fmt::format("{}: ({:.6g}) has two coordinates, and this face is curved: positions on it are those in space, "
+                    "with x, y and z in the coordinates of the CAD file",
+                    where, fmt::join(coordinates, ", ")));
+  return {coordinates[0], coordinates[1], coordinates[2]};
+}
+
+std::vector<double> curve_distances(const CadFace& face, const std::vector<double>& coordinates,
+                                    const std::string& where) {
+  std::vector<double> distances;
+  if (face.chart) {
+    const Vec3 x = space_position(coordinates, where);
+    for (const SpaceCurve& curve : face.chart->space_curves) distances.push_back(surface::project(curve, x).distance);
+  } else {
+    const Vec2 x = face_position(face, coordinates, where);
+    for (const Nurbs& curve : face.curves) distances.push_back(project(curve, x).distance);
+  }
+  return distances;
 }
 
 namespace {

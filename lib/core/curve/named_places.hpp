@@ -8,10 +8,19 @@
 
 namespace quadrille::curve {
 
-/// `coordinates`: x, y of the plane, with face.origin, or x, y, z of the CAD model's space. The result is relative to
-/// face.origin, as all positions are. Throws FormatError, with a message that begins with `where`, if a position in
-/// space lies more than a thousandth of the diameter off the plane.
+/// Of a planar face. `coordinates`: x, y of the plane, with face.origin, or x, y, z of the CAD model's space. The
+/// result is relative to face.origin, as all positions are. Throws FormatError, with a message that begins with
+/// `where`, if a position in space lies more than a thousandth of the diameter off the plane.
 Vec2 face_position(const CadFace& face, const std::vector<double>& coordinates, const std::string& where);
+
+/// The distance of each curve from a position with the same coordinates; of a curved face in space, where it must have
+/// three. Throws FormatError, with a message that begins with `where`.
+std::vector<double> curve_distances(const CadFace& face, const std::vector<double>& coordinates,
+                                    const std::string& where);
+
+/// The position in space of three coordinates on a curved face. Throws FormatError, with a message that begins with
+/// `where`, if there are two.
+Vec3 space_position(const std::vector<double>& coordinates, const std::string& where);
 
 /// The curves named `name` or, if no curve has that name, the curve of that number: of an interface the curves of both
 /// regions, with "NAME@REGION" those of this region alone. Throws UsageError, which lists the

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
+#include "surface/nurbs_surface.hpp"
 
 namespace quadrille::curve {
 
@@ -133,6 +136,11 @@ class Mirror {
     for (int r = 0; r < half_.num_regions(); ++r) add_region(r);
     set_partners();
     whole.diameter = diameter();
+    if (half_.chart) {  // in space, images are the curves themselves, reversed: their lengths are the same
+      Chart chart = *half_.chart;
+      chart.space_curves = std::move(space_curves_);
+      whole.chart = std::make_shared<const Chart>(std::move(chart));
+    }
     return std::move(result_);
   }
 
@@ -204,6 +212,7 @@ class Mirror {
       joint.tangent_in = turned_back(reflected(joint.tangent_out));
       open_at_line(joint);
     }
+    if (half_.chart) space_curves_.push_back(half_.chart->space_curves[c]);
     add(half_.curves[c], c, joint);
   }
 
@@ -220,6 +229,7 @@ class Mirror {
       joint.position = line_(joint.position);
       joint.tangent_in = turned_back(reflected(out));
     }
+    if (half_.chart) space_curves_.push_back(surface::reversed(half_.chart->space_curves[c]));
     add(image, c, joint);
   }
 
@@ -268,6 +278,7 @@ class Mirror {
   const CadFace& half_;
   const SymmetryLine& line_;
   std::vector<bool> is_on_line_;
+  std::vector<SpaceCurve> space_curves_;  ///< of the whole, if the face is curved
   MirroredFace result_;
 };
 

@@ -5,12 +5,15 @@
 #include <map>
 #include <numeric>
 
+#include "curve/nurbs.hpp"
 #include "surface/nurbs_surface.hpp"
+#include "surface/space_extent.hpp"
 
 namespace quadrille::mesh {
 namespace {
 
 constexpr double farthest_outside = 0.5;  ///< of a triangle, in barycentric coordinates: polynomials are useless beyond
+constexpr double farthest_radii = 4;      ///< of a triangle, from its centre: points so far outside are no nearer to it
 /// Diameters: a projection that moves a point farther is at a wrong place. Coarse elements may be as far away.
 constexpr double farthest_projection = 0.05;
 
@@ -79,7 +82,21 @@ ChartMap::ChartMap(const CadFace& face)
                              [&](std::size_t i) {
                                return Vec2{chart_.space_nodes[i].z, chart_.log_scale[i]};
                              })),
-      locator_(chart_triangles(face), maps_) {}
+      locator_(chart_triangles(face), maps_) {
+  for (int e = 0; e < chart_.num_elems(); ++e) balls_.push_back(ball_around(e));
+}
+
+ChartMap::Ball ChartMap::ball_around(int elem) const {
+  const int count = chart_.nodes_per_elem(), first = elem * count;
+  Ball ball;
+  for (int i = first; i < first + count; ++i)
+    ball.centre += chart_.nodes[i] / count, ball.space_centre += chart_.space_nodes[i] / count;
+  for (int i = first; i < first + count; ++i) {
+    ball.radius = std::max(ball.radius, distance(ball.centre, chart_.nodes[i]));
+    ball.space_radius = std::max(ball.space_radius, distance(ball.space_centre, chart_.space_nodes[i]));
+  }
+  return ball;
+}
 
 Location ChartMap::locate(Vec2 x) const {
   if (const Location at = locator_.find(x); at.elem >= 0) return at;
@@ -87,6 +104,7 @@ Location ChartMap::locate(Vec2 x) const {
   double least = HUGE_VAL;
   for (int e = 0; e < chart_.num_elems(); ++e) {
     Vec2 xi{-1.0 / 3, -1.0 / 3};
+    if (distance(x, balls_[e].centre) > farthest_radii * balls_[e].radius) continue;
     if (!maps_[e].invert(x, xi) || outside_reference(xi) > farthest_outside) continue;
     const Vec2* corners = &chart_.nodes[e * chart_.nodes_per_elem()];
     const double off =
@@ -138,30 +156,101 @@ double ChartMap::log_scale(Vec2 x) const {
   return space_z_scale_[at.elem].position(at.xi).y;
 }
 
-double ChartMap::log_scale(Vec2 x, Vec2& gradient) const {
+ChartMap::Sample ChartMap::sample(Vec2 x) const {
   const Location at = locate(x);
-  Vec2 position, z_scale;
-  Mat2 dx, dz_scale;
-  maps_[at.elem].evaluate(at.xi, position, dx);
-  space_z_scale_[at.elem].evaluate(at.xi, z_scale, dz_scale);
-  const Mat2 slopes = dz_scale * inverse(dx);
-  gradient = {slopes.yx, slopes.yy};
-  return z_scale.y;
+  const Vec2 xy = space_xy_[at.elem].position(at.xi), z_scale = space_z_scale_[at.elem].position(at.xi);
+  return {{xy.x, xy.y, z_scale.x}, z_scale.y};
 }
 
-std::optional<double> ChartMap::log_scale_inside(Vec2 x) const {
-  const Location at = locator_.find(x);
-  if (at.elem < 0) return std::nullopt;
-  return space_z_scale_[at.elem].position(at.xi).y;
+/// Derivatives by the reference coordinates.
+struct ChartMap::Tangents {
+  Vec3 position, first, second;
+  Vec2 log_scale;  ///< of lambda
+};
+
+ChartMap::Tangents ChartMap::tangents(Location at) const {
+  Vec2 position, z_scale;
+  Mat2 xy, z;
+  space_xy_[at.elem].evaluate(at.xi, position, xy);
+  space_z_scale_[at.elem].evaluate(at.xi, z_scale, z);
+  return {{position.x, position.y, z_scale.x}, {xy.xx, xy.yx, z.xx}, {xy.xy, xy.yy, z.xy}, {z.yx, z.yy}};
 }
 
 Vec3 ChartMap::normal(Vec2 x) const {
+  const Tangents at = tangents(locate(x));
+  return normalized(cross(at.first, at.second));
+}
+
+std::array<Vec3, 2> ChartMap::derivatives(Vec2 x) const {
   const Location at = locate(x);
-  Vec2 values;
-  Mat2 xy, z;
-  space_xy_[at.elem].evaluate(at.xi, values, xy);
-  space_z_scale_[at.elem].evaluate(at.xi, values, z);
-  return normalized(cross(Vec3{xy.xx, xy.yx, z.xx}, Vec3{xy.xy, xy.yy, z.xy}));
+  const Tangents in_space = tangents(at);
+  Vec2 position;
+  Mat2 in_chart;
+  maps_[at.elem].evaluate(at.xi, position, in_chart);
+  const Mat2 back = inverse(in_chart);
+  return {back.xx * in_space.first + back.yx * in_space.second, back.xy * in_space.first + back.yy * in_space.second};
+}
+
+double ChartMap::log_scale(Vec2 x, Vec2& gradient) const {
+  const Location at = locate(x);
+  const Vec2 slope = tangents(at).log_scale;
+  Vec2 position;
+  Mat2 in_chart;
+  maps_[at.elem].evaluate(at.xi, position, in_chart);
+  const Mat2 back = inverse(in_chart);
+  gradient = {back.xx * slope.x + back.yx * slope.y, back.xy * slope.x + back.yy * slope.y};
+  return space_z_scale_[at.elem].position(at.xi).y;
+}
+
+double ChartMap::greatest_gradient() const {
+  double greatest = 0;
+  for (int e = 0; e < chart_.num_elems(); ++e)
+    for (const Vec2 xi : spectral::tri_nodes(chart_.order)) {
+      const Tangents at = tangents({e, xi});
+      // |grad lambda|^2 by the metric J^T J.
+      const double g11 = norm2(at.first), g12 = dot(at.first, at.second), g22 = norm2(at.second);
+      const Vec2 d = at.log_scale;
+      const double square = (g22 * d.x * d.x - 2 * g12 * d.x * d.y + g11 * d.y * d.y) / (g11 * g22 - g12 * g12);
+      greatest = std::max(greatest, std::sqrt(std::max(0.0, square)));
+    }
+  return greatest;
+}
+
+/// The foot on one triangle's polynomial, by Gauss and Newton from its nearest node; none outside of it.
+std::optional<ChartMap::Foot> ChartMap::foot_on(int elem, Vec3 position) const {
+  constexpr int most_steps = 40;
+  constexpr double beside = 1e-6, converged = 1e-12;  // of the reference triangle
+  const Vec3* nodes = &chart_.space_nodes[elem * chart_.nodes_per_elem()];
+  const auto node = std::min_element(nodes, nodes + chart_.nodes_per_elem(),
+                                     [&](Vec3 a, Vec3 b) { return norm2(a - position) < norm2(b - position); });
+  Vec2 xi = spectral::tri_nodes(chart_.order)[node - nodes];
+  for (int step = 0; step < most_steps; ++step) {
+    const Tangents at = tangents({elem, xi});
+    const Vec3 r = position - at.position;
+    const double g11 = norm2(at.first), g12 = dot(at.first, at.second), g22 = norm2(at.second);
+    const Vec2 move = inverse(Mat2{g11, g12, g12, g22}) * Vec2{dot(r, at.first), dot(r, at.second)};
+    xi += move;
+    if (!(outside_reference(xi) <= farthest_outside)) return std::nullopt;
+    if (norm(move) > converged) continue;
+    if (outside_reference(xi) > beside) return std::nullopt;
+    return Foot{maps_[elem].position(xi), distance(position, on_polynomial({elem, xi}))};
+  }
+  return std::nullopt;
+}
+
+// It is inside, in a triangle, or on the boundary.
+ChartMap::Foot ChartMap::nearest(Vec3 position) const {
+  Foot best;
+  best.distance = HUGE_VAL;
+  for (int c = 0; c < std::ssize(chart_.space_curves); ++c) {
+    const surface::CurveProjection foot = surface::project(chart_.space_curves[c], position);
+    if (foot.distance < best.distance) best = {curve::point(face_.curves[c], foot.t), foot.distance};
+  }
+  for (int e = 0; e < chart_.num_elems(); ++e) {
+    if (distance(position, balls_[e].space_centre) - balls_[e].space_radius > best.distance) continue;
+    if (const auto foot = foot_on(e, position); foot && foot->distance < best.distance) best = *foot;
+  }
+  return best;
 }
 
 Vec3 ChartMap::boundary_point(int curve, double t) const { return surface::point(chart_.space_curves[curve], t); }

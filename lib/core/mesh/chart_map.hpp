@@ -5,6 +5,7 @@
 // surface, and is projected to it. So every lifted point is on the exact surface, and only its place along the surface
 // has the error of the chart.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -37,8 +38,22 @@ class ChartMap {
   double log_scale(Vec2 x) const;
   /// The same and its gradient in the chart.
   double log_scale(Vec2 x, Vec2& gradient) const;
-  /// The same; no value outside all triangles.
-  std::optional<double> log_scale_inside(Vec2 x) const;
+  /// A point of the polynomial, near the surface but not projected to it, with lambda.
+  struct Sample {
+    Vec3 position;
+    double log_scale = 0;
+  };
+  Sample sample(Vec2 x) const;
+  /// The derivatives of the position in space by the coordinates of the chart.
+  std::array<Vec3, 2> derivatives(Vec2 x) const;
+  /// The bound of the gradient of lambda in space, by the nodes of all triangles: 1 over a length in space.
+  double greatest_gradient() const;
+  /// The point of the chart whose point in space is the nearest one of the face, and how far that is.
+  struct Foot {
+    Vec2 x;
+    double distance = 0;
+  };
+  Foot nearest(Vec3 position) const;
   /// The unit normal of the surface, on the side from which the chart is seen counter-clockwise.
   Vec3 normal(Vec2 x) const;
   /// The exact point of the boundary at a parameter of curve i.
@@ -52,6 +67,18 @@ class ChartMap {
   /// The nearest point of the surface of the triangle.
   surface::SurfaceProjection projected(Vec3 position, Location at) const;
   bool is_near(const surface::SurfaceProjection& foot) const;
+  struct Tangents;
+  Tangents tangents(Location at) const;
+
+  /// Around a triangle, in the chart and in space.
+  struct Ball {
+    Vec2 centre;
+    double radius = 0;
+    Vec3 space_centre;
+    double space_radius = 0;
+  };
+  Ball ball_around(int elem) const;
+  std::optional<Foot> foot_on(int elem, Vec3 position) const;
 
   const CadFace& face_;
   const Chart& chart_;
@@ -59,6 +86,7 @@ class ChartMap {
   std::vector<spectral::TriMap> space_xy_;       ///< to x and y in space
   std::vector<spectral::TriMap> space_z_scale_;  ///< to z in space and lambda
   Locator locator_;
+  std::vector<Ball> balls_;
 };
 
 }  // namespace quadrille::mesh

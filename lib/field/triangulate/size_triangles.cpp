@@ -13,9 +13,9 @@ namespace {
 constexpr double frame_distance = 1e3;
 constexpr int frame_corners = 4;
 
-void insert_frame(const std::vector<SizePoint>& points, ConstrainedDelaunay& delaunay) {
-  curve::PoleBox box{points[0].position, points[0].position};
-  for (const SizePoint& point : points) box.extend({point.position, point.position});
+void insert_frame(const std::vector<Vec2>& points, ConstrainedDelaunay& delaunay) {
+  curve::PoleBox box{points[0], points[0]};
+  for (const Vec2 point : points) box.extend({point, point});
   const auto& [low, high] = box;
   const double reach = frame_distance * std::max({high.x - low.x, high.y - low.y, 1e-300});
   const std::array<Vec2, frame_corners> corners{Vec2{low.x - reach, low.y - reach},
@@ -28,13 +28,14 @@ void insert_frame(const std::vector<SizePoint>& points, ConstrainedDelaunay& del
 
 }  // namespace
 
-void add_size_triangles(SizeSources& sources) {
+void add_size_triangles(SizeSources& sources, const std::vector<Vec2>& positions) {
   if (sources.points.size() < 3) return;
   ConstrainedDelaunay delaunay;
-  insert_frame(sources.points, delaunay);
-  std::vector<const SizePoint*> vertices(frame_corners, nullptr);
-  for (const SizePoint& point : sources.points) {
-    const auto vertex = static_cast<std::size_t>(delaunay.insert(point.position));
+  insert_frame(positions, delaunay);
+  std::vector<const SizeBall*> vertices(frame_corners, nullptr);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const SizeBall& point = sources.points[i];
+    const auto vertex = static_cast<std::size_t>(delaunay.insert(positions[i]));
     if (vertex == vertices.size())
       vertices.push_back(&point);
     else if (point.size < vertices[vertex]->size)
@@ -44,7 +45,7 @@ void add_size_triangles(SizeSources& sources) {
     SizeTriangle found;
     bool is_inside = true;
     for (int k = 0; k < 3; ++k) {
-      const SizePoint* point = vertices[triangle.vertices[k]];
+      const SizeBall* point = vertices[triangle.vertices[k]];
       is_inside = is_inside && point;
       if (point) found.corners[k] = point->position, found.sizes[k] = point->size;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/angle.hpp"
@@ -83,25 +84,54 @@ MetricSample sample_of_tensor(double m11, double m12, double m22) {
   return {{}, 1 / std::sqrt(mean + radius), 1 / std::sqrt(mean - radius), std::atan2(2 * m12, m11 - m22) / 2};
 }
 
-std::vector<MetricSample> read_samples(const InputFile& file, Vec2 origin) {
+enum class Columns { lengths, tensor, tensor_in_space };
+
+Columns columns_of(const InputFile& file) {
   const std::vector<std::string> heading = table_heading(file);
-  const bool is_tensor = std::ranges::find(heading, "m11") != heading.end();
-  std::vector<std::vector<std::string>> columns{{"x", "points:0"}, {"y", "points:1"}};
-  for (const char* name : is_tensor ? std::array{"m11", "m12", "m22"} : std::array{"h1", "h2", "angle"})
-    columns.push_back({name});
-  std::vector<MetricSample> samples;
-  for (const TableRow& row : table_rows(file, columns)) {
+  const auto has = [&](const char* name) { return std::ranges::find(heading, name) != heading.end(); };
+  if (has("m33")) return Columns::tensor_in_space;
+  return has("m11") ? Columns::tensor : Columns::lengths;
+}
+
+std::vector<std::vector<std::string>> column_names(Columns columns) {
+  std::vector<std::vector<std::string>> names{{"x", "points:0"}, {"y", "points:1"}};
+  const bool are_lengths = columns == Columns::lengths;
+  for (const char* name : are_lengths ? std::array{"h1", "h2", "angle"} : std::array{"m11", "m12", "m22"})
+    names.push_back({name});
+  if (columns != Columns::tensor_in_space) return names;
+  names.push_back({"z", "points:2"});
+  for (const char* name : {"m13", "m23", "m33"}) names.push_back({name});
+  return names;
+}
+
+/// With the tensor in the plane positive definite.
+bool is_positive_definite(const SpaceMetricSample& sample) {
+  const auto& [m11, m12, m13, m22, m23, m33] = sample.tensor;
+  const double determinant =
+      m11 * (m22 * m33 - m23 * m23) - m12 * (m12 * m33 - m13 * m23) + m13 * (m12 * m23 - m13 * m22);
+  return determinant > 0 && std::isfinite(determinant);
+}
+
+GivenMetric read_samples(const InputFile& file, Vec2 origin) {
+  const Columns columns = columns_of(file);
+  GivenMetric metric;
+  for (const TableRow& row : table_rows(file, column_names(columns))) {
     const std::vector<double>& v = row.values;
-    MetricSample sample = is_tensor ? sample_of_tensor(v[2], v[3], v[4]) : MetricSample{{}, v[2], v[3], v[4] * degree};
-    const bool is_positive = sample.h1 > 0 && sample.h2 > 0 && std::isfinite(sample.h1) && std::isfinite(sample.h2);
+    MetricSample sample =
+        columns == Columns::lengths ? MetricSample{{}, v[2], v[3], v[4] * degree} : sample_of_tensor(v[2], v[3], v[4]);
+    bool is_positive = sample.h1 > 0 && sample.h2 > 0 && std::isfinite(sample.h1) && std::isfinite(sample.h2);
+    if (columns == Columns::tensor_in_space) {
+      metric.in_space.push_back({{v[0], v[1], v[5]}, {v[2], v[3], v[6], v[4], v[7], v[8]}});
+      is_positive = is_positive && is_positive_definite(metric.in_space.back());
+    }
     if (!is_positive)
-      throw FormatError(fmt::format(
-          "{}:{}: {} (ALN-R03)", file.name, row.line,
-          is_tensor ? "the tensor must be positive definite" : "the lengths h1 and h2 must be greater than 0"));
+      throw FormatError(fmt::format("{}:{}: {} (ALN-R03)", file.name, row.line,
+                                    columns == Columns::lengths ? "the lengths h1 and h2 must be greater than 0"
+                                                                : "the tensor must be positive definite"));
     sample.position = Vec2{v[0], v[1]} - origin;
-    samples.push_back(sample);
+    metric.in_plane.push_back(sample);
   }
-  return samples;
+  return metric;
 }
 
 void refuse_vtu(const InputFile& file) {
@@ -113,7 +143,7 @@ void refuse_vtu(const InputFile& file) {
 
 }  // namespace
 
-std::vector<MetricSample> read_metric(const InputFile& file, Vec2 origin) {
+GivenMetric read_metric(const InputFile& file, Vec2 origin) {
   refuse_vtu(file);
   if (!is_point_table(file))
     throw FormatError(
@@ -123,10 +153,11 @@ std::vector<MetricSample> read_metric(const InputFile& file, Vec2 origin) {
   return read_samples(file, origin);
 }
 
-AlignmentRequest read_alignment(const InputFile& file, Vec2 origin, double usual_width) {
-  AlignmentRequest request;
+GivenAlignment read_alignment(const InputFile& file, Vec2 origin, double usual_width) {
+  GivenAlignment request;
   if (is_point_table(file)) {
-    request.metric = read_samples(file, origin);
+    GivenMetric metric = read_samples(file, origin);
+    request.metric = std::move(metric.in_plane), request.metric_in_space = std::move(metric.in_space);
     return request;
   }
   refuse_vtu(file);

@@ -6,8 +6,8 @@
 
 namespace quadrille::io {
 
-/// Positions become relative to `origin` (of the face; the file's include it). Throws FormatError, with the position in
+/// Positions as in the file: with two coordinates (x, y, 0), or with three. Throws FormatError, with the position in
 /// the file, for anything that is no size field.
-SizeSources read_size_field(const InputFile& file, Vec2 origin);
+SizeSources read_size_field(const InputFile& file);
 
 }  // namespace quadrille::io

@@ -11,11 +11,11 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
-#include "curve/named_places.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "graph/candidate_layout.hpp"
 #include "mesh/chords.hpp"
+#include "mesh/given_position.hpp"
 #include "model/interfaces.hpp"
 #include "surface/positions.hpp"
 
@@ -95,7 +95,7 @@ std::vector<int> blocks_that_touch(const BlockLayout& layout, Vec2 x) {
 }
 
 int block_at(const BlockLayout& layout, const NameRule& rule) {
-  const Vec2 x = curve::face_position(layout.face, rule.position, rule.where);
+  const Vec2 x = mesh::given_position(layout.face, rule.position, rule.where);
   const std::string text = fmt::format("({:.6g})", fmt::join(rule.position, ", "));
   if (const std::vector<int> touching = blocks_that_touch(layout, x); !touching.empty())
     throw FormatError(fmt::format("{}: {} lies on a side of block {}, not inside a block", rule.where, text,

@@ -16,7 +16,6 @@
 #include "io/name_rules_io.hpp"
 #include "io/size_field_io.hpp"
 #include "io/whole_file.hpp"
-#include "triangulate/size_triangles.hpp"
 
 namespace quadrille::chain {
 
@@ -220,12 +219,10 @@ Names block_names(const ChainState& chain) {
   return {io::read_block_names(file), file};
 }
 
-PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face) {
+PrescribedSizes prescribed_sizes(const ChainState& chain) {
   if (chain.values.quadrefine.size_field_file.empty()) return {};
   const io::InputFile file = read_input(chain, chain.values.quadrefine.size_field_file);
-  PrescribedSizes sizes{io::read_size_field(file, face.origin), file};
-  if (sizes.content.is_table) triangulate::add_size_triangles(sizes.content);
-  return sizes;
+  return {io::read_size_field(file), file};
 }
 
 PrescribedMetric prescribed_metric(const ChainState& chain, const CadFace& face) {

@@ -27,15 +27,13 @@ struct Prescribed {
 
 using Names = Prescribed<std::vector<NameRule>>;
 using PrescribedSizes = Prescribed<SizeSources>;
-using PrescribedMetric = Prescribed<std::vector<MetricSample>>;
-using Directions = Prescribed<AlignmentRequest>;
+using PrescribedMetric = Prescribed<GivenMetric>;
+using Directions = Prescribed<GivenAlignment>;
 
 /// The files that the options name, "-" standard input. All throw FormatError.
 Names boundary_names(const ChainState& chain);
 Names block_names(const ChainState& chain);
-/// With positions relative to face.origin, those of a table joined by triangles.
-PrescribedSizes prescribed_sizes(const ChainState& chain, const CadFace& face);
-
+PrescribedSizes prescribed_sizes(const ChainState& chain);
 /// With positions relative to face.origin.
 PrescribedMetric prescribed_metric(const ChainState& chain, const CadFace& face);
 Directions directions_to_align_with(const ChainState& chain, const CadFace& face);

@@ -159,7 +159,7 @@ void check_inputs(const ChainState& chain) {
   if (is_file(values.cad2tri.names_file)) boundary_names(chain);
   if (is_file(values.fieldsolve.align_file)) io::read_alignment(io::read_input(values.fieldsolve.align_file), {}, 1);
   if (is_file(values.blocksplit.names_file)) block_names(chain);
-  if (is_file(values.quadrefine.size_field_file)) prescribed_sizes(chain, {});
+  if (is_file(values.quadrefine.size_field_file)) prescribed_sizes(chain);
   if (is_file(values.quadrefine.metric_file)) prescribed_metric(chain, {});
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
 }
@@ -248,9 +248,8 @@ void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
   const cli::Outcome outcome = cli::outcome_of([&] {
     if (stage == ChainStage::critpoints) stage::require_critpoints_of(face, chain.values.critpoints);
     if (stage == ChainStage::quadrefine) {
-      SizeSources sizes = prescribed_sizes(chain, face).content;
-      sizes.metric = prescribed_metric(chain, face).content;
-      stage::require_quadrefine_of(face, sizes, chain.values.quadrefine);
+      stage::require_quadrefine_of(face, prescribed_sizes(chain).content, prescribed_metric(chain, face).content,
+                                   chain.values.quadrefine);
     }
     if (stage == ChainStage::quadexport)
       stage::require_quadexport_of(face, output_of(chain.options), chain.values.quadexport);

@@ -35,7 +35,7 @@ bool refine_blocks(ChainState& chain) {
   const auto quads = [&](Run& run) {
     const stage::Input<BlockLayout> layout = blocks.input();
     const CadFace& face = layout.model.face;
-    const PrescribedSizes sizes = prescribed_sizes(chain, face);
+    const PrescribedSizes sizes = prescribed_sizes(chain);
     const PrescribedMetric metric = prescribed_metric(chain, face);
     const Directions directions = directions_to_align_with(chain, face);
     return stage::quadrefine({layout, sizes.input(), metric.input(), directions.input()}, chain.values.quadrefine, run);

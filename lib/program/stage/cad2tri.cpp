@@ -173,7 +173,8 @@ void declare_names(Options& o, Cad2triOptions& cad2tri) {
       "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
       "wild cards * and ? ('wall=edge_*'); * alone: all other curves of the outline and of holes, interface:* those "
       "between regions and inside one (boundary: and interface: also before other patterns); NAME@X,Y: the curve "
-      "nearest to this point, in file units, which must be within a tenth of the diameter; overrides "
+      "nearest to this point, in file units, which must be within a tenth of the diameter (on a curved face "
+      "NAME@X,Y,Z, in space); overrides "
       "--boundary-names; stageview --curve-labels draws the numbers");
   o.texts("--region-name", cad2tri.region_names, "NAME=LIST|NAME@X,Y",
           "name of regions, as --name of curves: LIST has their numbers, in the order of the faces in SHAPE, present "
@@ -232,15 +233,17 @@ LoadedShape face_of_cad(const Cad2triInput& input, const Cad2triOptions& options
 
 /// Its curves in space are those of the chart, one by one.
 LoadedShape face_of_chart(const Input<ChartedFace>& chart, const Cad2triOptions& options) {
-  const auto refuse = [](bool is_given, const char* option) {
+  const auto refuse = [](bool is_given, const char* option, const char* remedy) {
     if (is_given)
-      throw UsageError(
-          fmt::format("{} is not for charts: the curves of a curved face stay as cad2chart read them", option));
+      throw UsageError(fmt::format("{} is not for charts: the curves of a curved face stay as cad2chart read them; {}",
+                                   option, remedy));
   };
-  refuse(!options.face.empty(), "--face");
-  refuse(!options.offsets.empty(), "--offset");
-  refuse(!options.periodic.empty(), "--periodic");
-  refuse(!options.healed_file.empty(), "--write-healed");
+  refuse(!options.face.empty(), "--face", "give it to cad2chart, which reads the face");
+  refuse(!options.offsets.empty(), "--offset",
+         "leave blocks=own out of --wall: layers then lie in the blocks along the wall, at their heights in space");
+  refuse(!options.periodic.empty(), "--periodic",
+         "give both sides the same --count and --grading: their nodes then lie at the same lengths along them");
+  refuse(!options.healed_file.empty(), "--write-healed", "cad2chart reports what it moves");
   check::require_sound(chart.model, chart.file.name);
   LoadedShape shape;
   shape.face = chart.model.face;
@@ -271,6 +274,10 @@ LoadedShape load_shape(const Cad2triInput& input, const Cad2triOptions& options,
   if (!options.keep_joints) cad::merge_regions(shape.face, named_regions, corner_angle);
   cad::rename_curves(shape.face, input.names ? input.names->model : std::vector<NameRule>(), wishes.curve_names,
                      run.report());
+  if (shape.face.chart && has_far_field(shape.face))
+    throw UsageError(
+        "curves called farfield are the outline of an outer flow in the plane, and this face is curved: give them "
+        "another name, by --name outer=farfield");
   cad::pair_periodic_sides(shape.face, wishes.periodic);
   Report of_critpoints;  // which warns of curves that are bent
   const std::vector<std::string> symmetry = checked_symmetry(shape.face, options.symmetry, of_critpoints);

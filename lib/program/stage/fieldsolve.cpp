@@ -19,6 +19,7 @@
 #include "galerkin/solve_phase.hpp"
 #include "regions/region_work.hpp"
 #include "regions/split.hpp"
+#include "stage/given_positions.hpp"
 
 namespace quadrille::stage {
 
@@ -163,15 +164,16 @@ Field fieldsolve(const FieldsolveInput& input, const FieldsolveOptions& options,
   run.begin_phase("solve");
   galerkin::LaplaceOptions solving = options.solve;
   solving.num_threads = run.threads();
+  AlignmentRequest aligned;
   if (input.alignment) {
-    require_plane_for("--align", mesh.face);
-    solving.alignment = field::make_alignment(input.alignment->model, options.align_strength, mesh.face.diameter);
+    aligned = alignment_on_face(input.alignment->model, mesh.face, "--align");
+    solving.alignment = field::make_alignment(aligned, options.align_strength, mesh.face.diameter);
   }
   const std::vector<TriMesh> meshes = regions::split(mesh);
   std::vector<SolvedRegion> regions = solved(mesh, meshes, orders, input.nodes, solving, run.report());
   if (input.nodes)
     for (const SolvedRegion& region : regions) report_phase(region.field.phase, run);
-  if (input.alignment) report_alignment(regions, input.alignment->model, mesh.face.diameter, run);
+  if (input.alignment) report_alignment(regions, aligned, mesh.face.diameter, run);
   run.begin_phase("estimate");
   std::vector<Field> parts;
   for (SolvedRegion& region : regions) {

@@ -9,6 +9,7 @@
 #include "galerkin/solve_laplace.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
+#include "model/given_metric.hpp"
 #include "stage/stage_input.hpp"
 
 namespace quadrille::stage {
@@ -31,10 +32,10 @@ void declare(Options& options, FieldsolveOptions& fieldsolve);
 /// What the fields are made from.
 struct FieldsolveInput {
   Input<TriMesh> mesh;
-  std::optional<Input<OrderMap>> orders;                  ///< replaces FieldsolveOptions::order
-  std::string orders_format;                              ///< "order-map" or "field"
-  std::optional<Input<CriticalPoints>> nodes;             ///< then the field is the phase form that has exactly these
-  std::optional<Input<AlignmentRequest>> alignment = {};  ///< -Δv + mu v = f in place of Laplace's equation
+  std::optional<Input<OrderMap>> orders;                ///< replaces FieldsolveOptions::order
+  std::string orders_format;                            ///< "order-map" or "field"
+  std::optional<Input<CriticalPoints>> nodes;           ///< then the field is the phase form that has exactly these
+  std::optional<Input<GivenAlignment>> alignment = {};  ///< -Δv + mu v = f in place of Laplace's equation
 };
 
 /// The width of features in files that do not give one: D / 20.

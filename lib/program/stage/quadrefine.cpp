@@ -22,6 +22,7 @@
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/make_size_field.hpp"
+#include "stage/given_positions.hpp"
 #include "stage/symmetry_option.hpp"
 
 namespace quadrille::stage {
@@ -78,9 +79,11 @@ refine::PrescribedDirections directions_of(const QuadrefineInput& input, double 
   // Beyond twice that, the shape of elements would hardly count.
   constexpr double usual_weight = 20, greatest_weight = 40;
   if (!input.alignment && !input.metric) return {};
+  const CadFace& face = input.layout.model.face;
   const auto alignment = std::make_shared<const Alignment>(
-      input.alignment ? field::make_alignment(input.alignment->model, strength, input.layout.model.face.diameter)
-                      : Alignment{});
+      input.alignment
+          ? field::make_alignment(alignment_on_face(input.alignment->model, face, "--align"), strength, face.diameter)
+          : Alignment{});
   const auto term = std::make_shared<const field::AlignmentTerm>(*alignment);
   return [alignment, term, sizes](Vec2 x) {
     Vec2 sum = term->empty() ? Vec2{} : usual_weight * term->at(x).pull;
@@ -118,7 +121,8 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
   o.input_file(
       "--size-field", options.size_field_file, "FILE",
       "prescribed edge lengths: points and boxes (JSON), or a table of x, y and size between whose points they "
-      "are linear (CSV; quadrille.vtu_sizes in Python makes it of a VTU file) (formats/size-field.md)",
+      "are linear (CSV; quadrille.vtu_sizes in Python makes it of a VTU file); on a curved face positions have x, y "
+      "and z (formats/size-field.md)",
       false);
   o.input_file(
       "--metric", options.metric_file, "FILE",
@@ -246,13 +250,11 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   check::require_sound(layout, input.layout.file.name);
   std::vector<InputDigest> inputs{input.layout.file.digest("block-layout")};
   if (input.sizes) {
-    require_plane_for("--size-field", layout.face);
-    sizes.sources = input.sizes->model;
+    sizes.sources = sizes_on_face(input.sizes->model, layout.face, "--size-field");
     inputs.push_back(input.sizes->file.digest("size-field"));
   }
   if (input.metric) {
-    require_plane_for("--metric", layout.face);
-    sizes.sources.metric = input.metric->model;
+    sizes.sources.metric = metric_on_face(input.metric->model, layout.face, "--metric");
     inputs.push_back(input.metric->file.digest("metric"));
   }
   if (input.alignment) inputs.push_back(input.alignment->file.digest("alignment"));
@@ -260,6 +262,8 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   set_first_heights(options, layout.face, refine);
   sizes.scale = sizing::chart_scale(layout.face);
   const sizing::MeasuredLayout measured(layout);
+  if (options.has_straight_sides && layout.face.chart)
+    throw UsageError("--straight-sides: this face is curved, and so are its elements, whose sides follow the surface");
   if (options.has_straight_sides) sizes.sags = layers::wall_sags(measured, refine.walls, greatest_sag);
   sizes = sizing::with_curve_sizes(measured, sizes, refine.size_rule);
   set_sizes(sizes, layout.face, refine);
@@ -277,10 +281,12 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   return mesh;
 }
 
-void require_quadrefine_of(const CadFace& face, const SizeSources& sources, const QuadrefineOptions& options) {
+void require_quadrefine_of(const CadFace& face, const SizeSources& sources, const GivenMetric& metric,
+                           const QuadrefineOptions& options) {
   require_intervals(options);
   auto [refine, sizes] = parsed(options);
-  sizes.sources = sources;
+  sizes.sources = sizes_on_face(sources, face, "--size-field");
+  if (!metric.in_plane.empty()) sizes.sources.metric = metric_on_face(metric, face, "--metric");
   set_first_heights(options, face, refine);
   set_sizes(sizes, face, refine);
   layers::curve_walls(refine.walls, face);

@@ -8,8 +8,8 @@
 #include "base/options.hpp"
 #include "base/run.hpp"
 #include "layers/wall_spec.hpp"
-#include "model/alignment.hpp"
 #include "model/block_layout.hpp"
+#include "model/given_metric.hpp"
 #include "model/quad_mesh.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/make_size_field.hpp"
@@ -43,12 +43,12 @@ struct QuadrefineOptions {
 };
 void declare(Options& options, QuadrefineOptions& quadrefine);
 
-/// What the mesh is made from; positions are relative to face.origin.
+/// What the mesh is made from. Files as read: stage/given_positions.hpp puts their positions on the face.
 struct QuadrefineInput {
   Input<BlockLayout> layout;
-  std::optional<Input<SizeSources>> sizes = {};  ///< those of a table joined (triangulate/size_triangles.hpp)
-  std::optional<Input<std::vector<MetricSample>>> metric = {};
-  std::optional<Input<AlignmentRequest>> alignment = {};  ///< directions that sides of elements follow
+  std::optional<Input<SizeSources>> sizes = {};
+  std::optional<Input<GivenMetric>> metric = {};
+  std::optional<Input<GivenAlignment>> alignment = {};  ///< directions that sides of elements follow
 };
 
 /// The proved mesh (refine/refine.hpp). Throws FormatError if the layout breaks a rule of its format, UsageError for
@@ -57,7 +57,8 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
 
 /// Before there are blocks: throws UsageError if the face lacks what the options name, ComputeError if the mesh would
 /// have far too many elements.
-void require_quadrefine_of(const CadFace& face, const SizeSources& sources, const QuadrefineOptions& options);
+void require_quadrefine_of(const CadFace& face, const SizeSources& sources, const GivenMetric& metric,
+                           const QuadrefineOptions& options);
 
 /// "NAMES=T" for each wall that shall have blocks of its own: cad2tri --offset makes their curves. Throws UsageError.
 std::vector<std::string> offsets_of(const QuadrefineOptions& options);

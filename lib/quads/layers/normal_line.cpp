@@ -52,7 +52,8 @@ class HeightSearch {
   LineSample sample(double u) { return {u, wall_.distance(line_(u), foot_)}; }
 
   double first_step(double height) const {
-    const double probe = line_constants.speed_step, speed = distance(line_(probe), line_(0)) / probe;
+    const double probe = line_constants.speed_step;
+    const double speed = wall_.scale_at(line_(0)) * distance(line_(probe), line_(0)) / probe;
     return speed > 0 ? std::min(1.0, 1.1 * height / speed) : probe;
   }
 

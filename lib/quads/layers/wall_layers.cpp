@@ -146,7 +146,7 @@ int WallPlan::num_fixed_on(int block, int side) const {
 WallPlan plan_walls(const WallInput& input, sizing::ArcDivisions& divisions) {
   WallPlan plan;
   const std::vector<int> curve_spec = curve_walls(input.specs, input.blocks().face);
-  plan.walls = find_wall_sides(input.blocks(), input.measured.curves(), curve_spec, input.specs);
+  plan.walls = find_wall_sides(input.blocks(), input.measured.curves(), curve_spec, input.specs, input.sizes.scale());
   const ArcSizes sizes = arc_sizes(input);
   const std::vector<NormalLineSample> lines = sample_normal_lines(input.measured, plan.walls, sizes.prescribed);
   plan.heights = fitted_heights(input, lines);
@@ -253,9 +253,9 @@ void report_walls(const WallPlan& plan, const std::vector<WallSpec>& specs, Repo
     const std::string key = fmt::format("walls.{}.", i);
     report.set(key + "names", names(static_cast<int>(i)));
     report.set(key + "layers", plan.heights[i].size());
-    report.set(key + "first", specs[i].scale * plan.heights[i].front());
-    report.set(key + "thickness", specs[i].scale * plan.heights[i].back());
-    if (specs[i].own_blocks) report.set(key + "least_thickness", specs[i].scale * plan.least_thickness[i]);
+    report.set(key + "first", plan.heights[i].front());
+    report.set(key + "thickness", plan.heights[i].back());
+    if (specs[i].own_blocks) report.set(key + "least_thickness", plan.least_thickness[i]);
   }
   for (const auto& [a, b] : plan.sharing_a_chord)
     report.warn(warning::walls_share_a_chord,

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/tolerance.hpp"
+#include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/chords.hpp"
@@ -82,15 +84,15 @@ bool turns_away(const BlockLayout& layout, const curve::CurveTable& table, const
                direction(table, pieces_of(layout, second).front(), false)) < -layer_constants.least_bend;
 }
 
-/// `is_own`: blocks of the layers' own.
 WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& table, const mesh::ArcSides& arc_sides,
-                        const mesh::BlockSide& side, int spec, bool is_own) {
-  WallSide wall{side.block, side.side, spec, {}, {}, {}, 0};
+                        const mesh::BlockSide& side, const WallSpec& spec, int number,
+                        const std::shared_ptr<const sizing::ChartScale>& scale) {
+  WallSide wall{side.block, side.side, number, {}, {}, {}, 0};
   std::vector<ArcPiece> pieces;
   mesh::BlockSide before = mesh::next_along_boundary(layout, arc_sides, side, -1),
                   after = mesh::next_along_boundary(layout, arc_sides, side, 1);
-  const bool ends_before = is_own && turns_away(layout, table, side, before, -1),
-             ends_after = is_own && turns_away(layout, table, side, after, 1);
+  const bool ends_before = spec.own_blocks && turns_away(layout, table, side, before, -1),
+             ends_after = spec.own_blocks && turns_away(layout, table, side, after, 1);
   if (ends_before) before = {};
   if (ends_after) after = {};
   if (before.block >= 0) append_pieces(layout, before, pieces);
@@ -99,7 +101,7 @@ WallSide make_wall_side(const BlockLayout& layout, const curve::CurveTable& tabl
   wall.begin = {first, pieces[first].t0};
   wall.end = {static_cast<int>(pieces.size()) - 1, pieces.back().t1};
   if (after.block >= 0) append_pieces(layout, after, pieces);
-  wall.line = WallLine(table, std::move(pieces));
+  wall.line = WallLine(table, std::move(pieces), scale);
   if (ends_before || extends_beyond(layout, table, before.block < 0 ? side : before, -1)) wall.line.extend(-1);
   if (ends_after || extends_beyond(layout, table, after.block < 0 ? side : after, 1)) wall.line.extend(1);
   return wall;
@@ -153,8 +155,9 @@ Vec2 direction(const curve::CurveTable& table, const ArcPiece& piece, bool at_en
   return forwards ? along : -along;
 }
 
-WallLine::WallLine(const curve::CurveTable& table, std::vector<ArcPiece> pieces)
-    : table_(&table), pieces_(std::move(pieces)) {
+WallLine::WallLine(const curve::CurveTable& table, std::vector<ArcPiece> pieces,
+                   std::shared_ptr<const sizing::ChartScale> scale)
+    : table_(&table), scale_(std::move(scale)), pieces_(std::move(pieces)) {
   for (std::size_t i = 0; i + 1 < pieces_.size(); ++i)
     bends_.push_back(std::abs(cross(direction(table, pieces_[i], true), direction(table, pieces_[i + 1], false))) >
                      layer_constants.least_bend);
@@ -218,6 +221,13 @@ double WallLine::follow_pieces(Vec2 x, WallPoint& foot) const {
 }
 
 double WallLine::distance(Vec2 x, WallPoint& foot) const {
+  const double in_plane = distance_in_plane(x, foot);
+  if (!scale_) return in_plane;
+  const Vec2 at = curve::point(table_->curve(pieces_[foot.piece].curve), foot.t);
+  return in_plane * curve::gauss_integral<3>([&](double u) { return scale_at(at + u * (x - at)); }, 0, 1);
+}
+
+double WallLine::distance_in_plane(Vec2 x, WallPoint& foot) const {
   double nearest = follow_pieces(x, foot);
   for (const int step : {-1, 1}) {  // in a corner of less than 180 degrees both parts have a nearest point
     const int piece = foot.piece + step;
@@ -239,7 +249,7 @@ std::vector<LayeredEnd> WallSides::layered_ends() const {
 }
 
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
-                          const std::vector<WallSpec>& specs) {
+                          const std::vector<WallSpec>& specs, std::shared_ptr<const sizing::ChartScale> scale) {
   const mesh::ArcSides arc_sides = mesh::sides_of_arcs(layout);
   FinestSpec choice{specs};
   WallSides walls;
@@ -250,7 +260,7 @@ WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& ta
       const int spec = spec_of_side(layout, curve_spec, mesh::half_edge(layout, block, side), choice);
       if (spec < 0) continue;
       walls.of_block[block][side] = static_cast<int>(walls.sides.size());
-      walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, spec, specs[spec].own_blocks));
+      walls.sides.push_back(make_wall_side(layout, table, arc_sides, {block, side}, specs[spec], spec, scale));
     }
   unify_runs(runs(layout, arc_sides, walls), walls.sides, choice);
   for (WallSide& wall : walls.sides) wall.own_intervals = specs[wall.spec].own_blocks ? 1 : 0;
@@ -266,7 +276,8 @@ double greatest_bend(const curve::CurveTable& table, const WallSide& wall) {
     const ArcPiece& piece = wall.line.pieces()[p];
     for (int k = 0; k < samples; ++k) {
       const double t = piece.t0 + (piece.t1 - piece.t0) * (k + 0.5) / samples;
-      const double bend = curve::curvature(table.curve(piece.curve), t);
+      const Nurbs& curve = table.curve(piece.curve);
+      const double bend = curve::curvature(curve, t) / wall.line.scale_at(curve::point(curve, t));
       greatest = std::max(greatest, piece.t0 < piece.t1 ? bend : -bend);
     }
   }

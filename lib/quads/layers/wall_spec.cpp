@@ -14,10 +14,8 @@
 #include "base/name_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
-#include "curve/chain.hpp"
 #include "curve/named_places.hpp"
 #include "layers/layer_rules.hpp"
-#include "sizing/chart_scale.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::layers {
@@ -149,23 +147,6 @@ std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& 
         walls[curve] = static_cast<int>(i);
       }
   return walls;
-}
-
-void plan_in_chart(std::vector<WallSpec>& specs, const CadFace& face) {
-  if (!face.chart || specs.empty()) return;
-  std::vector<double> in_chart(specs.size(), 0.0), in_space(specs.size(), 0.0);
-  const std::vector<int> walls = curve_walls(specs, face);
-  for (int c = 0; c < face.num_curves(); ++c) {
-    if (walls[c] < 0) continue;
-    in_space[walls[c]] += sizing::boundary_length(face, c);
-    in_chart[walls[c]] += curve::ArcLength(face.curves[c]).total();
-  }
-  for (std::size_t i = 0; i < specs.size(); ++i) {
-    if (!(in_chart[i] > 0)) continue;
-    specs[i].scale = in_space[i] / in_chart[i];
-    specs[i].first /= specs[i].scale;
-    specs[i].thickness /= specs[i].scale;
-  }
 }
 
 double PlateFlow::skin_friction() const { return std::pow(2 * std::log10(reynolds_number()) - 0.65, -2.3); }

@@ -30,9 +30,6 @@ struct WallSpec {
   double thickness = 0;  ///< file units; used if layers == 0
   bool as_many_as_fit = false;  ///< layers=fit: the greatest number that fits into the first row of blocks
   LayerLaw law = LayerLaw::geometric;
-  /// Lengths in space over those in the plane of the chart, in which layers are planned: the mean along the wall of a
-  /// curved face, by which plan_in_chart has divided the heights.
-  double scale = 1;
   bool own_blocks = false;  ///< blocks=own: a curve of the face at a distance from the wall has the layers below it
 };
 
@@ -44,10 +41,6 @@ WallSpec parse_wall_spec(const std::string& text, double yplus = 0);
 /// The spec number of each curve of the face, -1 if it is no wall. Throws UsageError
 /// for a name that no curve has, with the names that exist, and for a curve that is named twice.
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face);
-
-/// Makes heights lengths in the chart of a curved face, if it is one. Along outlines that cad2chart makes both are the
-/// same; where the scale differs along a wall, so do heights in space.
-void plan_in_chart(std::vector<WallSpec>& specs, const CadFace& face);
 
 /// All in units that fit together: lengths in one unit, viscosity in length^2 / time. 0: not given.
 struct PlateFlow {

@@ -50,8 +50,9 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
     if (!(mesh.elem_jacobian_bound[elem] > 0)) factor = std::min(factor, unproved_factor);
     if (factor == 1) continue;
     const Vec2 x = middle(mesh, elem);
-    const double length = factor * sizes.at(x) * std::exp(map.log_scale(x));
-    segments.push_back({x, x, length, length});
+    const mesh::ChartMap::Sample at = map.sample(x);
+    const double length = factor * sizes.at(x) * std::exp(at.log_scale);
+    segments.push_back({at.position, at.position, length, length});
   }
   return segments;
 }

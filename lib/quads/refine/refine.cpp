@@ -143,7 +143,6 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   const sizing::MeasuredLayout upright = measured.with_parameters(align_chords(measured));
   const sizing::MeasuredLayout aligned = sizing::with_lines_of_whole(upright, prescribed.symmetry);
   RefineOptions options = prescribed;
-  layers::plan_in_chart(options.walls, layout.face);
   // The growth from wall to wall determines counts; and vertices that stay have other parts of the error.
   if (options.size_rule == sizing::SizeRule::error && (!options.walls.empty() || options.relax != Relax::size))
     options.size_rule = sizing::SizeRule::nearest;

@@ -66,13 +66,21 @@ std::pair<std::string, std::string> halves(const std::string& text) {
 /// Whether sources prescribe sizes everywhere: tables cover the whole face.
 bool cover_face(const SizeSources& sources) { return sources.is_table || !sources.metric.empty(); }
 
+/// The diameter, of a curved face in space, of the whole of which the face may be a half.
+double diameter_of_whole(const CadFace& face, const CadFace& whole) {
+  return face.chart ? diameter_in_space(face) * (whole.diameter / face.diameter) : whole.diameter;
+}
+
 /// Without a prescribed one.
-double greatest_size(const CadFace& face, const SizeSources& sources) {
-  if (!cover_face(sources)) return face.diameter / 20;
+double greatest_size(double diameter, const SizeSources& sources, const ChartScale* scale) {
+  if (!cover_face(sources)) return diameter / 20;
   double greatest = 0;
   if (sources.is_table)
-    for (const SizePoint& point : sources.points) greatest = std::max(greatest, point.size);
-  for (const MetricSample& sample : sources.metric) greatest = std::max({greatest, sample.h1, sample.h2});
+    for (const SizeBall& point : sources.points) greatest = std::max(greatest, point.size);
+  for (const MetricSample& sample : sources.metric) {
+    const double in_space = scale ? scale->at(sample.position).scale : 1;
+    greatest = std::max({greatest, in_space * sample.h1, in_space * sample.h2});
+  }
   return greatest;
 }
 
@@ -91,7 +99,8 @@ SizeOptions with_wake(const CadFace& face, SizeOptions options) {
   if (curves.empty() || std::ranges::any_of(options.near, is_wake)) return options;
   const SizeField sizes = make_size_field(face, options);
   const GrowingSize ends = growing_size(face, curves, 0, 0);
-  const double left = sizes.at(ends.end), right = sizes.at(ends.other_end), least = std::min(left, right);
+  const auto size_at = [&](Vec3 x) { return sizes.at({x.x, x.y}); };
+  const double left = size_at(ends.end), right = size_at(ends.other_end), least = std::min(left, right);
   const double most = least + std::log(wake_growth) * distance(ends.end, ends.other_end);
   options.near.push_back(left <= right ? NearSize{wake_name, least, most} : NearSize{wake_name, most, least});
   return options;
@@ -112,10 +121,10 @@ std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, 
   for (int loop = 0; loop < face.num_loops(); ++loop)
     for (const Run& run : runs_of_loop(face, loop)) {
       const int number = run.is_closed ? closed_factor * per_curve : per_curve;
-      const double size = std::max({run.length / number, least, least_curve_size * face.diameter});
+      const double size = std::max({run.length / number, least, least_curve_size * diameter_in_space(face)});
       if (size >= greatest) continue;
       for (const int curve : run.curves) {
-        const std::vector<SizeSegment> own = segments_near(face.curves[curve], size, slope);
+        const std::vector<SizeSegment> own = segments_near({face, curve}, size, slope);
         segments.insert(segments.end(), own.begin(), own.end());
       }
     }
@@ -137,7 +146,9 @@ double growth(const SizeOptions& options) {
 SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
   options.validate();
   const CadFace whole = curve::whole_of(face, options.symmetry);
-  const double greatest = options.size > 0 ? options.size : greatest_size(whole, options.sources);
+  const double greatest = options.size > 0
+                              ? options.size
+                              : greatest_size(diameter_of_whole(face, whole), options.sources, options.scale.get());
   const double slope = std::log(growth(options));
   std::vector<SizeSegment> segments;
   const auto add = [&](const std::vector<SizeSegment>& more) {
@@ -148,8 +159,8 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
     const std::vector<int> curves = curve::named_curves(face, near.boundary, "--size-near");
     const GrowingSize growing = growing_size(face, curves, near.size, near.other_size);
     for (const int curve : curves) {
-      std::vector<SizeSegment> own = near.other_size > 0 ? segments_near(face.curves[curve], growing, slope)
-                                                         : segments_near(face.curves[curve], near.size, slope);
+      std::vector<SizeSegment> own = near.other_size > 0 ? segments_near({face, curve}, growing, slope)
+                                                         : segments_near({face, curve}, near.size, slope);
       for (SizeSegment& segment : own) segment.region = region;
       add(own);
     }
@@ -158,8 +169,9 @@ SizeField make_size_field(const CadFace& face, const SizeOptions& options) {
   if (options.per_curve > 0)
     add(segments_by_curves(whole, options.per_curve, options.least_along_curves, greatest, slope));
   if (options.curvature > 0)
-    for (const Nurbs& curve : face.curves)
-      add(segments_by_curvature(curve, options.curvature, least_curvature_size * face.diameter, greatest, slope));
+    for (int curve = 0; curve < face.num_curves(); ++curve)
+      add(segments_by_curvature({face, curve}, options.curvature, least_curvature_size * diameter_in_space(face),
+                                greatest, slope));
   return SizeField(greatest, options.sources, segments, growth(options)).in_chart(options.scale);
 }
 
@@ -199,14 +211,14 @@ SizeOptions with_curve_sizes(const MeasuredLayout& measured, const SizeOptions& 
   const auto num_elements = [&](const SizeOptions& sizes) {
     return num_planned(measured, grade_chords(measured, make_size_field(face, sizes), rule, {}));
   };
-  const double greatest = make_size_field(face, none).greatest();
+  const double greatest = make_size_field(face, none).greatest_in_space();
   const CadFace whole = curve::whole_of(face, options.symmetry);
   const double shortest = least_size(segments_by_curves(whole, SizeField::default_per_curve, 0, greatest, 1));
   if (shortest >= greatest) return none;
   const double most = most_refined * num_elements(none);
   const auto are_few = [&](const SizeOptions& sizes) { return num_elements(sizes) <= most; };
   // Coarse sizes, whose chords need few samples, come first.
-  const double least = std::max(shortest, least_curve_size * face.diameter);
+  const double least = std::max(shortest, least_curve_size * diameter_in_space(face));
   SizeOptions best = none;
   double fine = greatest, coarse = greatest;
   while (fine > least) {

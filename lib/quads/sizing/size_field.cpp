@@ -18,29 +18,31 @@ constexpr int leaf_size = 4;
 /// More than the levels of a tree that halves up to 2^31 sources.
 constexpr int max_bisections = 40;
 
-/// A rectangle, and the least size in it.
+/// A cuboid, in the plane a rectangle, and the least size in it.
 struct Bounds {
-  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   double least = 1e300;
 
   void add(const Bounds& other) {
-    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
-    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y), std::min(low.z, other.low.z)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y), std::max(high.z, other.high.z)};
     least = std::min(least, other.least);
   }
-  double distance2_to(Vec2 x) const {
-    return norm2(Vec2{std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y})});
+  double distance2_to(Vec3 x) const {
+    return norm2(Vec3{std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y}),
+                      std::max({low.z - x.z, 0.0, x.z - high.z})});
   }
-  Vec2 centre() const { return (low + high) / 2; }
+  Vec3 centre() const { return (low + high) / 2; }
 };
 
-Bounds bounds_of(Vec2 a, Vec2 b, double least, double radius = 0) {
-  return {{std::min(a.x, b.x) - radius, std::min(a.y, b.y) - radius},
-          {std::max(a.x, b.x) + radius, std::max(a.y, b.y) + radius},
-          least};
+Bounds bounds_of(Vec3 a, Vec3 b, double least, double radius = 0) {
+  Bounds bounds{a, a, least};
+  bounds.add({b, b, least});
+  const Vec3 margin{radius, radius, radius};
+  return {bounds.low - margin, bounds.high + margin, least};
 }
 
-Bounds bounds_of(const SizePoint& p) { return bounds_of(p.position, p.position, p.size, p.radius); }
+Bounds bounds_of(const SizeBall& p) { return bounds_of(p.position, p.position, p.size, p.radius); }
 Bounds bounds_of(const SizeBox& box) { return bounds_of(box.low, box.high, box.size); }
 Bounds bounds_of(const SizeTriangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
@@ -48,25 +50,28 @@ Bounds bounds_of(const SizeTriangle& triangle) {
   bounds.add(bounds_of(c, c, bounds.least));
   return bounds;
 }
+
+Vec2 in_plane(Vec3 x) { return {x.x, x.y}; }
+
 /// Of an arc with its points that have the greatest and the least x and y.
 Bounds bounds_of(const SizeSegment& segment) {
   Bounds bounds = bounds_of(segment.a, segment.b, std::min(segment.size_a, segment.size_b));
-  if (!(segment.radius > 0)) return bounds;
+  if (!segment.is_arc()) return bounds;
+  const Vec2 from = in_plane(segment.a) - segment.centre, to = in_plane(segment.b) - segment.centre;
   for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
-    const Vec2 end = segment.centre + segment.radius * direction;
-    if (cross(segment.a - segment.centre, direction) > 0 && cross(direction, segment.b - segment.centre) > 0)
-      bounds.add(bounds_of(end, end, bounds.least));
+    const Vec3 end = in_space(segment.centre + segment.radius * direction);
+    if (cross(from, direction) > 0 && cross(direction, to) > 0) bounds.add(bounds_of(end, end, bounds.least));
   }
   return bounds;
 }
 
 /// min over p on the segment of size(p) + slope |x - p|, the size linear: from the foot of x the least lies towards the
 /// smaller size.
-double along_segment(Vec2 x, Vec2 a, Vec2 b, double size_a, double size_b, double slope) {
+double along_segment(Vec3 x, Vec3 a, Vec3 b, double size_a, double size_b, double slope) {
   const double length = distance(a, b);
   if (!(length > 0)) return std::min(size_a, size_b) + slope * distance(x, a);
-  const Vec2 along = (b - a) / length;
-  const double rise = (size_b - size_a) / length, foot = dot(x - a, along), off = std::abs(cross(along, x - a));
+  const Vec3 along = (b - a) / length;
+  const double rise = (size_b - size_a) / length, foot = dot(x - a, along), off = norm(cross(along, x - a));
   const double shift = std::abs(rise) < slope ? off * rise / std::sqrt(slope * slope - rise * rise)
                                               : std::copysign(length + std::abs(foot), rise);
   const double at = std::clamp(foot - shift, 0.0, length);
@@ -75,45 +80,47 @@ double along_segment(Vec2 x, Vec2 a, Vec2 b, double size_a, double size_b, doubl
 
 /// The distance from the arc of at most half a turn, counter-clockwise from a to b.
 double distance_to_arc(Vec2 x, const SizeSegment& arc) {
-  const bool is_beside =
-      cross(arc.a - arc.centre, x - arc.centre) >= 0 && cross(x - arc.centre, arc.b - arc.centre) >= 0;
-  return is_beside ? std::abs(distance(x, arc.centre) - arc.radius) : std::min(distance(x, arc.a), distance(x, arc.b));
+  const Vec2 a = in_plane(arc.a), b = in_plane(arc.b);
+  const bool is_beside = cross(a - arc.centre, x - arc.centre) >= 0 && cross(x - arc.centre, b - arc.centre) >= 0;
+  return is_beside ? std::abs(distance(x, arc.centre) - arc.radius) : std::min(distance(x, a), distance(x, b));
 }
 
-double size_from(const SizePoint& p, Vec2 x, double slope) {
+double size_from(const SizeBall& p, Vec3 x, double slope) {
   return p.size + slope * std::max(0.0, distance(x, p.position) - p.radius);
 }
-double size_from(const SizeBox& box, Vec2 x, double slope) {
+double size_from(const SizeBox& box, Vec3 x, double slope) {
   return box.size + slope * std::sqrt(bounds_of(box).distance2_to(x));
 }
-double size_from(const SizeSegment& s, Vec2 x, double slope) {
-  return s.radius > 0 ? s.size_a + slope * distance_to_arc(x, s)
-                      : along_segment(x, s.a, s.b, s.size_a, s.size_b, slope);
+double size_from(const SizeSegment& s, Vec3 x, double slope) {
+  return s.is_arc() ? s.size_a + slope * distance_to_arc(in_plane(x), s)
+                    : along_segment(x, s.a, s.b, s.size_a, s.size_b, slope);
 }
-/// min over p in the triangle of size(p) + slope |x - p|: x itself, if it is inside and the size varies by less than
-/// the slope; else p is on a side, because a linear function and a distance have no other stationary points.
-double size_from(const SizeTriangle& triangle, Vec2 x, double slope) {
+/// min over p in the triangle of size(p) + slope |x - p|: in its plane x itself, if it is inside and the size varies by
+/// less than the slope; else p is on a side, because a linear function and a distance have no other stationary points.
+double size_from(const SizeTriangle& triangle, Vec3 x, double slope) {
   const auto& [a, b, c] = triangle.corners;
   const auto& [size_a, size_b, size_c] = triangle.sizes;
-  const double area = cross(b - a, c - a);
-  const double beta = cross(x - a, c - a) / area, gamma = cross(b - a, x - a) / area;
+  const Vec3 normal = cross(b - a, c - a), up = normalized(normal);
+  const double area = norm(normal);
+  const double beta = dot(cross(x - a, c - a), up) / area, gamma = dot(cross(b - a, x - a), up) / area;
   if (beta >= 0 && gamma >= 0 && beta + gamma <= 1) {
     const double rise_b = size_b - size_a, rise_c = size_c - size_a;
-    const Vec2 gradient{(rise_b * (c.y - a.y) - rise_c * (b.y - a.y)) / area,
-                        (rise_c * (b.x - a.x) - rise_b * (c.x - a.x)) / area};
-    if (norm(gradient) <= slope) return size_a + beta * rise_b + gamma * rise_c;
+    const Vec3 gradient = (rise_b * cross(c - a, up) + rise_c * cross(up, b - a)) / area;
+    if (norm(gradient) <= slope)
+      return size_a + beta * rise_b + gamma * rise_c +
+             std::abs(dot(x - a, up)) * std::sqrt(slope * slope - norm2(gradient));
   }
   return std::min({along_segment(x, a, b, size_a, size_b, slope), along_segment(x, b, c, size_b, size_c, slope),
                    along_segment(x, c, a, size_c, size_a, slope)});
 }
 
 struct Source {
-  std::variant<SizePoint, SizeBox, SizeSegment, SizeTriangle> shape;
+  std::variant<SizeBall, SizeBox, SizeSegment, SizeTriangle> shape;
   Bounds bounds;
   int region = -1;
 
   bool acts_in(int other) const { return region < 0 || other < 0 || region == other; }
-  double at(Vec2 x, double slope) const {
+  double at(Vec3 x, double slope) const {
     return std::visit([&](const auto& source) { return size_from(source, x, slope); }, shape);
   }
 };
@@ -125,7 +132,7 @@ void require_size(double size, const char* what) {
 
 }  // namespace
 
-/// A tree of rectangles over the sources: children of node n are consecutive from `first`; a leaf has no children but
+/// A tree of cuboids over the sources: children of node n are consecutive from `first`; a leaf has no children but
 /// `count` sources from `first`.
 struct SizeField::Sources {
   struct Node {
@@ -149,7 +156,7 @@ struct SizeField::Sources {
     divide(0, 0, static_cast<int>(items.size()));
   }
 
-  double at(Vec2 x, int region, double greatest, double slope) const {
+  double at(Vec3 x, int region, double greatest, double slope) const {
     double best = greatest;
     struct Open {
       int node;
@@ -182,9 +189,12 @@ struct SizeField::Sources {
       nodes[node].first = begin, nodes[node].count = end - begin;
       return;
     }
-    const bool along_x = bounds.high.x - bounds.low.x > bounds.high.y - bounds.low.y;
+    const Vec3 extent = bounds.high - bounds.low;
+    double Vec3::*const along = extent.z > std::max(extent.x, extent.y) ? &Vec3::z
+                                : extent.x > extent.y                   ? &Vec3::x
+                                                                        : &Vec3::y;
     const auto before = [&](const Source& p, const Source& q) {
-      return along_x ? p.bounds.centre().x < q.bounds.centre().x : p.bounds.centre().y < q.bounds.centre().y;
+      return p.bounds.centre().*along < q.bounds.centre().*along;
     };
     const int middle = (begin + end) / 2, first = static_cast<int>(nodes.size());
     std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end, before);
@@ -202,7 +212,7 @@ SizeField::SizeField(double greatest, const SizeSources& sources, const std::vec
     : SizeField(greatest) {
   if (!(growth > 1)) throw UsageError("the growth of sizes must be greater than 1");
   Sources tree;
-  for (const SizePoint& point : sources.points) tree.add(point, "a point", greatest);
+  for (const SizeBall& point : sources.points) tree.add(point, "a point", greatest);
   for (const SizeBox& box : sources.boxes) tree.add(box, "a box", greatest);
   for (const SizeTriangle& triangle : sources.triangles) tree.add(triangle, "a triangle", greatest);
   tree.add(segments, greatest);
@@ -223,7 +233,7 @@ SizeField SizeField::with(const std::vector<SizeSegment>& segments) const {
   SizeField result = *this;
   Sources sources = sources_ ? *sources_ : Sources{};
   sources.add(segments, greatest_);
-  result.set_sources(std::move(sources), is_uniform() ? std::log(default_growth) : slope_);
+  result.set_sources(std::move(sources), slope_ > 0 ? slope_ : std::log(default_growth));
   return result;
 }
 
@@ -240,8 +250,9 @@ Vec2 direction_of(const DirectedSize& size) {
 }
 
 DirectedSize SizeField::directed(Vec2 x, int region) const {
-  const double most = sources_ ? sources_->at(x, region, greatest_, slope_) : greatest_;
-  if (!metric_) return {scale_ ? most / scale_->at(x) : most};
+  const ChartScale::Place place = scale_ ? scale_->at(x) : ChartScale::Place{in_space(x)};
+  const double most = (sources_ ? sources_->at(place.position, region, greatest_, slope_) : greatest_) / place.scale;
+  if (!metric_) return {most};
   const EigenPair of = eigen_pair(metric_->logarithm(x));
   const double first = std::max(of.first, -std::log(most)), second = std::max(of.second, -std::log(most));
   const double stretch = std::exp((first - second) / 2);

@@ -5,8 +5,8 @@
 //
 // so that of consecutive elements each is at most `growth` times as long as its neighbour: h grows by ln(growth) for
 // each unit of length (n elements of an h = s x end where x = exp(s n)). Distances are straight, through holes too.
-// On a curved face these are lengths in space, and h e^-lambda is what they are in the chart, where all the rest works;
-// distances from sources are those in the chart.
+// On a curved face x is the point in space: sizes, sources and distances are those of space, also straight. h e^-lambda
+// is the length in the chart, where all the rest works.
 
 #include <memory>
 #include <vector>
@@ -18,15 +18,17 @@
 
 namespace quadrille::sizing {
 
-/// A source along a straight segment, its size linear from end to end, or along a circular arc: a piece of a boundary
-/// curve.
+/// A source along a straight segment, its size linear from end to end, or, of planar faces, along a circular arc: a
+/// piece of a boundary curve. Positions are those of SizeSources.
 struct SizeSegment {
-  Vec2 a, b;
+  Vec3 a, b;
   double size_a = 0, size_b = 0;
   int region = -1;  ///< acts in this region alone; -1: everywhere
   /// > 0: an arc about `centre` of at most half a turn, counter-clockwise from a to b, of the size `size_a` = `size_b`.
   double radius = 0;
   Vec2 centre = {};
+
+  bool is_arc() const { return radius > 0; }
 };
 
 class MetricField;
@@ -56,8 +58,9 @@ class SizeField {
   /// These sources and more, with the same growth; that of a constant size is the default.
   SizeField with(const std::vector<SizeSegment>& segments) const;
 
-  /// The same sizes, as lengths in the chart of this scale; null: the face is planar.
+  /// The same sizes in space, as lengths in the chart of this scale; null: the face is planar.
   SizeField in_chart(std::shared_ptr<const ChartScale> scale) const;
+  const std::shared_ptr<const ChartScale>& scale() const { return scale_; }
 
   /// Prescribed edge length at x, relative to face.origin, in a region; -1: on an interface, where the sources of both
   /// sides act, or in a face of one region. Cost: logarithmic in the number of sources.
@@ -70,10 +73,11 @@ class SizeField {
     return metric_ ? directed(x, region).along(unit_direction) : at(x, region);
   }
   double greatest() const { return scale_ ? greatest_ / scale_->least() : greatest_; }
+  double greatest_in_space() const { return greatest_; }
   /// The greatest that any source leaves at x: all are of one length in space.
-  double greatest_at(Vec2 x) const { return scale_ ? greatest_ / scale_->at(x) : greatest_; }
+  double greatest_at(Vec2 x) const { return scale_ ? greatest_ / scale_->at(x).scale : greatest_; }
   /// Bound of |dh / dx|: ln(growth), and what the scale of a chart adds; 0 if the size is constant.
-  double slope() const { return scale_ ? slope_ + greatest() * scale_->greatest_gradient() : slope_; }
+  double slope() const { return scale_ ? slope_ + greatest_ * scale_->greatest_gradient() : slope_; }
   bool is_uniform() const { return !sources_ && !metric_ && !scale_; }
   bool has_metric() const { return metric_ != nullptr; }
 

@@ -5,7 +5,8 @@ python3-meshio).
     python3 -m quadrille.vtu_sizes estimate.vtu --array size -o sizes.csv
     python3 -m quadrille.vtu_sizes estimate.vtu --array metric -o metric.csv
 
-An array of one component has sizes, one of 3 (m11, m12, m22), 4 (2 x 2) or 9 (3 x 3) a metric.
+An array of one component has sizes, one of 3 (m11, m12, m22), 4 (2 x 2) or 9 (3 x 3) a metric. Unless z is 0 at all
+points, the table has it, and of a metric of 3 x 3 all components, as curved faces need them.
 """
 import argparse
 import os
@@ -14,7 +15,7 @@ import sys
 import numpy as np
 
 USAGE, BAD_INPUT, NOT_WRITTEN = 2, 3, 4
-SIZES, METRIC = ["x", "y", "size"], ["x", "y", "m11", "m12", "m22"]
+METRIC, SPACE_METRIC = ["m11", "m12", "m22"], ["m11", "m12", "m13", "m22", "m23", "m33"]
 # By the number of components: which are m11, m12, m21 and m22.
 COMPONENTS = {3: [0, 1, 1, 2], 4: [0, 1, 2, 3], 9: [0, 1, 3, 4]}
 
@@ -49,32 +50,43 @@ def values_at_points(mesh, array):
     else:
         known = sorted({*mesh.point_data, *mesh.cell_data})
         raise Refused(f"there is no array '{array}'; there are {', '.join(known) or 'none'}: name one by --array", USAGE)
-    return np.asarray(positions, float)[:, :2], np.asarray(values, float).reshape(len(positions), -1)
+    positions = np.asarray(positions, float)
+    dimension = 3 if positions.shape[1] > 2 and positions[:, 2].any() else 2
+    return positions[:, :dimension], np.asarray(values, float).reshape(len(positions), -1)
 
 
-def refuse(rows, is_right, what):
-    """Refuses the first row with a number that is not finite, or that is not right."""
+def refuse(rows, dimension, is_right, what):
+    """Refuses the first row with a number that is not finite, or that is not right. `dimension`: of its position."""
     wrong = np.flatnonzero(~(np.isfinite(rows).all(axis=1) & is_right))
     if len(wrong):
-        x, y, *values = rows[wrong[0]]
-        raise Refused(what.format(", ".join(f"{value:g}" for value in values), f"({x:g}, {y:g})"))
+        row = [f"{value:g}" for value in rows[wrong[0]]]
+        raise Refused(what.format(", ".join(row[dimension:]), f"({', '.join(row[:dimension])})"))
 
 
 def table_of(mesh, array):
     """Names of the columns, and rows: of sizes, or of a metric."""
     positions, values = values_at_points(mesh, array)
-    count = values.shape[1]
+    count, dimension = values.shape[1], positions.shape[1]
+    axes = ["x", "y", "z"][:dimension]
     if count == 1:
         rows = np.column_stack([positions, values])
-        refuse(rows, rows[:, 2] > 0, "the size {} at {} must be greater than 0")
-        return SIZES, rows
+        refuse(rows, dimension, values[:, 0] > 0, "the size {} at {} must be greater than 0")
+        return axes + ["size"], rows
     if count not in COMPONENTS:
         raise Refused(f"array '{array}' has {count} components: a size has 1, a metric 3 (m11, m12, m22), 4 or 9")
+    if dimension == 3 and count == 9:
+        tensors = values.reshape(-1, 3, 3)
+        tensors = (tensors + tensors.transpose(0, 2, 1)) / 2
+        first, second = np.triu_indices(3)
+        rows = np.column_stack([positions, tensors[:, first, second]])
+        least = np.linalg.eigvalsh(np.nan_to_num(tensors))[:, 0]
+        refuse(rows, dimension, least > 0, "the metric {} at {} must be positive definite")
+        return axes + SPACE_METRIC, rows
     m11, m12, m21, m22 = values[:, COMPONENTS[count]].T
     mixed = (m12 + m21) / 2
     rows = np.column_stack([positions, m11, mixed, m22])
-    refuse(rows, (m11 > 0) & (m11 * m22 > mixed * mixed), "the metric {} at {} must be positive definite")
-    return METRIC, rows
+    refuse(rows, dimension, (m11 > 0) & (m11 * m22 > mixed * mixed), "the metric {} at {} must be positive definite")
+    return axes + METRIC, rows
 
 
 def write_table(names, rows, path):

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "../chart_samples.hpp"
 #include "../hand_made.hpp"
 #include "../support/region_graphs.hpp"
 #include "base/error.hpp"
@@ -39,6 +40,16 @@ TEST(FacePosition, RefusesWhatLiesOffThePlane) {
   } catch (const FormatError& error) {
     EXPECT_EQ(std::string(error.what()), "--node 3: (7.5, 12, 20) lies 0.5 off the plane of the face");
   }
+}
+
+TEST(CurveDistances, OfACurvedFaceAreThoseInSpace) {
+  const CadFace face = samples::sphere_face();
+  const std::vector<double> distances = curve_distances(face, {0, 0, 2}, "--name");
+  ASSERT_EQ(distances.size(), 4u);
+  EXPECT_NEAR(distances[0], 1, 1e-12) << "from the pole";
+  EXPECT_NEAR(distances[1], distance(Vec3{0.8, 0, 0.6}, Vec3{0, 0, 2}), 1e-9);
+  EXPECT_THROW(curve_distances(face, {0, 0}, "--name"), FormatError);
+  EXPECT_NEAR(curve_distances(samples::face(), {0.5, -3}, "")[0], 3 - samples::face().origin.y, 1e-12);
 }
 
 TEST(NamedCurves, NamesGoBeforeNumbers) {

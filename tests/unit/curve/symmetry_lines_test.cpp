@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../chart_samples.hpp"
 #include "../triangulate/faces.hpp"
 
 namespace quadrille::curve {
@@ -95,6 +96,20 @@ TEST(MirroredFace, HolesOffTheLineHaveAnImageAndEdgesOnItACornerOfTwiceTheAngle)
   EXPECT_EQ(whole.loop_offsets, (std::vector<int>{0, 4, 5, 6}));
   expect_joints(whole);
   EXPECT_NEAR(whole.joints[0].interior_angle, half_pi, 1e-12);
+}
+
+TEST(MirroredFace, CurvesInSpaceKeepTheirNumbers) {
+  CadFace half = samples::sphere_face();
+  half.curve_names[0] = "symmetry";
+  const std::vector<SymmetryLine> lines = symmetry_lines(half, {0}).lines;
+  ASSERT_EQ(lines.size(), 1u);
+  const MirroredFace mirrored = mirrored_face(half, lines.front());
+  const std::vector<SpaceCurve>&of_half = half.chart->space_curves, &of_whole = mirrored.whole.chart->space_curves;
+  ASSERT_EQ(of_whole.size(), mirrored.whole.curves.size());
+  for (int c = 1; c < half.num_curves(); ++c) {
+    EXPECT_EQ(of_whole[mirrored.copy[c]].poles, of_half[c].poles);
+    EXPECT_EQ(of_whole[mirrored.image[c]].poles.front(), of_half[c].poles.back());
+  }
 }
 
 TEST(MirroredFace, ALineInAnyDirection) {

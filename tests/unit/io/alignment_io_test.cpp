@@ -11,7 +11,7 @@
 namespace quadrille::io {
 namespace {
 
-AlignmentRequest read(const std::string& text, Vec2 origin = {}) {
+GivenAlignment read(const std::string& text, Vec2 origin = {}) {
   return read_alignment({{"align.json", ""}, text}, origin, 0.5);
 }
 
@@ -67,6 +67,18 @@ TEST(AlignmentIo, AMetricIsReadAsLengthsAndAsTensors) {
   EXPECT_EQ(read("0 0 0.1 0.2 30").metric.size(), 1u) << "lengths without a heading";
 }
 
+TEST(AlignmentIo, AMetricInSpaceHasSixComponents) {
+  const std::string heading = "x,y,z,m11,m12,m13,m22,m23,m33\n";
+  const GivenMetric metric = read_metric({{"metric.csv", ""}, heading + "1,2,3,4,0.5,0.25,5,0.125,6\n"}, {1, 0});
+  ASSERT_EQ(metric.in_space.size(), 1u);
+  EXPECT_EQ(metric.in_space[0].position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(metric.in_space[0].tensor, (std::array<double, 6>{4, 0.5, 0.25, 5, 0.125, 6}));
+  EXPECT_EQ(metric.in_space[0].product({1, 0, 0}, {0, 0, 1}), 0.25);
+  EXPECT_EQ(metric.in_plane[0].position, (Vec2{0, 2})) << "for a planar face";
+  EXPECT_EQ(read(heading + "1,2,3,4,0.5,0.25,5,0.125,6\n").metric_in_space.size(), 1u);
+  EXPECT_TRUE(says(heading + "1,2,3,1,0,2,1,0,1\n", "align.json:2: the tensor must be positive definite"));
+}
+
 TEST(AlignmentIo, AMetricThatIsNoneIsRefusedWithItsLine) {
   EXPECT_TRUE(says("x,y,h1,h2,angle\n0,0,1,1,0\n0,0,0,1,0\n", "align.json:3: the lengths"));
   EXPECT_TRUE(says("x,y,m11,m12,m22\n0,0,1,2,1\n", "align.json:2: the tensor"));
@@ -76,8 +88,8 @@ TEST(AlignmentIo, AMetricThatIsNoneIsRefusedWithItsLine) {
 
 TEST(AlignmentIo, LengthsAreReadFromTablesOnly) {
   const auto metric = [](const std::string& text) { return read_metric({{"metric.csv", ""}, text}, {1, 0}); };
-  ASSERT_EQ(metric("0 0 0.1 0.2 30\n").size(), 1u);
-  EXPECT_EQ(metric("x,y,m11,m12,m22\n1,2,4,0,1\n")[0].position, (Vec2{0, 2}));
+  ASSERT_EQ(metric("0 0 0.1 0.2 30\n").in_plane.size(), 1u);
+  EXPECT_EQ(metric("x,y,m11,m12,m22\n1,2,4,0,1\n").in_plane[0].position, (Vec2{0, 2}));
   const auto refuses = [&](const std::string& text, const std::string& part) {
     return contains(message_of<FormatError>([&] { metric(text); }), part);
   };

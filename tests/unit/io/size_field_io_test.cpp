@@ -11,9 +11,7 @@ namespace quadrille::io {
 
 namespace {
 
-SizeSources read(const std::string& text, Vec2 origin = {}) {
-  return read_size_field({{"sizes.json", ""}, text}, origin);
-}
+SizeSources read(const std::string& text) { return read_size_field({{"sizes.json", ""}, text}); }
 
 std::string field(const std::string& members, const std::string& version = "[1, 0]") {
   return R"({"format": "size-field", "version": )" + version + ", " + members + "}";
@@ -32,22 +30,25 @@ TEST(SizeFieldIo, PointsAndBoxesAreRead) {
   EXPECT_EQ(sources.growth, 1.5);
   ASSERT_EQ(sources.points.size(), 2u);
   EXPECT_EQ(sources.points[0].radius, 0);
-  EXPECT_EQ(sources.points[1].position, (Vec2{3, 4}));
+  EXPECT_EQ(sources.points[1].position, (Vec3{3, 4}));
   EXPECT_EQ(sources.points[1].size, 0.2);
   EXPECT_EQ(sources.points[1].radius, 0.5);
   ASSERT_EQ(sources.boxes.size(), 1u);
-  EXPECT_EQ(sources.boxes[0].low, (Vec2{0, 1}));
-  EXPECT_EQ(sources.boxes[0].high, (Vec2{2, 3}));
+  EXPECT_EQ(sources.boxes[0].low, (Vec3{0, 1}));
+  EXPECT_EQ(sources.boxes[0].high, (Vec3{2, 3}));
   EXPECT_EQ(sources.boxes[0].size, 0.3);
 }
 
-TEST(SizeFieldIo, PositionsBecomeRelativeToTheOrigin) {
-  const SizeSources sources = read(field(R"("points": [{"position": [1, 2], "size": 1}],
-    "boxes": [{"low": [5, 6], "high": [7, 8], "size": 1}])"),
-                                   {1, 1});
-  EXPECT_EQ(sources.points[0].position, (Vec2{0, 1}));
-  EXPECT_EQ(sources.boxes[0].low, (Vec2{4, 5}));
-  EXPECT_EQ(sources.boxes[0].high, (Vec2{6, 7}));
+TEST(SizeFieldIo, PositionsInSpaceHaveThreeCoordinates) {
+  const SizeSources sources = read(field(R"("points": [{"position": [1, 2, 3], "size": 1}],
+    "boxes": [{"low": [5, 6, 7], "high": [7, 8, 9], "size": 1}])"));
+  EXPECT_TRUE(sources.is_in_space);
+  EXPECT_EQ(sources.points[0].position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(sources.boxes[0].high, (Vec3{7, 8, 9}));
+  EXPECT_FALSE(read(field(R"("points": [{"position": [1, 2], "size": 1}])")).is_in_space);
+  EXPECT_TRUE(says(field(R"("points": [{"position": [1, 2], "size": 1}, {"position": [1, 2, 3], "size": 1}])"),
+                   "as many coordinates"));
+  EXPECT_TRUE(says(field(R"("boxes": [{"low": [0, 0, 1], "high": [1, 1, 0], "size": 1}])"), "SIZ-R02"));
 }
 
 TEST(SizeFieldIo, RulesAreNamedWithThePlace) {
@@ -77,9 +78,7 @@ TEST(SizeFieldIo, OtherVersionsAreRefusedWithTwoSentences) {
   EXPECT_EQ(refusal(field(R"("points": [])", "[1, 7]")), "");
 }
 
-SizeSources read_table(const std::string& text, Vec2 origin = {}) {
-  return read_size_field({{"sizes.csv", ""}, text}, origin);
-}
+SizeSources read_table(const std::string& text) { return read_size_field({{"sizes.csv", ""}, text}); }
 
 std::string table_refusal(const std::string& text) {
   return message_of<FormatError>([&] { read_table(text); });
@@ -88,11 +87,11 @@ std::string table_refusal(const std::string& text) {
 TEST(SizeTableIo, ThreeColumnsNeedNoHeader) {
   for (const char* text :
        {"0,1,0.5\n2,3,0.25\n", "0 1 0.5\r\n2\t3 0.25", "# made by hand\n0; 1; 0.5\n\n2; 3; 0.25 # fine"}) {
-    const SizeSources sources = read_table(text, {10, 20});
+    const SizeSources sources = read_table(text);
     EXPECT_TRUE(sources.is_table);
     ASSERT_EQ(sources.points.size(), 2u) << text;
-    EXPECT_EQ(sources.points[0].position, (Vec2{-10, -19}));
-    EXPECT_EQ(sources.points[1].position, (Vec2{-8, -17}));
+    EXPECT_EQ(sources.points[0].position, (Vec3{0, 1}));
+    EXPECT_EQ(sources.points[1].position, (Vec3{2, 3}));
     EXPECT_EQ(sources.points[1].size, 0.25);
   }
 }
@@ -101,9 +100,12 @@ TEST(SizeTableIo, AHeaderNamesTheColumns) {
   const SizeSources sources =
       read_table("\"error\",\"size\",\"Points:0\",\"Points:1\",\"Points:2\"\n9,0.5,1,2,0\n8,0.25,3,4,0\n");
   ASSERT_EQ(sources.points.size(), 2u);
-  EXPECT_EQ(sources.points[0].position, (Vec2{1, 2}));
+  EXPECT_EQ(sources.points[0].position, (Vec3{1, 2, 0}));
+  EXPECT_TRUE(sources.is_in_space);
   EXPECT_EQ(sources.points[1].size, 0.25);
-  EXPECT_EQ(read_table("Y X Size\n1 2 3").points[0].position, (Vec2{2, 1}));
+  EXPECT_EQ(read_table("x z y size\n1 2 3 4").points[0].position, (Vec3{1, 3, 2}));
+  EXPECT_FALSE(read_table("x y size\n1 2 3").is_in_space);
+  EXPECT_EQ(read_table("Y X Size\n1 2 3").points[0].position, (Vec3{2, 1}));
 }
 
 TEST(SizeTableIo, WhatIsNoTableIsRefusedWithTheLine) {

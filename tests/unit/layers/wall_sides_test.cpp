@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../chart_samples.hpp"
 #include "../hand_made.hpp"
 #include "wall_samples.hpp"
 
@@ -66,6 +67,22 @@ int wall_at(const PlannedWalls& p, Vec2 a, Vec2 b) {
   const int arc = p.arc_between(a, b);
   const bool is_from = distance(p.layout.nodes[p.layout.arcs[arc].from].position, a) < 1e-9;
   return p.plan.walls.at_arc_end[arc][is_from ? 0 : 1];
+}
+
+TEST(WallLine, OnASurfaceDistancesAreLengthsInSpace) {
+  // From the meridian y = 0 of the unit sphere, in stereographic projection, along a straight line of the chart: its
+  // length is the integral of 2 / (1 + r^2).
+  const CadFace face = samples::sphere_face(2, 10);
+  const std::vector<Nurbs> none;
+  const curve::CurveTable table(face, none);
+  const Nurbs& side = face.curves[0];
+  const WallLine wall(table, {{0, side.begin(), side.end()}}, sizing::chart_scale(face));
+  WallPoint foot{0, side.begin()};
+  for (const double x : {0.0, 0.2, 0.45}) {
+    const double a = std::sqrt(1 + x * x), y = 0.1;
+    EXPECT_NEAR(wall.distance({x, y}, foot), 2 / a * std::atan(y / a), 1e-7) << x;
+  }
+  EXPECT_NEAR(wall.scale_at({0.3, 0}), 2 / 1.09, 1e-7);
 }
 
 TEST(WallSides, MarkTheEndsOfArcsThatStartThere) {

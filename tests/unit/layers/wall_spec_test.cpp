@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "../chart_samples.hpp"
 #include "../hand_made.hpp"
 #include "../support/texts.hpp"
 #include "base/error.hpp"
@@ -226,18 +225,6 @@ TEST(LayerLaw, MoreIntervalsAboveLeaveLessRoomForCompressedLayers) {
   EXPECT_NEAR(compressed_heights(heights, 10, 4).front(), 1, 1e-12);
   for (const double room : {7, 5})
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(compressed_heights(heights, room, 4)[k], k + 1, 1e-9) << room;
-}
-
-TEST(WallSpec, HeightsOnSurfacesAreLengthsInSpace) {
-  // From the pole of the unit sphere to the latitude of r = 1/2 in the chart: 2 atan(1/2) along side 0.
-  std::vector<WallSpec> walls{parse_wall_spec("side 0:first=0.01,layers=3"),
-                              parse_wall_spec("side 2:first=0.01,thickness=0.1")};
-  plan_in_chart(walls, samples::sphere_face());
-  EXPECT_NEAR(walls[0].scale, 2 * std::atan(0.5) / 0.5, 1e-12);
-  EXPECT_NEAR(walls[0].first * walls[0].scale, 0.01, 1e-16);
-  EXPECT_NEAR(walls[1].thickness * walls[1].scale, 0.1, 1e-15);
-  plan_in_chart(walls, samples::face());
-  EXPECT_NEAR(walls[0].first * walls[0].scale, 0.01, 1e-16) << "planar faces stay";
 }
 
 }  // namespace

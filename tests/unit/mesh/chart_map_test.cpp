@@ -43,7 +43,6 @@ TEST(ChartMap, PointsJustOutsideAreInTheNearestTriangle) {
   const CadFace face = samples::sphere_face(2, 10);
   const ChartMap map(face);
   const Vec2 x{0.3, -1e-7};
-  EXPECT_FALSE(map.log_scale_inside(x));
   EXPECT_NEAR(map.log_scale(x), samples::sphere_log_scale(x), 1e-8);
   EXPECT_NEAR(distance(map.lift(x), samples::on_sphere(Vec2{0.3, 0})), 0, 1e-6);
   EXPECT_GE(map.locate({-7, 9}).elem, 0);
@@ -72,6 +71,34 @@ TEST(ChartMap, PolesOfTheParametrisationAreNoObstacle) {
     EXPECT_NEAR(distance(map.lift(x), samples::on_sphere(x)), 0, 1e-7);
   }
   EXPECT_NEAR(distance(map.lift({1e-4, 1e-5}), samples::on_sphere(Vec2{1e-4, 1e-5})), 0, 1e-7);
+}
+
+TEST(ChartMap, SamplesHavePositionScaleAndDerivatives) {
+  const CadFace face = samples::sphere_face(2, 10);
+  const ChartMap map(face);
+  const Vec2 x{0.21, 0.34};
+  EXPECT_LE(distance(map.sample(x).position, samples::on_sphere(x)), 1e-8);
+  EXPECT_NEAR(map.sample(x).log_scale, samples::sphere_log_scale(x), 1e-8);
+  const auto [by_x, by_y] = map.derivatives(x);
+  const double scale = std::exp(samples::sphere_log_scale(x)), step = 1e-5;
+  EXPECT_NEAR(norm(by_x), scale, 1e-6);
+  EXPECT_NEAR(dot(by_x, by_y), 0, 1e-6);
+  EXPECT_LE(norm(by_x - (samples::on_sphere(x + Vec2{step, 0}) - samples::on_sphere(x - Vec2{step, 0})) / (2 * step)),
+            1e-6);
+  EXPECT_NEAR(map.greatest_gradient(), std::sqrt(0.5), 1e-6) << "r in space, in the corner";
+}
+
+TEST(ChartMap, TheNearestPointOfAPositionInSpaceIsInsideOrOnTheBoundary) {
+  const CadFace face = samples::sphere_face(3, 10);
+  const ChartMap map(face);
+  for (const Vec2 x : {Vec2{0.21, 0.34}, {0.01, 0.49}, {0.25, 0.25}, {0, 0.3}, {0.5, 0.5}}) {
+    const ChartMap::Foot foot = map.nearest(1.02 * samples::on_sphere(x));
+    EXPECT_LE(distance(foot.x, x), 1e-7);
+    EXPECT_NEAR(foot.distance, 0.02, 1e-8);
+  }
+  const ChartMap::Foot outside = map.nearest(samples::on_sphere({-0.1, 0.2}));
+  EXPECT_NEAR(outside.x.x, 0, 1e-9);
+  EXPECT_GT(outside.distance, 0.19 / 1.05);
 }
 
 TEST(ChartMap, ItsTrianglesAreAMesh) {

@@ -44,6 +44,18 @@ class TableOfTest(unittest.TestCase):
         _, rows = table_of(Grid(cell_data={"m": [np.array([[2, 0, 1]]), np.array([[1, 0, 3]])]}), "m")
         np.testing.assert_allclose(rows, [[4 / 3, 1 / 3, 2, 0, 1], [0.5, 0.5, 1, 0, 3]])
 
+    def test_points_off_the_plane_keep_z_and_whole_tensors(self):
+        grid = Grid({"size": np.arange(1, 6), "m": np.tile([[4, 1, 0.5], [1, 3, 0], [0.5, 0, 7]], (5, 1, 1))})
+        grid.points[4, 2] = 0.5
+        names, rows = table_of(grid, "size")
+        self.assertEqual((names, rows[4].tolist()), (["x", "y", "z", "size"], [2, 0, 0.5, 5]))
+        names, rows = table_of(grid, "m")
+        self.assertEqual(names, ["x", "y", "z", "m11", "m12", "m13", "m22", "m23", "m33"])
+        self.assertEqual(rows[4].tolist(), [2, 0, 0.5, 4, 1, 0.5, 3, 0, 7])
+        grid.point_data["m"][4, 0, 0] = -1
+        with self.assertRaisesRegex(Refused, r"at \(2, 0, 0.5\) must be positive definite"):
+            table_of(grid, "m")
+
     def test_a_table_has_a_heading_and_numbers_with_all_digits(self):
         with contextlib.redirect_stdout(io.StringIO()) as written:
             write_table(*table_of(Grid({"m": np.tile([1 / 3, 0, 1e9], (5, 1))}), "m"), "-")

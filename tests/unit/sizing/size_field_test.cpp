@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "../chart_samples.hpp"
 #include "base/error.hpp"
 
 namespace quadrille::sizing {
@@ -14,7 +15,7 @@ namespace {
 constexpr double growth = 1.3;
 const double slope = std::log(growth);
 
-SizeField of_points(const std::vector<SizePoint>& points) { return SizeField(1, {points, {}, 0}, {}, growth); }
+SizeField of_points(const std::vector<SizeBall>& points) { return SizeField(1, {points, {}, 0}, {}, growth); }
 
 TEST(SizeField, WithoutSourcesIsTheSameEverywhere) {
   const SizeField field(0.3);
@@ -66,7 +67,8 @@ TEST(SizeField, SegmentsAreTheLeastOverTheirPoints) {
     double least = 1e300;
     for (int k = 0; k <= 2000; ++k) {
       const double t = k / 2000.0;
-      least = std::min(least, (1 - t) * s.size_a + t * s.size_b + slope * distance(x, (1 - t) * s.a + t * s.b));
+      least =
+          std::min(least, (1 - t) * s.size_a + t * s.size_b + slope * distance(in_space(x), (1 - t) * s.a + t * s.b));
     }
     EXPECT_LE(field.at(x), least + 1e-12);
     EXPECT_GE(field.at(x), least - 1e-3);
@@ -79,14 +81,14 @@ TEST(SizeField, ManySourcesAreTheLeastOfEach) {
   SizeSources sources;
   for (int k = 0; k < 500; ++k) {
     sources.points.push_back({{number(random), number(random)}, 0.01 + 0.2 * number(random), 0.01 * number(random)});
-    const Vec2 low{number(random), number(random)};
-    sources.boxes.push_back({low, low + Vec2{0.01, 0.02}, 0.01 + 0.2 * number(random)});
+    const Vec3 low{number(random), number(random)};
+    sources.boxes.push_back({low, low + Vec3{0.01, 0.02, 0}, 0.01 + 0.2 * number(random)});
   }
   const SizeField field(1, sources, {}, growth);
   for (int trial = 0; trial < 200; ++trial) {
     const Vec2 x{number(random), number(random)};
     double least = 1;
-    for (const SizePoint& p : sources.points) least = std::min(least, of_points({p}).at(x));
+    for (const SizeBall& p : sources.points) least = std::min(least, of_points({p}).at(x));
     for (const SizeBox& b : sources.boxes) least = std::min(least, SizeField(1, {{}, {b}, 0}, {}, growth).at(x));
     EXPECT_NEAR(field.at(x), least, 1e-15);
   }
@@ -100,7 +102,7 @@ TEST(SizeField, ImpossibleSizesAreUsageErrors) {
 
 TEST(SizeField, IsLinearInATriangleAndGrowsOutsideOfIt) {
   SizeSources sources;
-  sources.triangles = {{{Vec2{0, 0}, {1, 0}, {0, 1}}, {0.1, 0.2, 0.15}}};
+  sources.triangles = {{{Vec3{0, 0}, {1, 0}, {0, 1}}, {0.1, 0.2, 0.15}}};
   const SizeField sizes(10, sources, {}, growth);
   EXPECT_NEAR(sizes.at({0.25, 0.5}), 0.1 + 0.25 * 0.1 + 0.5 * 0.05, 1e-14);
   EXPECT_NEAR(sizes.at({1, 0}), 0.2, 1e-14);
@@ -121,10 +123,31 @@ TEST(SizeField, IsLinearInATriangleAndGrowsOutsideOfIt) {
 
 TEST(SizeField, ATriangleThatIsTooSteepIsLimited) {
   SizeSources sources;
-  sources.triangles = {{{Vec2{0, 0}, {1, 0}, {0, 1}}, {0.1, 5, 5}}};
+  sources.triangles = {{{Vec3{0, 0}, {1, 0}, {0, 1}}, {0.1, 5, 5}}};
   const SizeField sizes(10, sources, {}, 1.2);
   EXPECT_NEAR(sizes.at({0.5, 0}), 0.1 + 0.5 * std::log(1.2), 1e-12);
   EXPECT_NEAR(sizes.at({0.3, 0.4}), 0.1 + 0.5 * std::log(1.2), 1e-12);
+}
+
+TEST(SizeField, OnACurvedFaceSourcesAndDistancesAreThoseOfSpace) {
+  // Sources at the north pole of the unit sphere, the middle of the chart.
+  SizeSources sources;
+  sources.points = {{{0, 0, 1}, 0.01, 0}};
+  sources.boxes = {{{0.7, -1, -1}, {0.8, 1, 1}, 0.02}};
+  sources.is_in_space = true;
+  const SizeField sizes = SizeField(10, sources, {}, growth).in_chart(chart_scale(samples::sphere_face(2, 10)));
+  for (const Vec2 x : {Vec2{0.1, 0.2}, {0.3, 0}, {0.25, 0.4}}) {
+    const Vec3 there = samples::on_sphere(x);
+    const double size =
+        std::min(0.01 + slope * distance(there, {0, 0, 1}), 0.02 + slope * std::max(0.0, 0.7 - there.x));
+    EXPECT_NEAR(sizes.at(x) * std::exp(samples::sphere_log_scale(x)), size, 1e-6);
+  }
+}
+
+TEST(SizeField, TrianglesInSpaceGrowAwayFromTheirPlane) {
+  SizeSources sources;
+  sources.triangles = {{{Vec3{0, 0, 1}, {3, 0, 1}, {0, 3, 1}}, {0.1, 0.1, 0.1}}};
+  EXPECT_NEAR(SizeField(10, sources, {}, growth).at({1, 1}), 0.1 + slope, 1e-14);
 }
 
 }  // namespace

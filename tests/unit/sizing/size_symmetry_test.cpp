@@ -87,7 +87,7 @@ TEST_P(SizeSymmetry, TurnedWithBreaksInSidesAndAlignedChords) {
 }
 
 TEST_P(SizeSymmetry, TurnedFaceGivesTheTurnedMesh) {
-  const SizePoint source{{0.4, 1.3}, 0.02, 0};
+  const SizeBall source{{0.4, 1.3}, 0.02, 0};
   const auto motion = [](Vec2 x) { return turned(x, 0.3) + Vec2{5, -7}; };
   SeparatrixGraph graph = hand_made::l_shape();
   const QuadMesh mesh = refined(graph, SizeField(0.3, {{source}, {}, 0}, {}, growth), GetParam());
@@ -97,7 +97,7 @@ TEST_P(SizeSymmetry, TurnedFaceGivesTheTurnedMesh) {
     for (Vec2& pole : curve.poles) pole = motion(pole);
   for (GraphNode& node : graph.nodes) node.position = motion(node.position);
   for (Joint& joint : graph.face.joints) joint.position = motion(joint.position);
-  const SizePoint moved{motion(source.position), source.size, 0};
+  const SizeBall moved{in_space(motion({source.position.x, source.position.y})), source.size, 0};
   const QuadMesh other = refined(graph, SizeField(0.3, {{moved}, {}, 0}, {}, growth), GetParam());
   ASSERT_EQ(other.nodes.size(), mesh.nodes.size());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) EXPECT_LE(distance(other.nodes[i], motion(mesh.nodes[i])), 1e-9);

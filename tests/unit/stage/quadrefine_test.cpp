@@ -68,12 +68,12 @@ TEST_F(Quadrefine, TextsThatCannotBeReadAreUsageErrorsBeforeTheMesh) {
 
 TEST_F(Quadrefine, NamesAreLookedUpInTheFaceBeforeThereAreBlocks) {
   options.counts = {"bottom=3"};
-  EXPECT_NO_THROW(require_quadrefine_of(layout.face, {}, options));
+  EXPECT_NO_THROW(require_quadrefine_of(layout.face, {}, {}, options));
   options.counts = {"nowhere=3"};
-  EXPECT_THROW(require_quadrefine_of(layout.face, {}, options), UsageError);
+  EXPECT_THROW(require_quadrefine_of(layout.face, {}, {}, options), UsageError);
   options.counts = {};
   options.sizes.size = 1e-6;
-  EXPECT_THROW(require_quadrefine_of(layout.face, {}, options), ComputeError) << "far too many";
+  EXPECT_THROW(require_quadrefine_of(layout.face, {}, {}, options), ComputeError) << "far too many";
 }
 
 TEST_F(Quadrefine, WallsAskForOffsetsOrClearances) {
