@@ -221,7 +221,7 @@ BlockLines line_intervals(const sizing::MeasuredLayout& measured, const layers::
     const layers::LayeredBlock layered =
         layers::layered_block(walls, measured, block, side_fractions(walls, blocks, block, divisions, order));
     for (const int direction : {0, 1})
-      pieces[direction].push_back(layers::block_lines(layered, direction, order, blocks.face.origin));
+      pieces[direction].push_back(layers::block_lines(layered, direction, order, blocks.face));
   }
   return corrected(blocks, pieces, IsFree(blocks.num_blocks(), {true, true}), divisions, order, limit);
 }

@@ -17,6 +17,7 @@
 #include "layers/wall_spec.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/transfinite.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -208,14 +209,14 @@ FittedLayers fit_layers(const std::vector<WallSpec>& specs, const std::vector<No
   }
 }
 
-[[noreturn]] void refuse(const WallSpec& spec, int count, Vec2 position) {
+[[noreturn]] void refuse(const WallSpec& spec, int count, const CadFace& face, Vec2 position) {
   const std::string most =
       count == 0 ? "not even one fits: make the first one thinner"
                  : fmt::format("at most {} fit, with a thickness of {:.6g}: ask for as many as fit (layers=fit)", count,
                                layer_heights(spec, count).back());
   throw ComputeError(
       fmt::format("--wall {}: the layers do not fit between the wall and the far side of its blocks at {}; {}{}",
-                  fmt::join(spec.names, ","), position_text(position), most,
+                  fmt::join(spec.names, ","), surface::position_text(face, position), most,
                   spec.own_blocks ? "" : ", or give them blocks of their own (blocks=own)"));
 }
 
@@ -264,7 +265,7 @@ FreePart part_between_layers(const NormalLineSample& line, const std::vector<std
 }
 
 std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::vector<NormalLineSample>& lines,
-                                Vec2 origin, bool may_crowd) {
+                                const CadFace& face, bool may_crowd) {
   // As many as fit are as many as leave room for intervals that grow evenly.
   const bool any_fits = std::any_of(specs.begin(), specs.end(), [](const WallSpec& s) { return s.as_many_as_fit; });
   FittedLayers fitted = fit_layers(specs, lines, may_crowd && !any_fits);
@@ -273,7 +274,7 @@ std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::v
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const int count = fitted.counts[i];
     const bool fits = count > 0 && (specs[i].as_many_as_fit || count == requested_layers(specs[i]));
-    if (!fits) refuse(specs[i], count, fitted.misfits[i].value_or(Vec2{}) + origin);
+    if (!fits) refuse(specs[i], count, face, fitted.misfits[i].value_or(Vec2{}));
   }
   return fitted.counts;
 }

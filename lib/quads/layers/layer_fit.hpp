@@ -36,9 +36,9 @@ std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& 
 FreePart part_between_layers(const NormalLineSample& line, const std::vector<std::vector<double>>& spec_heights);
 
 /// The number of layers of each spec. Throws ComputeError with the greatest number that fits, and the position where
-/// the prescribed ones do not. Positions in messages are in file coordinates: `origin` is added.
+/// the prescribed ones do not. Positions in messages are those of the file of `face`.
 /// `may_crowd`: crowding is ignored where all numbers are prescribed (rule 13): other intervals are made to suit.
 std::vector<int> fitting_layers(const std::vector<WallSpec>& specs, const std::vector<NormalLineSample>& lines,
-                                Vec2 origin, bool may_crowd = false);
+                                const CadFace& face, bool may_crowd = false);
 
 }  // namespace quadrille::layers

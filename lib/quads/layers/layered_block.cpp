@@ -20,7 +20,7 @@ struct BlockNodes {
   /// Of the nodes on each side: s (sides 0, 2) or t (1, 3) of the block's map.
   std::array<std::vector<double>, 4> parameters;
   int order;
-  Vec2 origin;
+  const CadFace& face;
 
   bool has_lines(int direction) const { return !block.lines[direction].empty(); }
   bool has_wall(int side) const { return block.sides[side].wall != nullptr; }
@@ -75,11 +75,11 @@ LineFamily row_family(const BlockNodes& nodes) {
 std::vector<double> divided_line(const BlockNodes& nodes, int direction, const LineFamily& family,
                                  const NormalLine& line, int number) {
   const auto& lines = nodes.block.lines[direction];
-  if (!lines.empty()) return divide_normal_line(family, line, number, nodes.origin, lines[number]);
+  if (!lines.empty()) return divide_normal_line(family, line, number, nodes.face, lines[number]);
   const std::array<double, 2> blend{nodes.parameters[direction == 0 ? 0 : 3][number],
                                     nodes.parameters[direction == 0 ? 2 : 1][number]};
-  return divide_normal_line(family, line, number, nodes.origin,
-                            measured_line(family, line, number, blend, nodes.origin).sizes);
+  return divide_normal_line(family, line, number, nodes.face,
+                            measured_line(family, line, number, blend, nodes.face).sizes);
 }
 
 /// Of the nodes on the side that divides the whole block: where its map meets them.
@@ -97,10 +97,10 @@ std::vector<double> parameters_in_whole(const BlockNodes& nodes) {
   return parameters;
 }
 
-BlockNodes block_nodes(const LayeredBlock& block, int order, Vec2 origin) {
+BlockNodes block_nodes(const LayeredBlock& block, int order, const CadFace& face) {
   const std::array<SideTable, 4>& sides = block.tables;
   BlockNodes nodes{
-      block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, block.fractions, order, origin};
+      block, {sides[0].at(0), sides[0].at(1), sides[2].at(1), sides[2].at(0)}, block.fractions, order, face};
   if (block.halved) nodes.parameters[block.halved->side] = parameters_in_whole(nodes);
   return nodes;
 }
@@ -242,8 +242,8 @@ std::vector<Vec2> transposed(const std::vector<Vec2>& positions, const LayeredBl
 }
 
 /// Positions of all nodes, with the columns placed last.
-std::vector<Vec2> columns_last(const LayeredBlock& block, int order, Vec2 origin) {
-  const BlockNodes nodes = block_nodes(block, order, origin);
+std::vector<Vec2> columns_last(const LayeredBlock& block, int order, const CadFace& face) {
+  const BlockNodes nodes = block_nodes(block, order, face);
   const bool has_rows = nodes.has_lines(1) || nodes.has_wall(1) || nodes.has_wall(3);
   const bool has_columns = nodes.has_lines(0) || nodes.has_wall(0) || nodes.has_wall(2);
   std::vector<Vec2> positions(block.fractions[0].size() * block.fractions[1].size());
@@ -257,8 +257,8 @@ std::vector<Vec2> columns_last(const LayeredBlock& block, int order, Vec2 origin
 
 }  // namespace
 
-std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int order, Vec2 origin) {
-  const BlockNodes nodes = block_nodes(block, order, origin);
+std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int order, const CadFace& face) {
+  const BlockNodes nodes = block_nodes(block, order, face);
   const LineFamily family = direction == 0 ? column_family(nodes) : row_family(nodes);
   const int count = direction == 0 ? nodes.width() : nodes.height();
   std::vector<BlockLine> lines(count);
@@ -268,16 +268,16 @@ std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int
       const double across = low + u * (high - low);
       return direction == 0 ? nodes.position(across, u) : nodes.position(u, across);
     };
-    lines[i] = measured_line(family, line, i, {low, high}, origin);
+    lines[i] = measured_line(family, line, i, {low, high}, face);
   }
   return lines;
 }
 
-std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin) {
+std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, const CadFace& face) {
   const Last last = placed_last(block);
-  const auto exchanged = [&] { return transposed(columns_last(transposed(block), order, origin), block); };
+  const auto exchanged = [&] { return transposed(columns_last(transposed(block), order, face), block); };
   if (last == Last::rows) return exchanged();
-  std::vector<Vec2> positions = columns_last(block, order, origin);
+  std::vector<Vec2> positions = columns_last(block, order, face);
   if (last == Last::columns || block.lines[0].empty() || block.lines[1].empty()) return positions;
   // The mean of both does not depend on the order of the block's sides.
   const std::vector<Vec2> others = exchanged();

@@ -39,12 +39,12 @@ struct LayeredBlock {
 };
 
 /// The inner columns (0) or rows (1), by their number along the side; the first and the last one are empty.
-std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int order, Vec2 origin);
+std::vector<BlockLine> block_lines(const LayeredBlock& block, int direction, int order, const CadFace& face);
 
 /// Positions of all nodes, along side 0 fastest; those on the sides are not filled in. Without a wall nodes lie where
 /// the straight lines between their ends cross in the block's (s, t): the blend of the ends themselves, which
 /// refine/split_isoparametric uses, may lie outside the block if the divisions of opposite sides differ much. Throws
-/// ComputeError, with the position plus `origin`, if a line turns back before its layers end.
-std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, Vec2 origin);
+/// ComputeError, with the position, if a line turns back before its layers end.
+std::vector<Vec2> layered_positions(const LayeredBlock& block, int order, const CadFace& face);
 
 }  // namespace quadrille::layers

@@ -9,6 +9,7 @@
 #include "base/message_text.hpp"
 #include "layers/wall_spec.hpp"
 #include "spectral/quadrature.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::layers {
 namespace {
@@ -86,9 +87,9 @@ class HeightSearch {
   double rate_ = 0;  ///< of u by the height, at the last one
 };
 
-[[noreturn]] void refuse(Vec2 position) {
-  throw ComputeError(
-      fmt::format("--wall: the layers do not fit into the block beside the wall at {}", position_text(position)));
+[[noreturn]] void refuse(const CadFace& face, Vec2 position) {
+  throw ComputeError(fmt::format("--wall: the layers do not fit into the block beside the wall at {}",
+                                 surface::position_text(face, position)));
 }
 
 void append(std::vector<double>& to, const std::vector<double>& more) { to.insert(to.end(), more.begin(), more.end()); }
@@ -111,18 +112,18 @@ struct LayerNodes {
   std::vector<double> low, high;
 };
 
-LayerNodes layer_nodes(const LineFamily& family, const NormalLine& line, std::size_t node, Vec2 origin) {
+LayerNodes layer_nodes(const LineFamily& family, const NormalLine& line, std::size_t node, const CadFace& face) {
   const auto from_wall = [&](const NormalLine& from, const SideLayers& side) {
     std::vector<double> parameters{0.0};
     if (!side.wall) return parameters;
     append(parameters,
            parameters_in_layers(from, *side.wall, side.feet[node], side.heights, side.own_intervals, family.order));
-    if (parameters.size() <= side.heights.size() * family.order) refuse(from(0) + origin);
+    if (parameters.size() <= side.heights.size() * family.order) refuse(face, from(0));
     return parameters;
   };
   LayerNodes nodes{from_wall(line, family.low), from_wall([&line](double u) { return line(1 - u); }, family.high)};
   sizing::reverse_fractions(nodes.high);
-  if (nodes.low.back() >= nodes.high.front()) refuse(line(nodes.low.back()) + origin);
+  if (nodes.low.back() >= nodes.high.front()) refuse(face, line(nodes.low.back()));
   return nodes;
 }
 
@@ -205,8 +206,8 @@ std::vector<double> parameters_in_layers(const NormalLine& line, const WallLine&
 }
 
 BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node,
-                        const std::array<double, 2>& blend, Vec2 origin) {
-  const LayerNodes ends = layer_nodes(family, line, node, origin);
+                        const std::array<double, 2>& blend, const CadFace& face) {
+  const LayerNodes ends = layer_nodes(family, line, node, face);
   const std::size_t first = family.low.heights.size(), last = family.left.size() - family.high.heights.size();
   const std::vector<double> sizes = blended_sizes(family, blend);
   const auto step = [&](const std::vector<double>& nodes, std::size_t k) {
@@ -226,9 +227,9 @@ BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::s
   return result;
 }
 
-std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, Vec2 origin,
-                                       const std::vector<double>& lengths) {
-  auto [nodes, top] = layer_nodes(family, line, node, origin);
+std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node,
+                                       const CadFace& face, const std::vector<double>& lengths) {
+  auto [nodes, top] = layer_nodes(family, line, node, face);
   const double low = nodes.back(), high = top.front();
   const std::vector<double> fractions =
       interval_nodes(end_fractions(parameter_steps(line, low, high, lengths)), family.order);

@@ -66,12 +66,12 @@ struct BlockLine {
 /// left and 1 at the right, so that the sizes of lines which continue each other in adjacent blocks do so too. Throws
 /// as divide_normal_line.
 BlockLine measured_line(const LineFamily& family, const NormalLine& line, std::size_t node,
-                        const std::array<double, 2>& blend, Vec2 origin);
+                        const std::array<double, 2>& blend, const CadFace& face);
 
 /// Parameters from 0 to 1 of all nodes of the line that starts at the given node of both sides. `lengths`: of the
-/// intervals between the layers, up to a common factor. Throws ComputeError, with the position plus `origin`, if the
+/// intervals between the layers, up to a common factor. Throws ComputeError, with the position, if the
 /// line turns back before its layers end or the layers of both ends overlap.
-std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node, Vec2 origin,
-                                       const std::vector<double>& lengths);
+std::vector<double> divide_normal_line(const LineFamily& family, const NormalLine& line, std::size_t node,
+                                       const CadFace& face, const std::vector<double>& lengths);
 
 }  // namespace quadrille::layers

@@ -23,7 +23,7 @@ namespace {
 
 std::vector<std::vector<double>> fitted_heights(const WallInput& input, const std::vector<NormalLineSample>& lines) {
   std::vector<std::vector<double>> heights;
-  for (const int count : fitting_layers(input.specs, lines, input.blocks().face.origin, input.may_crowd))
+  for (const int count : fitting_layers(input.specs, lines, input.blocks().face, input.may_crowd))
     heights.push_back(layer_heights(input.specs[heights.size()], count));
   return heights;
 }

@@ -11,6 +11,7 @@
 #include "base/warning_codes.hpp"
 #include "mesh/element_sizes.hpp"
 #include "refine/validity.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -58,16 +59,15 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
 }
 
 void report_surface(const mesh::SurfaceDistance& distance, const CadFace& face, double tolerance, Report& report) {
-  const Vec2 position = distance.position + face.origin;
   report.set("surface.distance", distance.worst());
-  report.set("surface.position", std::vector<double>{position.x, position.y});
+  report.set("surface.position", surface::position_in_file(face, distance.position));
   report.set("surface.tolerance", tolerance);
   if (distance.worst() <= tolerance * (1 + tolerance::tied)) return;
-  report.warn(
-      warning::geometry_tol_missed,
-      fmt::format("elements deviate from the surface by up to {:.2g} diameters at {} of the chart, more than the "
-                  "geometric tolerance {:.2g}: raise --order or lower --size",
-                  distance.worst() / face.diameter, position_text(position), tolerance / face.diameter));
+  report.warn(warning::geometry_tol_missed,
+              fmt::format("elements deviate from the surface by up to {:.2g} diameters at {}, more than the geometric "
+                          "tolerance {:.2g}: raise --order or lower --size",
+                          distance.worst() / face.diameter, surface::position_text(face, distance.position),
+                          tolerance / face.diameter));
 }
 
 }  // namespace quadrille::refine

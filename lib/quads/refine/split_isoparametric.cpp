@@ -60,7 +60,7 @@ std::vector<Vec2> layered_nodes(const SplitInput& in, int block, const std::arra
   if (has_lines) layered.lines = lengths[block];
   if (has_lines && !in.lines.factors.empty()) layered.factors = in.lines.factors[block];
   if (!in.lines.shifts.empty()) layered.shifts = in.lines.shifts[block];
-  return layers::layered_positions(layered, order, in.layout().face.origin);
+  return layers::layered_positions(layered, order, in.layout().face);
 }
 
 /// The node (i, j) inside a block: the blend of its sides, or of those of the block of the whole, where the straight

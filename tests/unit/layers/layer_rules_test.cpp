@@ -188,10 +188,11 @@ TEST(LayerRules, R8WithR14_WallsOnAllSidesOfABlock) {
 // ---- How many layers
 
 TEST(LayerRules, R10_LayersWithoutClearanceAreRefusedWithNumberAndPlace) {
+  CadFace face;
+  face.origin = {10, 20};
   for (const std::string count : {"layers=11", "thickness=1.05"}) {
-    const std::string message = message_of<ComputeError>([&] {
-      fitting_layers(parse({"a:first=0.1,law=uniform," + count}), {straight(0, 1, 0)}, {10, 20});
-    });
+    const std::string message = message_of<ComputeError>(
+        [&] { fitting_layers(parse({"a:first=0.1,law=uniform," + count}), {straight(0, 1, 0)}, face); });
     EXPECT_TRUE(contains(message, "(11, 22)")) << message;
     EXPECT_TRUE(contains(message, "at most 9 fit, with a thickness of 0.9")) << message;
   }
@@ -218,12 +219,12 @@ TEST(LayerRules, R11_FitIsTheGreatestNumberAndMustNotBeZero) {
 TEST(LayerRules, R12_FacingWallsBothLoseLayers) {
   const std::vector<NormalLineSample> line{straight(0, 1, 0, 1)};
   const std::vector<int> fit = fitting_layers(
-      parse({"a:first=0.05,law=uniform,layers=fit", "b:first=0.05,law=uniform,layers=fit"}), line, {0, 0});
+      parse({"a:first=0.05,law=uniform,layers=fit", "b:first=0.05,law=uniform,layers=fit"}), line, CadFace());
   EXPECT_EQ(fit[0], fit[1]);
   EXPECT_EQ(fit[0] + fit[1], 18);
   // A prescribed number opposite to layers=fit does not come first.
   EXPECT_THROW(fitting_layers(parse({"a:first=0.05,law=uniform,layers=12", "b:first=0.05,law=uniform,layers=fit"}),
-                              line, {0, 0}),
+                              line, CadFace()),
                ComputeError);
 }
 
@@ -247,9 +248,9 @@ TEST(LayerRules, R13_WhereNoNumberAvoidsCrowdingOnlyTheClearanceCounts) {
   const std::string thick = "a:first=0.16,layers=fit", thin = "b:first=0.01,layers=fit";
   const int thin_alone = fitting(thin, {straight(0, 0.3, 0)});
   // For all walls alike: the thin layers are not reduced for their own wide block either.
-  EXPECT_EQ(fitting_layers(parse({thick, thin}), narrow_and_wide, {0, 0}), (std::vector<int>{1, thin_alone}));
+  EXPECT_EQ(fitting_layers(parse({thick, thin}), narrow_and_wide, CadFace()), (std::vector<int>{1, thin_alone}));
   const std::string thinner = "a:first=0.02,layers=fit";
-  EXPECT_LT(fitting_layers(parse({thinner, thin}), narrow_and_wide, {0, 0})[1], thin_alone);
+  EXPECT_LT(fitting_layers(parse({thinner, thin}), narrow_and_wide, CadFace())[1], thin_alone);
 }
 
 TEST(LayerRules, R10WithR13_APrescribedNumberThatCrowdsNarrowBlocksIsRefused) {
@@ -265,7 +266,8 @@ TEST(LayerRules, R10WithR13_APrescribedNumberThatCrowdsNarrowBlocksIsRefused) {
 TEST(LayerRules, R12WithR13_FacingWallsBothLoseLayersToTheirWideBlocks) {
   const std::vector<WallSpec> walls = parse({"a:first=0.01,layers=fit", "b:first=0.01,layers=fit"});
   const std::vector<NormalLineSample> narrow{straight(0, 0.6, 0, 1)}, both{narrow[0], straight(0, 6, 0, 1)};
-  const std::vector<int> alone = fitting_layers(walls, narrow, {}), beside_wide = fitting_layers(walls, both, {});
+  const std::vector<int> alone = fitting_layers(walls, narrow, CadFace()),
+                         beside_wide = fitting_layers(walls, both, CadFace());
   EXPECT_EQ(beside_wide[0], beside_wide[1]);
   EXPECT_LT(beside_wide[0], alone[0]);
 }

@@ -20,7 +20,7 @@ inline layers::NormalLineSample straight(int chord, double length, int front, in
 
 /// The number of layers of one wall.
 inline int fitting(const std::string& wall, const std::vector<layers::NormalLineSample>& lines) {
-  return layers::fitting_layers(parse({wall}), lines, {0, 0}).front();
+  return layers::fitting_layers(parse({wall}), lines, CadFace()).front();
 }
 
 }  // namespace quadrille::wall_samples
