@@ -21,7 +21,6 @@
 #include "sew/one_sheet.hpp"
 #include "sew/sewn_face.hpp"
 #include "space/assemble_space_face.hpp"
-#include "space/improve_triangles.hpp"
 #include "space/space_curve.hpp"
 #include "space/surface_kinks.hpp"
 
@@ -137,7 +136,6 @@ SpaceFace read_space_face(const KernelFormat& format, const std::string& bytes, 
     space::RawSpaceFace raw;
     raw.labels = labels_of_face(model, choice.face, name);
     read_curved_face(model, choice.face, raw, report);
-    space::improve_triangles(raw);
     cad::choose_names(raw.labels);
     report.set("surface.kind", kind_of(choice.face));
     SpaceFace face = space::assemble_space_face(raw, options.heal_tolerance, report);

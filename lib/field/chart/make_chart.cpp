@@ -212,7 +212,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   lengths.reserve(space_face.curves.size());
   for (const SpaceCurve& curve : space_face.curves) lengths.emplace_back(curve);
   MadeChart made;
-  made.mesh = rough_chart(space_face);
+  made.mesh = rough_chart(space_face, delaunay_triangles(space_face, lengths));
   std::vector<SizePoint> by_error;
   Judge judge(options);
   int refinements = 0;  // of meshes with folded elements
