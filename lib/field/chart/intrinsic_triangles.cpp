@@ -9,13 +9,15 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "chart/surface_mesh.hpp"
 #include "surface/nurbs_surface.hpp"
 
 namespace quadrille::chart {
 namespace {
 
-constexpr double longest_side = 0.04;  // of the size of the face
-constexpr double least_gain = 1e-9;    // radians: rounding errors flip nothing
+constexpr double longest_side = 0.04, shortest_half = 1e-4;  // of the size of the face
+constexpr double most_turn = 0.3;                            // of the normal along a side, radians
+constexpr double least_gain = 1e-9;                          // radians: rounding errors flip nothing
 constexpr std::size_t most_triangles = 40000;
 
 /// The angle opposite to side a, in [0, pi].
@@ -39,9 +41,10 @@ class Builder {
   }
 
   IntrinsicTriangles made() {
+    while (result_.triangles.size() < most_triangles && split_sides()) continue;
+    suspects_.clear();
     for (int side = 0; side < num_sides(); ++side) suspects_.push_back(side);
     flip_suspects();
-    while (result_.triangles.size() < most_triangles && split_long_sides()) flip_suspects();
     return std::move(result_);
   }
 
@@ -61,11 +64,11 @@ class Builder {
   void measure();
   void flip_suspects();
   void flip_if_better(int side);
-  bool split_long_sides();
+  bool split_sides();
   void split(int side);
-  int longest(int t) const;
-  double length_of_median(int side) const;
-  std::pair<Vec3, Vec2> middle(int side);
+  double turn(int side) const;
+  bool is_to_be_split(int side) const;
+  std::pair<Vec3, Vec2> middle(int side) const;
   void set(int t, const std::array<int, 3>& vertices, const std::array<Vec2, 3>& uv,
            const std::array<double, 3>& lengths, const std::array<int, 3>& across);
   Vec2 whole_periods(Vec2 difference) const;
@@ -74,7 +77,7 @@ class Builder {
   const std::vector<SpaceLength>& lengths_;
   IntrinsicTriangles result_;
   std::vector<int> suspects_;  ///< sides that may be flipped
-  double longest_ = 0;         ///< of sides
+  double size_ = 0;            ///< of the face, a length
 };
 
 void Builder::glue() {
@@ -94,9 +97,7 @@ void Builder::glue() {
 }
 
 void Builder::measure() {
-  double size = 0;
-  for (const Vec3& x : result_.vertices) size = std::max(size, distance(x, result_.vertices.front()));
-  longest_ = longest_side * size;
+  for (const Vec3& x : result_.vertices) size_ = std::max(size_, distance(x, result_.vertices.front()));
   for (int side = 0; side < num_sides(); ++side) {
     const Vec3 a = result_.vertices[vertex(side)], b = result_.vertices[vertex(next(side))];
     of(side).lengths[side % 3] = distance(a, b);
@@ -149,57 +150,65 @@ void Builder::flip_if_better(int side) {
   set(two, {d, b, c}, uv_two, {l_db, l_bc, cd}, across_two);
 }
 
-int Builder::longest(int t) const {
-  const std::array<double, 3>& l = result_.triangles[t].lengths;
-  return 3 * t + static_cast<int>(std::max_element(l.begin(), l.end()) - l.begin());
+/// Of the normal along a side, radians; 0 where the parametrisation degenerates at an end.
+double Builder::turn(int side) const {
+  const Vec3 a = face_normal(face_, uv(side)), b = face_normal(face_, uv(next(side)));
+  return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
-bool Builder::split_long_sides() {
+bool Builder::is_to_be_split(int side) const {
+  return length(side) > longest_side * size_ || (length(side) > 2 * shortest_half * size_ && turn(side) > most_turn);
+}
+
+/// One side of each triangle that has any to be split: the longest of them.
+bool Builder::split_sides() {
   const int num_triangles = static_cast<int>(result_.triangles.size());
   bool has_split = false;
   for (int t = 0; t < num_triangles; ++t) {
-    const int side = longest(t);
-    if (length(side) <= longest_) continue;
-    split(side);
-    has_split = true;
+    int longest = -1;
+    for (int side = 3 * t; side < 3 * t + 3; ++side)
+      if ((longest < 0 || length(side) > length(longest)) && is_to_be_split(side)) longest = side;
+    if (longest >= 0) split(longest), has_split = true;
   }
   return has_split;
 }
 
-double Builder::length_of_median(int side) const {
-  const double a = length(side), b = length(next(side)), c = length(last(side));
-  return std::sqrt(std::max(2 * b * b + 2 * c * c - a * a, 0.0)) / 2;
-}
-
-/// The point of the surface, or of the curve, in the middle of a side, with its parameters.
-std::pair<Vec3, Vec2> Builder::middle(int side) {
+/// The point of the surface, or of the curve, in the middle of a side, with its parameters. Those in the middle say
+/// nothing where a triangle has a pole inside.
+std::pair<Vec3, Vec2> Builder::middle(int side) const {
   const Vec2 uv_middle = (uv(side) + uv(next(side))) / 2;
-  Vec3 x = (result_.vertices[vertex(side)] + result_.vertices[vertex(next(side))]) / 2;
-  if (across(side) < 0) {
-    const FineBoundaryEdge& edge = result_.boundary_edges[-1 - across(side)];
-    const SpaceLength& length = lengths_[edge.curve];
-    x = surface::point(length.curve(), length.parameter((length.at(edge.t0) + length.at(edge.t1)) / 2));
+  if (across(side) >= 0) {
+    const Vec3 chord = (result_.vertices[vertex(side)] + result_.vertices[vertex(next(side))]) / 2;
+    const Vec3 x = surface::point(face_.surface, uv_middle);
+    if (distance(x, chord) <= length(side) / 2) return {x, uv_middle};
+    const surface::SurfaceProjection foot = surface::project(face_.surface, chord, uv_middle);
+    return {foot.position, foot.uv + whole_periods(uv_middle - foot.uv)};
   }
-  const surface::SurfaceProjection foot = surface::project(face_.surface, x, uv_middle);
-  return {across(side) < 0 ? x : foot.position, foot.uv + whole_periods(uv_middle - foot.uv)};
+  const FineBoundaryEdge& edge = result_.boundary_edges[-1 - across(side)];
+  const SpaceLength& length = lengths_[edge.curve];
+  const Vec3 x = surface::point(length.curve(), length.parameter((length.at(edge.t0) + length.at(edge.t1)) / 2));
+  const Vec2 foot = surface::project(face_.surface, x, uv_middle).uv;
+  return {x, foot + whole_periods(uv_middle - foot)};
 }
 
 // The side a b, with c on its left and d on its right, is halved at m.
 void Builder::split(int side) {
-  const auto [x, uv_m] = middle(side);
+  const std::pair<Vec3, Vec2> at = middle(side);
+  const Vec3 x = at.first;
+  const Vec2 uv_m = at.second;
   const int m = static_cast<int>(result_.vertices.size()), other = across(side);
   result_.vertices.push_back(x);
-  const double half = length(side) / 2;
+  const auto length_to = [&](int v) { return distance(x, result_.vertices[v]); };
   const auto halve = [&](int s, Vec2 uv_middle, int first, int second) {
     const IntrinsicTriangle old = of(s);
     const int i = s % 3, j = (i + 1) % 3, k = (i + 2) % 3, one = s / 3,
               two = static_cast<int>(result_.triangles.size());
-    const double median = length_of_median(s);
+    const double median = length_to(old.vertices[k]);
     result_.triangles.emplace_back();
-    set(one, {old.vertices[i], m, old.vertices[k]}, {old.uv[i], uv_middle, old.uv[k]}, {half, median, old.lengths[k]},
-        {first, 3 * two + 2, old.across[k]});
-    set(two, {m, old.vertices[j], old.vertices[k]}, {uv_middle, old.uv[j], old.uv[k]}, {half, old.lengths[j], median},
-        {second, old.across[j], 3 * one + 1});
+    set(one, {old.vertices[i], m, old.vertices[k]}, {old.uv[i], uv_middle, old.uv[k]},
+        {length_to(old.vertices[i]), median, old.lengths[k]}, {first, 3 * two + 2, old.across[k]});
+    set(two, {m, old.vertices[j], old.vertices[k]}, {uv_middle, old.uv[j], old.uv[k]},
+        {length_to(old.vertices[j]), old.lengths[j], median}, {second, old.across[j], 3 * one + 1});
   };
   if (other < 0) {
     FineBoundaryEdge& edge = result_.boundary_edges[-1 - other];
