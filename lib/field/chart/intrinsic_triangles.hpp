@@ -25,9 +25,9 @@ struct IntrinsicTriangles {
   std::vector<FineBoundaryEdge> boundary_edges;
 };
 
-/// The fine triangles of the face, with sides halved until none is long for the face or for its triangle, and Delaunay:
-/// the cotangent weights of inner sides are not negative. `lengths`: of the curves. Throws ComputeError, with the
-/// place, where an edge has no length.
+/// The fine triangles of the face, with sides halved where they are long for the face or its normal turns far along
+/// them, then Delaunay, by flips that leave all lengths on the triangles as they are. `lengths`: of the curves. Throws
+/// ComputeError, with the place, where an edge has no length.
 IntrinsicTriangles delaunay_triangles(const SpaceFace& face, const std::vector<SpaceLength>& lengths);
 
 }  // namespace quadrille::chart
