@@ -64,6 +64,15 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
   assert_line --regexp '^0 +sphere .* radius 1, closed: cut it to mesh it$'
 }
 
+@test "symmetric faces have symmetric meshes" {
+  for face in "sphere_cap x y" "half_cylinder_hole x z" "saddle x y"; do
+    read -r shape axes <<<"$face"
+    "$quadmesh" -q "$curved/$shape.step" --face 0 -o $shape.msh
+    run -0 "$ROOT/tests/cases/symmetric_surface.py" $shape.msh $axes
+    run -0 awk '$1 > 1e-8 { exit 1 }' <<<"$output"
+  done
+}
+
 @test "names and files: --name works on the curves of the chart, --workdir keeps it" {
   "$quadmesh" "$curved/sphere_cap.step" --face 0 --name 'rim=*' --workdir stages -o a.msh
   run -0 grep -c '"rim' a.msh

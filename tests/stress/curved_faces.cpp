@@ -30,6 +30,7 @@
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
@@ -377,6 +378,15 @@ TopoDS_Face roof() {
   return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(poles, u, v, of_u, of_v, 1, 1), 1e-7);
 }
 
+/// z = (x^2 - y^2) / 2 over 2 by 1.2.
+TopoDS_Face saddle() {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      poles(i + 2, j + 2) = gp_Pnt(i, 0.6 * j, (i == 0 ? -0.5 : 0.5) - 0.36 * (j == 0 ? -0.5 : 0.5));
+  return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7);
+}
+
 /// Small files for the tests, without random numbers but for that of a surface.
 int write_samples(const std::filesystem::path& folder) {
   Random r(1);
@@ -395,6 +405,10 @@ int write_samples(const std::filesystem::path& folder) {
                      GeomAbs_Torus),
              folder / "torus_patch.step");
   write_step(nurbs_holes(r), folder / "hills_hole.step");
+  // Each with two mirror planes.
+  write_step(largest(BRepAlgoAPI_Cut(half_cylinder, drill({0, 0, 1}, {0, 1, 0}, 0.35, 3)), GeomAbs_Cylinder),
+             folder / "half_cylinder_hole.step");
+  write_step(saddle(), folder / "saddle.step");
   write_step(filleted_box(r, 0.3, 12), folder / "filleted_box.step");
   write_step(ramp(), folder / "ramp.step");
   write_step(roof(), folder / "roof.step");

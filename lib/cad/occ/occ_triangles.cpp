@@ -126,7 +126,6 @@ class Triangles {
     parameters.Deflection = parameters.DeflectionInterior = deflection * size;
     parameters.Angle = parameters.AngleInterior = angle;
     parameters.MinSize = least_side * size;
-    parameters.ControlSurfaceDeflection = Standard_False;  // space/improve_triangles makes better ones
     const BRepMesh_IncrementalMesh mesher(face_, parameters);
     mesh_ = BRep_Tool::Triangulation(face_, location_);
     if (mesh_.IsNull() || !mesh_->HasUVNodes())

@@ -21,7 +21,6 @@
 #include "sew/one_sheet.hpp"
 #include "sew/sewn_face.hpp"
 #include "space/assemble_space_face.hpp"
-#include "space/improve_triangles.hpp"
 #include "space/space_curve.hpp"
 #include "space/surface_kinks.hpp"
 
@@ -124,7 +123,6 @@ SpaceFace curved_face(const OccModel& model, const std::string& name, const cad:
   raw.labels = labels_of_face(model, choice.face, name);
   if (!options.face.empty()) raw.labels.file += ": face " + options.face;  // the begin of all messages
   read_curved_face(model, choice.face, raw, report);
-  space::improve_triangles(raw);
   cad::choose_names(raw.labels);
   report.set("surface.kind", kind_of(choice.face));
   require_smooth(raw, options.corner_angle);

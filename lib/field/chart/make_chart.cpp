@@ -24,6 +24,7 @@ namespace {
 struct ChartConstants {
   int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
   int most_meshes = 8, most_elements = 5000, most_refinements = 3;
+  int dear_elements = 1500;      ///< from which meeting the goal is enough
   double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
   double edge_tolerance = 1e-2;  ///< of the straight triangles, whose edges are put onto the curves in space
@@ -171,7 +172,8 @@ class Judge {
       stalls_ += made.num_meshes > 2 && made.fit.closedness > last_ / 2;
       last_ = made.fit.closedness, judged_ = made.num_meshes;
     }
-    return last_ <= (is_last(made) ? worst_ : stalls_ > 0 ? goal_ : aim());
+    const bool is_enough = stalls_ > 0 || made.mesh.num_elems() > constants.dear_elements;
+    return last_ <= (is_last(made) ? worst_ : is_enough ? goal_ : aim());
   }
   bool is_last(const MadeChart& made) const {
     const bool is_dear = made.num_meshes >= constants.most_meshes || made.mesh.num_elems() > constants.most_elements;
@@ -200,9 +202,9 @@ void require_finite(const MadeChart& made) {
                                    [](double part) { return !std::isfinite(part); });
   const Vec3 at = place_of(made.mesh, static_cast<int>(broken - made.fit.elem_squares.begin())).middle;
   throw ComputeError(
-      fmt::format("the face has no chart: its elements have no size near {}, where two edges lie upon each other or "
-                  "the surface has "
-                  "no normal; remove such edges in the CAD system",
+      fmt::format("the face has no chart: its elements turn over near {}, where two edges lie upon each other, or the "
+                  "surface bends too sharply or has no normal; remove such edges, or cut the face there, in the CAD "
+                  "system",
                   place(at)));
 }
 
@@ -212,7 +214,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   lengths.reserve(space_face.curves.size());
   for (const SpaceCurve& curve : space_face.curves) lengths.emplace_back(curve);
   MadeChart made;
-  made.mesh = rough_chart(space_face);
+  made.mesh = rough_chart(space_face, delaunay_triangles(space_face, lengths));
   std::vector<SizePoint> by_error;
   Judge judge(options);
   int refinements = 0;  // of meshes with folded elements

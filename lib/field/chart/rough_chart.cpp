@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <deque>
-#include <map>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -28,13 +27,14 @@ struct FlatTriangle {
 };
 
 // Cotangents of slivers are bounded, which keeps the system well conditioned and its matrix positive.
-FlatTriangle flat_triangle(Vec3 a, Vec3 b, Vec3 c) {
-  constexpr double least_height = 1e-5;  // of the longest edge
-  const double base = norm(b - a);
-  const double along = dot(c - a, b - a) / base, longest2 = std::max({norm2(b - a), norm2(c - b), norm2(a - c)});
-  const double height = std::max(norm(cross(b - a, c - a)) / base, least_height * longest2 / base);
+FlatTriangle flat_triangle(const IntrinsicTriangle& triangle) {
+  constexpr double least_height = 1e-5;  // of the longest side
+  const auto& [base, opposite, last] = triangle.lengths;
+  const double along = (base * base + last * last - opposite * opposite) / (2 * base),
+               longest = std::max({base, opposite, last});
+  const double height = std::sqrt(std::max(last * last - along * along, 0.0));
   FlatTriangle t;
-  t.corners = {Complex(0), Complex(base), Complex(along, height)};
+  t.corners = {Complex(0), Complex(base), Complex(along, std::max(height, least_height * longest * longest / base))};
   for (int k = 0; k < 3; ++k) {
     const Complex to_next = t.edge(k), to_last = t.corners[(k + 2) % 3] - t.corners[k];
     const Complex ratio = to_last * std::conj(to_next);
@@ -46,9 +46,8 @@ FlatTriangle flat_triangle(Vec3 a, Vec3 b, Vec3 c) {
 
 class RoughChart {
  public:
-  explicit RoughChart(const SpaceFace& face) : face_(&face) {
-    for (const auto& [a, b, c] : face.triangles)
-      triangles_.push_back(flat_triangle(face.vertices[a], face.vertices[b], face.vertices[c]));
+  RoughChart(const CadFace& face, const IntrinsicTriangles& fine) : face_(&face), fine_(&fine) {
+    for (const IntrinsicTriangle& t : fine.triangles) triangles_.push_back(flat_triangle(t));
   }
   std::vector<Vec2> positions();
 
@@ -58,15 +57,16 @@ class RoughChart {
   Eigen::VectorXd scales() const;
   std::vector<double> turns(const Eigen::VectorXd& s) const;
 
-  const SpaceFace* face_;
+  const CadFace* face_;
+  const IntrinsicTriangles* fine_;
   std::vector<FlatTriangle> triangles_;
 };
 
 /// Of each vertex, the loop on which it lies, or -1.
 std::vector<int> RoughChart::loops_of_vertices() const {
-  std::vector<int> loops(face_->vertices.size(), -1);
-  for (const FineBoundaryEdge& edge : face_->boundary_edges)
-    for (const int v : edge.vertices) loops[v] = face_->face.loop_of(edge.curve);
+  std::vector<int> loops(fine_->vertices.size(), -1);
+  for (const FineBoundaryEdge& edge : fine_->boundary_edges)
+    for (const int v : edge.vertices) loops[v] = face_->loop_of(edge.curve);
   return loops;
 }
 
@@ -75,7 +75,7 @@ SparseMatrix RoughChart::stiffness(const std::vector<bool>& is_given) const {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t e = 0; e < triangles_.size(); ++e)
     for (int k = 0; k < 3; ++k) {
-      const int a = face_->triangles[e][k], b = face_->triangles[e][(k + 1) % 3];
+      const int a = fine_->triangles[e].vertices[k], b = fine_->triangles[e].vertices[(k + 1) % 3];
       const double weight = triangles_[e].cotangents[k] / 2;
       for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
         if (is_given[i]) continue;
@@ -104,11 +104,11 @@ Eigen::VectorXd RoughChart::scales() const {
   const auto n = static_cast<Eigen::Index>(loops.size());
   Eigen::VectorXd turn = Eigen::VectorXd::Constant(n, 2 * pi), length = Eigen::VectorXd::Zero(n);
   for (std::size_t e = 0; e < triangles_.size(); ++e)
-    for (int k = 0; k < 3; ++k) turn[face_->triangles[e][k]] -= triangles_[e].angles[k];
-  for (const FineBoundaryEdge& edge : face_->boundary_edges)
+    for (int k = 0; k < 3; ++k) turn[fine_->triangles[e].vertices[k]] -= triangles_[e].angles[k];
+  for (const FineBoundaryEdge& edge : fine_->boundary_edges)
     for (const int v : edge.vertices)
-      length[v] += distance(face_->vertices[edge.vertices[0]], face_->vertices[edge.vertices[1]]) / 2;
-  const int num_loops = face_->face.num_loops();
+      length[v] += distance(fine_->vertices[edge.vertices[0]], fine_->vertices[edge.vertices[1]]) / 2;
+  const int num_loops = face_->num_loops();
   std::vector<double> loop_turns(num_loops, 0), loop_lengths(num_loops, 0);
   for (Eigen::Index v = 0; v < n; ++v)
     if (loops[v] >= 0) loop_turns[loops[v]] += turn[v] - pi, loop_lengths[loops[v]] += length[v];
@@ -126,9 +126,6 @@ Eigen::VectorXd RoughChart::scales() const {
 /// Of each triangle, the direction of its real axis in the image: carried from triangle to triangle across edges, with
 /// the turn by *ds along the way between the circumcentres.
 std::vector<double> RoughChart::turns(const Eigen::VectorXd& s) const {
-  std::map<std::pair<int, int>, std::pair<int, int>> edge2place;
-  for (int e = 0; e < static_cast<int>(triangles_.size()); ++e)
-    for (int k = 0; k < 3; ++k) edge2place[{face_->triangles[e][k], face_->triangles[e][(k + 1) % 3]}] = {e, k};
   std::vector<double> turns(triangles_.size(), 0);
   std::vector<bool> is_known(triangles_.size(), false);
   std::deque<int> queue{0};
@@ -136,14 +133,13 @@ std::vector<double> RoughChart::turns(const Eigen::VectorXd& s) const {
   std::size_t count = 1;
   for (; !queue.empty(); queue.pop_front()) {
     const int e = queue.front();
+    const IntrinsicTriangle& fine = fine_->triangles[e];
     for (int k = 0; k < 3; ++k) {
-      const int a = face_->triangles[e][k], b = face_->triangles[e][(k + 1) % 3];
-      const auto found = edge2place.find({b, a});
-      if (found == edge2place.end() || is_known[found->second.first]) continue;
-      const auto [other, j] = found->second;
+      const int other = fine.across[k] / 3, j = fine.across[k] % 3;
+      if (fine.across[k] < 0 || is_known[other]) continue;
       const double weight = (triangles_[e].cotangents[k] + triangles_[other].cotangents[j]) / 2;
-      turns[other] =
-          turns[e] + std::arg(triangles_[e].edge(k)) - std::arg(-triangles_[other].edge(j)) - weight * (s[b] - s[a]);
+      turns[other] = turns[e] + std::arg(triangles_[e].edge(k)) - std::arg(-triangles_[other].edge(j)) -
+                     weight * (s[fine.vertices[(k + 1) % 3]] - s[fine.vertices[k]]);
       is_known[other] = true, ++count;
       queue.push_back(other);
     }
@@ -155,11 +151,11 @@ std::vector<double> RoughChart::turns(const Eigen::VectorXd& s) const {
 std::vector<Vec2> RoughChart::positions() {
   const Eigen::VectorXd s = scales();
   const std::vector<double> turn = turns(s);
-  std::vector<bool> is_given(face_->vertices.size(), false);
+  std::vector<bool> is_given(fine_->vertices.size(), false);
   is_given[0] = true;
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(s.size(), 2);
   for (std::size_t e = 0; e < triangles_.size(); ++e) {
-    const auto& v = face_->triangles[e];
+    const auto& v = fine_->triangles[e].vertices;
     const Complex factor = std::polar(std::exp((s[v[0]] + s[v[1]] + s[v[2]]) / 3), turn[e]);
     for (int k = 0; k < 3; ++k) {
       const Complex step = factor * triangles_[e].edge(k) * (triangles_[e].cotangents[k] / 2);
@@ -175,36 +171,37 @@ std::vector<Vec2> RoughChart::positions() {
   return positions;
 }
 
-std::vector<BoundaryEdge> boundary_edges(const SpaceFace& face) {
-  std::map<std::pair<int, int>, std::pair<int, int>> edge2place;
-  for (int e = 0; e < static_cast<int>(face.triangles.size()); ++e)
-    for (int k = 0; k < 3; ++k) edge2place[{face.triangles[e][k], face.triangles[e][(k + 1) % 3]}] = {e, k};
+/// Sorted by curve, then t0.
+std::vector<BoundaryEdge> boundary_edges(const IntrinsicTriangles& fine) {
   std::vector<BoundaryEdge> edges;
-  for (const FineBoundaryEdge& edge : face.boundary_edges) {
-    const auto found = edge2place.find({edge.vertices[0], edge.vertices[1]});
-    if (found == edge2place.end()) throw Defect("an edge of the boundary belongs to no fine triangle");
-    edges.push_back({found->second.first, found->second.second, edge.curve, edge.t0, edge.t1});
-  }
+  for (int e = 0; e < static_cast<int>(fine.triangles.size()); ++e)
+    for (int k = 0; k < 3; ++k)
+      if (const int across = fine.triangles[e].across[k]; across < 0) {
+        const FineBoundaryEdge& edge = fine.boundary_edges[-1 - across];
+        edges.push_back({e, k, edge.curve, edge.t0, edge.t1});
+      }
+  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) {
+    return a.curve != b.curve ? a.curve < b.curve : a.t0 < b.t0;
+  });
   return edges;
 }
 
 }  // namespace
 
-SurfaceMesh rough_chart(const SpaceFace& face) {
+SurfaceMesh rough_chart(const SpaceFace& face, const IntrinsicTriangles& fine) {
   SurfaceMesh mesh;
-  mesh.plane.vertices = RoughChart(face).positions();
-  mesh.plane.elem2vertices = face.triangles;
-  mesh.plane.boundary_edges = boundary_edges(face);
-  for (std::size_t e = 0; e < face.triangles.size(); ++e) {
-    const auto& [a, b, c] = face.triangles[e];
-    const Vec3 flat = normalized(cross(face.vertices[b] - face.vertices[a], face.vertices[c] - face.vertices[a]));
+  mesh.plane.vertices = RoughChart(face.face, fine).positions();
+  mesh.plane.boundary_edges = boundary_edges(fine);
+  for (const IntrinsicTriangle& t : fine.triangles) {
+    mesh.plane.elem2vertices.push_back(t.vertices);
+    Vec3 sum;  // where the parametrisation degenerates, the normal is that of the other corners
+    for (const Vec2 uv : t.uv) sum += face_normal(face, uv);
     for (int k = 0; k < 3; ++k) {
-      const int v = face.triangles[e][k];
-      const Vec2 uv = face.triangle_uv[e][k];
-      const Vec3 normal = face_normal(face, uv);
-      mesh.nodes.push_back(face.vertices[v]);
-      mesh.normals.push_back(norm2(normal) > 0 ? normal : flat);
-      mesh.uv.push_back(uv);
+      const int v = t.vertices[k];
+      const Vec3 normal = face_normal(face, t.uv[k]);
+      mesh.nodes.push_back(fine.vertices[v]);
+      mesh.normals.push_back(norm2(normal) > 0 || norm2(sum) == 0 ? normal : normalized(sum));
+      mesh.uv.push_back(t.uv[k]);
       mesh.image.push_back(mesh.plane.vertices[v]);
     }
   }

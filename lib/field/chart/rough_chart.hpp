@@ -1,6 +1,7 @@
 #pragma once
 // A chart of the fine triangulation of a face by linear elements: where good triangles go.
 
+#include "chart/intrinsic_triangles.hpp"
 #include "chart/surface_mesh.hpp"
 #include "model/space_face.hpp"
 
@@ -8,6 +9,6 @@ namespace quadrille::chart {
 
 /// The fine triangles with an image that keeps angles, and lengths on the outline, up to the size of the triangles.
 /// Throws ComputeError if the triangulation is not connected.
-SurfaceMesh rough_chart(const SpaceFace& face);
+SurfaceMesh rough_chart(const SpaceFace& face, const IntrinsicTriangles& fine);
 
 }  // namespace quadrille::chart

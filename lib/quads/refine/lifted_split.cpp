@@ -35,7 +35,7 @@ LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress) 
   measure_elements(mesh, progress);
   mesh::measure_element_sizes(mesh);
   mesh::SurfaceDistance distance = mesh::surface_distance(map, mesh);
-  return {std::move(mesh), std::move(distance)};
+  return {std::move(mesh), std::move(distance), true};
 }
 
 // The distance of an element of length h and order N is proportional to h^(N + 1).
@@ -58,16 +58,32 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
   return segments;
 }
 
-void report_surface(const mesh::SurfaceDistance& distance, const CadFace& face, double tolerance, Report& report) {
+// At a tip or a kink the distance is proportional to h, whatever the order.
+bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance) {
+  const auto num_unproved = [](const LiftedMesh& lifted) {
+    return std::ranges::count_if(lifted.mesh.elem_jacobian_bound, [](double bound) { return !(bound > 0); });
+  };
+  if (num_unproved(last) > 0 || num_unproved(next) > 0) return num_unproved(next) >= num_unproved(last);
+  const double before = last.distance.worst(), after = next.distance.worst();
+  const double hoped = std::max(tolerance / before, std::pow(least_factor, next.mesh.order + 1));
+  return after > tolerance && after > std::sqrt(hoped) * before;
+}
+
+void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const CadFace& face, double tolerance,
+                    Report& report) {
   report.set("surface.distance", distance.worst());
   report.set("surface.position", surface::position_in_file(face, distance.position));
   report.set("surface.tolerance", tolerance);
   if (distance.worst() <= tolerance * (1 + tolerance::tied)) return;
-  report.warn(warning::geometry_tol_missed,
-              fmt::format("elements deviate from the surface by up to {:.2g} diameters at {}, more than the geometric "
-                          "tolerance {:.2g}: raise --order or lower --size",
-                          distance.worst() / face.diameter, surface::position_text(face, distance.position),
-                          tolerance / face.diameter));
+  report.warn(
+      warning::geometry_tol_missed,
+      fmt::format("elements deviate from the surface by up to {:.2g} diameters at {}, more than the "
+                  "geometric tolerance {:.2g}: {}",
+                  distance.worst() / face.diameter, surface::position_text(face, distance.position),
+                  tolerance / face.diameter,
+                  is_smooth ? "raise --order or lower --size"
+                            : "shorter edges hardly help, as the surface has a tip or a kink there, which no element "
+                              "follows: round it or cut it off in the CAD system"));
 }
 
 }  // namespace quadrille::refine

@@ -14,11 +14,14 @@ namespace quadrille::refine {
 
 /// Times that a mesh is made again with shorter edges, at most.
 inline constexpr int max_lifts = 5;
+/// Of these, the slow ones in a row after which the surface is taken to have a tip or a kink.
+inline constexpr int max_slow_lifts = 2;
 
 /// A lifted mesh, measured in space; prescribed lengths are lengths there.
 struct LiftedMesh {
   QuadMesh mesh;
   mesh::SurfaceDistance distance;
+  bool is_smooth = true;  ///< false: shorter edges hardly helped, as at a tip or a kink of the surface
 };
 
 LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress);
@@ -28,7 +31,12 @@ LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress);
 std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
                                              const sizing::SizeField& sizes, double tolerance);
 
-/// Reports the distance (surface.*), and warns if it is above the tolerance, a length.
-void report_surface(const mesh::SurfaceDistance& distance, const CadFace& face, double tolerance, Report& report);
+/// Whether shorter edges helped less than half as much as they do where the surface is smooth: as many elements are not
+/// proved, or the distance fell with less than half of its order.
+bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance);
+
+/// Reports the distance (surface.*), and warns if it is above the tolerance, a length. `is_smooth`: as in LiftedMesh.
+void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const CadFace& face, double tolerance,
+                    Report& report);
 
 }  // namespace quadrille::refine

@@ -121,7 +121,7 @@ std::optional<SplitMesh> finer_split(const SplitRequest& request) {
 SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedMesh& there) {
   SplitMesh split = placed_split(request);
   there = lifted(map, split.mesh, request.report.progress());
-  for (int round = 0; round < max_lifts; ++round) {
+  for (int round = 0, num_slow = 0; round < max_lifts && num_slow < max_slow_lifts; ++round) {
     const std::vector<sizing::SizeSegment> finer = finer_sizes(map, there, request.sizes, request.limits.distance);
     if (finer.empty()) break;
     request.sizes = request.sizes.with(finer);
@@ -129,7 +129,10 @@ SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedM
     std::optional<SplitMesh> next = finer_split(request);
     if (!next || (next->mesh.num_elems() == split.mesh.num_elems() && next->mesh.nodes == split.mesh.nodes)) break;
     split = std::move(*next);
-    there = lifted(map, split.mesh, request.report.progress());
+    LiftedMesh finer_there = lifted(map, split.mesh, request.report.progress());
+    num_slow = fell_slowly(there, finer_there, request.limits.distance) ? num_slow + 1 : 0;
+    there = std::move(finer_there);
+    there.is_smooth = num_slow == 0;
   }
   return split;
 }
@@ -159,9 +162,10 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   warn_of_joints(split.mesh, report);
   refine_nested(split.mesh, options, report);
   if (map) {
+    const bool is_smooth = there.is_smooth;
     if (options.levels > 0) there = lifted(*map, std::move(split.mesh), report.progress());
     split.mesh = std::move(there.mesh);
-    report_surface(there.distance, layout.face, request.limits.distance, report);
+    report_surface(there.distance, is_smooth, layout.face, request.limits.distance, report);
   }
   report_split(request, split);
   report_prescribed(request, split, prescribed.counts, layered);

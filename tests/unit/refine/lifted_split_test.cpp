@@ -117,5 +117,24 @@ TEST(LiftedSplit, PlanarFacesHaveNoNodesInSpace) {
   EXPECT_TRUE(refine(samples::block_layout(), {}, report).space_nodes.empty());
 }
 
+// Of a smooth surface, edges of 0.4 times the length are 0.4^(N + 1) times as far away, at a tip 0.4 times.
+TEST(LiftedSplit, DistancesFallSlowlyAtATip) {
+  const auto at_distance = [](double distance, double bound) {
+    LiftedMesh lifted;
+    lifted.mesh.order = 4;
+    lifted.mesh.elem_jacobian_bound = {1, bound};
+    lifted.distance.elem = {0, distance};
+    lifted.distance.worst_elem = 1;
+    return lifted;
+  };
+  const double tolerance = 1e-6;
+  EXPECT_FALSE(fell_slowly(at_distance(1e-3, 1), at_distance(1e-3 * std::pow(0.4, 5), 1), tolerance));
+  EXPECT_TRUE(fell_slowly(at_distance(1e-3, 1), at_distance(4e-4, 1), tolerance));
+  EXPECT_FALSE(fell_slowly(at_distance(2e-6, 1), at_distance(1.2e-6, 1), tolerance));  // near the tolerance
+  EXPECT_FALSE(fell_slowly(at_distance(2e-6, 1), at_distance(1e-6, 1), tolerance));
+  EXPECT_TRUE(fell_slowly(at_distance(1e-3, 0), at_distance(1e-6, 0), tolerance));  // no fewer elements are unproved
+  EXPECT_FALSE(fell_slowly(at_distance(1e-3, 0), at_distance(1e-3, 1), tolerance));
+}
+
 }  // namespace
 }  // namespace quadrille::refine
