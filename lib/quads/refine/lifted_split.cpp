@@ -19,6 +19,14 @@ namespace {
 constexpr double shorter_yet = 0.9;   ///< than the length at which the distance would be the tolerance
 constexpr double least_factor = 0.4;  ///< by which lengths are multiplied at once
 constexpr double unproved_factor = 0.5;
+/// Between the first power of the length, with which the distance falls at a tip or a kink whatever the order, and the
+/// second, with which it does where the curvature jumps.
+constexpr double slow_power = 1.5;
+
+/// By which the lengths of an element are multiplied.
+double shortened(double distance, double tolerance, int power) {
+  return std::max(least_factor, shorter_yet * std::pow(distance / tolerance, -1.0 / power));
+}
 
 Vec2 middle(const QuadMesh& mesh, int elem) {
   Vec2 sum;
@@ -38,16 +46,13 @@ LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress) 
   return {std::move(mesh), std::move(distance), true};
 }
 
-// The distance of an element of length h and order N is proportional to h^(N + 1).
 std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
-                                             const sizing::SizeField& sizes, double tolerance) {
+                                             const sizing::SizeField& sizes, double tolerance, int power) {
   std::vector<sizing::SizeSegment> segments;
   const QuadMesh& mesh = lifted.mesh;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const double ratio = lifted.distance.elem[elem] / tolerance;
-    double factor = ratio > 1 + tolerance::tied
-                        ? std::max(least_factor, shorter_yet * std::pow(ratio, -1.0 / (mesh.order + 1)))
-                        : 1;
+    const double distance = lifted.distance.elem[elem];
+    double factor = distance > tolerance * (1 + tolerance::tied) ? shortened(distance, tolerance, power) : 1;
     if (!(mesh.elem_jacobian_bound[elem] > 0)) factor = std::min(factor, unproved_factor);
     if (factor == 1) continue;
     const Vec2 x = middle(mesh, elem);
@@ -58,15 +63,13 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
   return segments;
 }
 
-// At a tip or a kink the distance is proportional to h, whatever the order.
-bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance) {
+bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance, int power) {
   const auto num_unproved = [](const LiftedMesh& lifted) {
     return std::ranges::count_if(lifted.mesh.elem_jacobian_bound, [](double bound) { return !(bound > 0); });
   };
   if (num_unproved(last) > 0 || num_unproved(next) > 0) return num_unproved(next) >= num_unproved(last);
   const double before = last.distance.worst(), after = next.distance.worst();
-  const double hoped = std::max(tolerance / before, std::pow(least_factor, next.mesh.order + 1));
-  return after > tolerance && after > std::sqrt(hoped) * before;
+  return after > tolerance && after > std::pow(shortened(before, tolerance, power), slow_power) * before;
 }
 
 void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const CadFace& face, double tolerance,

@@ -27,13 +27,18 @@ struct LiftedMesh {
 LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress);
 
 /// Sources of the edge lengths with which elements that are not proved would be, or that are farther than `tolerance`
-/// (a length) from the surface would be within it. Lengths are in space. Empty: the mesh is as it must be.
+/// (a length) from the surface would be within it, if their distance fell with this power of their length. Lengths are
+/// in space. Empty: the mesh is as it must be.
 std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
-                                             const sizing::SizeField& sizes, double tolerance);
+                                             const sizing::SizeField& sizes, double tolerance, int power);
 
-/// Whether shorter edges helped less than half as much as they do where the surface is smooth: as many elements are not
-/// proved, or the distance fell with less than half of its order.
-bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance);
+/// Whether edges that finer_sizes made shorter hardly helped: as many elements are not proved, or the distance fell
+/// little more than their length.
+bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance, int power);
+
+/// The power to expect in a round: N + 1 of a smooth surface. Elements that are too far after a round are where
+/// curvatures jump, as at the knots of a cubic surface: then 2.
+inline int expected_power(int round, int order) { return round == 0 ? order + 1 : 2; }
 
 /// Reports the distance (surface.*), and warns if it is above the tolerance, a length. `is_smooth`: as in LiftedMesh.
 void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const CadFace& face, double tolerance,

@@ -122,7 +122,9 @@ SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedM
   SplitMesh split = placed_split(request);
   there = lifted(map, split.mesh, request.report.progress());
   for (int round = 0, num_slow = 0; round < max_lifts && num_slow < max_slow_lifts; ++round) {
-    const std::vector<sizing::SizeSegment> finer = finer_sizes(map, there, request.sizes, request.limits.distance);
+    const int power = expected_power(round, split.mesh.order);
+    const std::vector<sizing::SizeSegment> finer =
+        finer_sizes(map, there, request.sizes, request.limits.distance, power);
     if (finer.empty()) break;
     request.sizes = request.sizes.with(finer);
     request.sizes_at_bends = sizing::sizes_at_bends(request.equal.blocks().face, request.sizes);
@@ -130,7 +132,7 @@ SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedM
     if (!next || (next->mesh.num_elems() == split.mesh.num_elems() && next->mesh.nodes == split.mesh.nodes)) break;
     split = std::move(*next);
     LiftedMesh finer_there = lifted(map, split.mesh, request.report.progress());
-    num_slow = fell_slowly(there, finer_there, request.limits.distance) ? num_slow + 1 : 0;
+    num_slow = fell_slowly(there, finer_there, request.limits.distance, power) ? num_slow + 1 : 0;
     there = std::move(finer_there);
     there.is_smooth = num_slow == 0;
   }
