@@ -90,7 +90,8 @@ int main(int argc, char** argv) {
         continue;
       }
       nearest.Perform(point);
-      fmt::print("{:.6g}\n", nearest.NbPoints() > 0 ? nearest.LowerDistance() : std::numeric_limits<double>::infinity());
+      fmt::print("{:.6g}\n",
+                 nearest.NbPoints() > 0 ? nearest.LowerDistance() : std::numeric_limits<double>::infinity());
     }
   } catch (const Standard_Failure& e) {
     fmt::print(stderr, "cad_distances: {}: {}\n", argv[1], e.GetMessageString());
