@@ -31,7 +31,7 @@ setup() {
 
 @test "the chart in JSON keeps the schema and is that of HDF5; critical points are without it" {
   assert_equal "$(jq '.face | has("chart")' "$stem.crit.json")" false
-  python3 - "$ROOT/formats" "$stem" <<'PYTHON'
+  /usr/bin/python3 - "$ROOT/formats" "$stem" <<'PYTHON'
 import base64, json, sys, h5py, jsonschema, numpy
 formats, stem = sys.argv[1:]
 for name, file in ("separatrix-graph", "sep"), ("critical-points", "crit"):

@@ -16,14 +16,18 @@ TEST(Counted, OneIsSingular) {
 }
 
 TEST(PositionText, HasSixDigits) {
-  EXPECT_EQ(position_text({1.5, -2}), "(1.5, -2)");
-  EXPECT_EQ(position_text({1.0 / 3, 1e-9}), "(0.333333, 1e-09)");
-  EXPECT_EQ(position_text({1234567, 0}), "(1.23457e+06, 0)");
+  EXPECT_EQ(position_text(Vec2{1.5, -2}), "(1.5, -2)");
+  EXPECT_EQ(position_text(Vec2{1.0 / 3, 1e-9}), "(0.333333, 1e-09)");
+  EXPECT_EQ(position_text(Vec2{1234567, 0}), "(1.23457e+06, 0)");
+}
+
+TEST(PositionText, OfAPointInSpaceHasNoRoundingErrors) {
+  EXPECT_EQ(position_text(Vec3{1, 1e-15, -2.5}), "(1, 0, -2.5)");
 }
 
 TEST(PositionText, NeverHasNan) {
   for (const double bad : {std::nan(""), -std::nan(""), HUGE_VAL})
-    for (const std::string& text : {position_text({bad, 1}), rounded_position_text({1, bad})}) {
+    for (const std::string& text : {position_text(Vec2{bad, 1}), rounded_position_text(Vec2{1, bad})}) {
       EXPECT_NE(text.find("internal error"), std::string::npos) << text;
       EXPECT_EQ(text.find("nan"), std::string::npos) << text;
       EXPECT_EQ(text.find("inf"), std::string::npos) << text;
