@@ -78,7 +78,7 @@ here() {
 @test "the commands that remake the pictures and pages" {
   mkdir -p formats/pictures build && ln -s "$BIN" build/bin && ln -s "$ROOT/pipelines" "$ROOT/tests" .
   "$list" lines CONTRIBUTING.md | cut -f 3 >commands
-  assert_equal "$(wc -l <commands)" 8
+  assert_equal "$(wc -l <commands)" 10
   run -0 bash -euo pipefail commands
   for file in formats/pictures/*; do assert_file_exists "$ROOT/$file"; done
 }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "../samples.hpp"
 #include "../support/texts.hpp"
 #include "sample_chain.hpp"
 
@@ -38,16 +37,14 @@ TEST(Names, are_read_from_the_files_that_the_options_name) {
   EXPECT_THROW(block_names(run.chain), FormatError);
 }
 
-TEST(PrescribedSizes, are_relative_to_the_origin_and_tables_have_triangles) {
+TEST(PrescribedSizes, are_in_the_coordinates_of_the_file_and_tables_have_triangles) {
   SampleChain run;
-  CadFace face = samples::face();
-  EXPECT_FALSE(prescribed_sizes(run.chain, face).file);
+  EXPECT_FALSE(prescribed_sizes(run.chain).file);
   run.chain.values.quadrefine.size_field_file = run.put("sizes.csv", "x,y,size\n0,0,1\n8,0,1\n0,8,2\n8,8,2\n");
-  face.origin = {3, 0};
-  const PrescribedSizes sizes = prescribed_sizes(run.chain, face);
+  const PrescribedSizes sizes = prescribed_sizes(run.chain);
   EXPECT_TRUE(sizes.content.is_table);
   ASSERT_EQ(sizes.content.points.size(), 4U);
-  EXPECT_EQ(sizes.content.points[1].position, (Vec2{5, 0}));
+  EXPECT_EQ(sizes.content.points[1].position, (Vec3{8, 0, 0}));
   EXPECT_EQ(sizes.content.triangles.size(), 2U);
 }
 
