@@ -45,9 +45,9 @@ class BetweenSides {
   std::vector<double> divide(const NormalLine& line, const std::vector<double>& left, const std::vector<double>& right,
                              double blend, int order = 1) const {
     const LineFamily family{low, high, left, right, order};
-    CadFace face;
-    face.origin = {100, 200};
-    return divide_normal_line(family, line, 0, face, measured_line(family, line, 0, {blend, blend}, face).sizes);
+    CadFace of_file;
+    of_file.origin = {100, 200};
+    return divide_normal_line(family, line, 0, of_file, measured_line(family, line, 0, {blend, blend}, of_file).sizes);
   }
 
   BlockLine measure(const NormalLine& line, const std::vector<double>& left, const std::vector<double>& right,
