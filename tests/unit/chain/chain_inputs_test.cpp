@@ -37,7 +37,7 @@ TEST(Names, are_read_from_the_files_that_the_options_name) {
   EXPECT_THROW(block_names(run.chain), FormatError);
 }
 
-TEST(PrescribedSizes, are_in_the_coordinates_of_the_file_and_tables_have_triangles) {
+TEST(PrescribedSizes, are_in_the_coordinates_of_the_file) {
   SampleChain run;
   EXPECT_FALSE(prescribed_sizes(run.chain).file);
   run.chain.values.quadrefine.size_field_file = run.put("sizes.csv", "x,y,size\n0,0,1\n8,0,1\n0,8,2\n8,8,2\n");
@@ -45,7 +45,6 @@ TEST(PrescribedSizes, are_in_the_coordinates_of_the_file_and_tables_have_triangl
   EXPECT_TRUE(sizes.content.is_table);
   ASSERT_EQ(sizes.content.points.size(), 4U);
   EXPECT_EQ(sizes.content.points[1].position, (Vec3{8, 0, 0}));
-  EXPECT_EQ(sizes.content.triangles.size(), 2U);
 }
 
 }  // namespace
