@@ -11,6 +11,7 @@
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
 #include "stage/fieldsolve.hpp"
+#include "triangulate/size_triangles.hpp"
 
 using namespace quadrille;
 
@@ -57,6 +58,7 @@ class OptionalInputs {
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
   stage::QuadrefineOptions options;
+  options.join_points = triangulate::add_size_triangles;
 
   cli::Tool tool;
   tool.name = "quadrefine";

@@ -137,7 +137,7 @@ void measure_area_jumps(QuadMesh& mesh, const std::vector<double>& areas) {
 Vec2 centre(const QuadMesh& mesh, int elem) {
   const ElementGrid grid(mesh, mesh.nodes, elem);
   const int n = mesh.order;
-  return (grid.at(0, 0) + grid.at(n, 0) + grid.at(n, n) + grid.at(0, n)) / 4 + mesh.face.origin;
+  return (grid.at(0, 0) + grid.at(n, 0) + grid.at(n, n) + grid.at(0, n)) / 4;
 }
 
 template <typename Point>

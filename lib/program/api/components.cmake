@@ -21,7 +21,7 @@ function(quadrille_component name)
 endfunction()
 
 quadrille_component(files FOLDERS base spectral surface check io) # model has headers only
-quadrille_component(fields STAGES fieldsolve padapt
+quadrille_component(fields STAGES fieldsolve padapt given_positions
                     FOLDERS curve heal outline regions mesh field stiffness galerkin adapt)
 quadrille_component(layouts STAGES critpoints separatrix blocksplit quadrefine symmetry_option
                     FOLDERS zeros placement guide ties features topology choice graph trace simplify quantize

@@ -13,6 +13,7 @@
 #include "chain/chain_options.hpp"
 #include "cli/command_line.hpp"
 #include "cli/stage_words.hpp"
+#include "triangulate/size_triangles.hpp"
 
 namespace quadrille::chain {
 
@@ -257,6 +258,7 @@ void declare(Options& options, ChainStage stage, StageOptions& values) {
     case ChainStage::blocksplit:
       return declare(options, values.blocksplit);
     case ChainStage::quadrefine:
+      values.quadrefine.join_points = triangulate::add_size_triangles;
       return declare(options, values.quadrefine);
     case ChainStage::quadexport:
       return declare(options, values.quadexport);

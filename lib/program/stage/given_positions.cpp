@@ -11,7 +11,6 @@
 #include "base/symmetric_tensor.hpp"
 #include "mesh/chart_map.hpp"
 #include "surface/space_extent.hpp"
-#include "triangulate/size_triangles.hpp"
 
 namespace quadrille::stage {
 namespace {
@@ -50,7 +49,7 @@ std::vector<Vec2> keep_points_of(const CadFace& face, const mesh::ChartMap& map,
 
 }  // namespace
 
-SizeSources sizes_on_face(SizeSources sources, const CadFace& face, const std::string& where) {
+SizeSources sizes_on_face(SizeSources sources, const CadFace& face, const JoinPoints& join, const std::string& where) {
   if (sources.points.empty() && sources.boxes.empty()) return sources;
   const bool is_curved = face.chart != nullptr;
   if (is_curved || !sources.is_table) require_coordinates(sources.is_in_space, is_curved, where);
@@ -62,7 +61,10 @@ SizeSources sizes_on_face(SizeSources sources, const CadFace& face, const std::s
       move(point.position), positions.push_back({point.position.x, point.position.y});
     for (SizeBox& box : sources.boxes) move(box.low), move(box.high);
   }
-  if (sources.is_table) triangulate::add_size_triangles(sources, positions);
+  if (!sources.is_table) return sources;
+  if (!join)
+    throw UsageError(where + ": a table of sizes at points needs triangles, and no function that makes them is given");
+  join(sources, positions);
   return sources;
 }
 

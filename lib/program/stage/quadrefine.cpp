@@ -250,7 +250,7 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   check::require_sound(layout, input.layout.file.name);
   std::vector<InputDigest> inputs{input.layout.file.digest("block-layout")};
   if (input.sizes) {
-    sizes.sources = sizes_on_face(input.sizes->model, layout.face, "--size-field");
+    sizes.sources = sizes_on_face(input.sizes->model, layout.face, options.join_points, "--size-field");
     inputs.push_back(input.sizes->file.digest("size-field"));
   }
   if (input.metric) {
@@ -285,7 +285,7 @@ void require_quadrefine_of(const CadFace& face, const SizeSources& sources, cons
                            const QuadrefineOptions& options) {
   require_intervals(options);
   auto [refine, sizes] = parsed(options);
-  sizes.sources = sizes_on_face(sources, face, "--size-field");
+  sizes.sources = sizes_on_face(sources, face, options.join_points, "--size-field");
   if (!metric.in_plane.empty()) sizes.sources.metric = metric_on_face(metric, face, "--metric");
   set_first_heights(options, face, refine);
   set_sizes(sizes, face, refine);

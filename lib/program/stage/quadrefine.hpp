@@ -13,6 +13,7 @@
 #include "model/quad_mesh.hpp"
 #include "refine/refine_options.hpp"
 #include "sizing/make_size_field.hpp"
+#include "stage/given_positions.hpp"
 #include "stage/stage_input.hpp"
 
 namespace quadrille::stage {
@@ -37,6 +38,7 @@ struct QuadrefineOptions {
   std::string flow_unit = "file";   ///< length unit of `flow`
   std::string blocks;               ///< numbers or names; empty: all
   bool has_straight_sides = false;  ///< sides of elements will be straight: along walls they are short
+  JoinPoints join_points = {};      ///< no option of a command; without it, tables of sizes are refused
 
   /// What can be refused without a face. Throws UsageError.
   void validate() const;

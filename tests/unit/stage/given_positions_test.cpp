@@ -9,6 +9,7 @@
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "triangulate/size_triangles.hpp"
 
 namespace quadrille::stage {
 namespace {
@@ -22,13 +23,13 @@ SizeSources point(Vec3 position, bool is_in_space) {
 }
 
 std::string refusal(const SizeSources& sources, const CadFace& face) {
-  return message_of<UsageError>([&] { sizes_on_face(sources, face, "--size-field"); });
+  return message_of<UsageError>([&] { sizes_on_face(sources, face, triangulate::add_size_triangles, "--size-field"); });
 }
 
 TEST(GivenPositions, OnAPlanarFaceTheyBecomeRelativeToTheOrigin) {
   CadFace face = samples::face();
   face.origin = {10, 20};
-  const SizeSources sources = sizes_on_face(point({11, 22}, false), face, "");
+  const SizeSources sources = sizes_on_face(point({11, 22}, false), face, triangulate::add_size_triangles, "");
   EXPECT_EQ(sources.points[0].position, (Vec3{1, 2, 0}));
   EXPECT_EQ(sources.boxes[0].high, (Vec3{2, 3, 0}));
   expect_contains(refusal(point({11, 22, 3}, true), face), "this face is planar");
@@ -36,16 +37,17 @@ TEST(GivenPositions, OnAPlanarFaceTheyBecomeRelativeToTheOrigin) {
 
 TEST(GivenPositions, OnACurvedFaceTheyStayInSpace) {
   const CadFace face = samples::sphere_face();
-  EXPECT_EQ(sizes_on_face(point({1, 2, 3}, true), face, "").points[0].position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(sizes_on_face(point({1, 2, 3}, true), face, triangulate::add_size_triangles, "").points[0].position,
+            (Vec3{1, 2, 3}));
   expect_contains(refusal(point({1, 2}, false), face), "--size-field: this face is curved");
-  EXPECT_NO_THROW(sizes_on_face({}, face, "")) << "no size field";
+  EXPECT_NO_THROW(sizes_on_face({}, face, triangulate::add_size_triangles, "")) << "no size field";
 }
 
 TEST(GivenPositions, TheColumnZOfATableHasNoEffectOnAPlanarFace) {
   SizeSources table = point({1, 2, 3}, true);
   table.boxes.clear();
   table.is_table = true;
-  EXPECT_EQ(sizes_on_face(table, samples::face(), "").points[0].position,
+  EXPECT_EQ(sizes_on_face(table, samples::face(), triangulate::add_size_triangles, "").points[0].position,
             in_space(Vec2{1, 2} - samples::face().origin));
 }
 
@@ -55,7 +57,7 @@ TEST(GivenPositions, ATableOnACurvedFaceIsJoinedInTheChartWithoutPointsElsewhere
   for (const Vec2 x : {Vec2{0.1, 0.1}, {0.4, 0.1}, {0.1, 0.4}, {0.4, 0.4}})
     table.points.push_back({samples::on_sphere(x), 0.1, 0});
   table.points.push_back({{0, 0, 0}, 1e-3, 0});  // the middle of the body
-  const SizeSources joined = sizes_on_face(table, samples::sphere_face(), "");
+  const SizeSources joined = sizes_on_face(table, samples::sphere_face(), triangulate::add_size_triangles, "");
   EXPECT_EQ(joined.points.size(), 4u);
   EXPECT_EQ(joined.triangles.size(), 2u);
   table.points = {{{0, 0, 0}, 1e-3, 0}};
