@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
@@ -32,6 +30,7 @@
 #include "base/message_text.hpp"
 #include "curve/nurbs.hpp"
 #include "occ/occ_block_geometry.hpp"
+#include "occ/occ_splines.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -49,22 +48,12 @@ gp_Pln plane_in_space(const CadFace& face, double scale) {
 }
 
 Handle(Geom_BSplineCurve) spline(const CadFace& face, double scale, const Nurbs& curve) {
-  const int n = static_cast<int>(curve.poles.size());
-  TColgp_Array1OfPnt poles(1, n);
-  TColStd_Array1OfReal weights(1, n);
-  for (int i = 0; i < n; ++i) {
-    poles.SetValue(i + 1, point_in_space(face, scale, curve.poles[i]));
-    weights.SetValue(i + 1, curve.weights[i]);
+  SpaceCurve in_space{curve.degree, curve.knots, {}, curve.weights};
+  for (const Vec2 pole : curve.poles) {
+    const gp_Pnt x = point_in_space(face, scale, pole);
+    in_space.poles.push_back({x.X(), x.Y(), x.Z()});
   }
-  std::vector<double> distinct = curve.knots;
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
-  TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
-  for (int i = 0; i < static_cast<int>(distinct.size()); ++i) {
-    knots.SetValue(i + 1, distinct[i]);
-    multiplicities.SetValue(i + 1, static_cast<int>(std::count(curve.knots.begin(), curve.knots.end(), distinct[i])));
-  }
-  return new Geom_BSplineCurve(poles, weights, knots, multiplicities, curve.degree);
+  return occ_spline(in_space);
 }
 
 /// An arc of a circle; `sweep` is positive if it is counter-clockwise.
@@ -250,6 +239,8 @@ class ShellBuilder {
     builder.MakeShell(shell);
     for (int b = 0; b < layout_.num_blocks(); ++b) {
       const TopoDS_Face face = geometry_.face(b, loop_of(layout_.block2arcs[b]));
+      if (layout_.face.chart && !BRepCheck_Analyzer(face).IsValid())
+        throw ComputeError(fmt::format("block {}: the CAD kernel finds its face on the surface not valid", b));
       builder.Add(shell, face);
       const bool has_name = b < static_cast<int>(layout_.block_names.size());
       result_.names.emplace_back(face, has_name ? layout_.block_names[b] : fmt::format("block_{}", b));

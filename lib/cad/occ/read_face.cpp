@@ -103,11 +103,10 @@ FaceChoice choose_one_face(const OccModel& model, const std::string& choice, con
 
 void require_smooth(const space::RawSpaceFace& raw, double angle) {
   if (const auto kink = space::kink_inside(raw, angle))
-    throw FormatError(
-        fmt::format("{}: the surface of the face has a kink of {:.3g} degrees along {} = {:.6g}, at {}: "
-                    "cut the face there in the CAD program",
-                    raw.labels.file, degrees(kink->angle), kink->is_u ? "u" : "v", kink->parameter,
-                    space::place_text(kink->position)));
+    throw FormatError(fmt::format(
+        "{}: the surface of the face has a kink of {:.3g} degrees along {} = {:.6g}, at {}: "
+        "cut the face there in the CAD program",
+        raw.labels.file, degrees(kink->angle), kink->is_u ? "u" : "v", kink->parameter, position_text(kink->position)));
 }
 
 /// Whether the face is planar, by its kind; several faces are, if they are read as one.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
 #include "base/vec3.hpp"
 #include "base/warning_codes.hpp"
@@ -84,10 +85,10 @@ class EdgeCutter {
         fine.push_back({{polygon_.vertices[i], polygon_.vertices[i + 1]}, 0, t[i], t[i + 1]});
     const bool is_whole = !fine.empty() && fine.front().t0 == breaks_[b] && fine.back().t1 == breaks_[b + 1];
     if (!is_whole)
-      throw FormatError(
-          fmt::format("{}: edge {}: the CAD kernel's triangles do not end at its kink at {}: cut the "
-                      "edge there in the CAD program",
-                      raw_.labels.file, raw_.cad_edge(polygon_.edge), place_text(surface::point(curve_, breaks_[b]))));
+      throw FormatError(fmt::format(
+          "{}: edge {}: the CAD kernel's triangles do not end at its kink at {}: cut the "
+          "edge there in the CAD program",
+          raw_.labels.file, raw_.cad_edge(polygon_.edge), position_text(surface::point(curve_, breaks_[b]))));
     return fine;
   }
 
@@ -126,7 +127,7 @@ class GapCloser {
     const double moved = distance(end, begin) / 2;
     if (moved > std::max(scale_.tolerance, scale_.rounding))
       throw FormatError(fmt::format("{}: edge {} ends at {}, {:.3g} from the start of edge {}{}", scale_.file,
-                                    raw_.cad_edge(in.edge), place_text(end), 2 * moved, raw_.cad_edge(out.edge),
+                                    raw_.cad_edge(in.edge), position_text(end), 2 * moved, raw_.cad_edge(out.edge),
                                     heal::remedy(scale_, moved)));
     greatest_ = std::max(greatest_, moved);
     num_repairs_ += moved > scale_.rounding;

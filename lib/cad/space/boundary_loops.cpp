@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/vec3.hpp"
 #include "space/space_curve.hpp"
 
@@ -22,7 +23,8 @@ using Side = std::pair<int, int>;  // of a triangle: its vertices, with the tria
 constexpr const char* remedy = "repair the face in the CAD program, or cut it there";
 
 [[noreturn]] void refuse(const RawSpaceFace& raw, const std::string& fault, int vertex) {
-  throw FormatError(fmt::format("{}: {} at {}: {}", raw.labels.file, fault, place_text(raw.vertices[vertex]), remedy));
+  throw FormatError(
+      fmt::format("{}: {} at {}: {}", raw.labels.file, fault, position_text(raw.vertices[vertex]), remedy));
 }
 
 std::set<Side> sides_of(const RawSpaceFace& raw) {

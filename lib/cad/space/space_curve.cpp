@@ -1,7 +1,5 @@
 #include "space/space_curve.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -58,7 +56,5 @@ double polygon_length(const SpaceCurve& curve) {
   for (std::size_t i = 1; i < curve.poles.size(); ++i) length += distance(curve.poles[i - 1], curve.poles[i]);
   return length;
 }
-
-std::string place_text(Vec3 x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x + 0.0, x.y + 0.0, x.z + 0.0); }
 
 }  // namespace quadrille::space

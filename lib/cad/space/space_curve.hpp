@@ -25,7 +25,4 @@ std::vector<double> tangent_jumps(const SpaceCurve& curve);
 /// Length of the control polygon.
 double polygon_length(const SpaceCurve& curve);
 
-/// "(x, y, z)" for messages, with six digits each.
-std::string place_text(Vec3 x);
-
 }  // namespace quadrille::space

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
 #include "curve/project.hpp"
 #include "model/interfaces.hpp"
@@ -30,8 +31,9 @@ Vec2 face_position(const CadFace& face, const std::vector<double>& coordinates, 
     height2 += h * h;
   }
   if (!(std::sqrt(height2) <= 1e-3 * face.diameter))
-    throw FormatError(fmt::format("{}: ({:.6g}, {:.6g}, {:.6g}) lies {:.3g} off the plane of the face", where,
-                                  coordinates[0], coordinates[1], coordinates[2], std::sqrt(height2)));
+    throw FormatError(fmt::format("{}: {} lies {:.3g} off the plane of the face", where,
+                                  position_text(Vec3{coordinates[0], coordinates[1], coordinates[2]}),
+                                  std::sqrt(height2)));
   return x - face.origin;
 }
 

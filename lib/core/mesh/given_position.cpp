@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "curve/named_places.hpp"
 #include "mesh/chart_map.hpp"
 #include "surface/space_extent.hpp"
@@ -15,8 +16,7 @@ Vec2 given_position(const CadFace& face, const std::vector<double>& coordinates,
   const Vec3 x = curve::space_position(coordinates, where);
   const ChartMap::Foot foot = ChartMap(face).nearest(x);
   if (!(foot.distance <= farthest * surface::diameter(*face.chart)))
-    throw FormatError(
-        fmt::format("{}: ({:.6g}, {:.6g}, {:.6g}) lies {:.3g} off the face", where, x.x, x.y, x.z, foot.distance));
+    throw FormatError(fmt::format("{}: {} lies {:.3g} off the face", where, position_text(x), foot.distance));
   return foot.x;
 }
 

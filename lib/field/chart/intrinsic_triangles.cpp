@@ -9,6 +9,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "chart/surface_mesh.hpp"
 #include "surface/nurbs_surface.hpp"
 
@@ -102,9 +103,9 @@ void Builder::measure() {
     const Vec3 a = result_.vertices[vertex(side)], b = result_.vertices[vertex(next(side))];
     of(side).lengths[side % 3] = distance(a, b);
     if (across(side) < 0 && a == b)
-      throw ComputeError(fmt::format("edge {} has no length at ({:.6g}, {:.6g}, {:.6g}): remove it in the CAD system",
-                                     face_.face.curve_cad_edges[result_.boundary_edges[-1 - across(side)].curve], a.x,
-                                     a.y, a.z));
+      throw ComputeError(fmt::format("edge {} has no length at {}: remove it in the CAD system",
+                                     face_.face.curve_cad_edges[result_.boundary_edges[-1 - across(side)].curve],
+                                     position_text(a)));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "chart/chart_outline.hpp"
 #include "chart/isothermal.hpp"
 #include "chart/plane_chart.hpp"
@@ -32,8 +33,6 @@ struct ChartConstants {
   double least_reduction = 0.2;                       ///< of the size of elements that are not accurate enough
 };
 constexpr ChartConstants constants;
-
-std::string place(Vec3 x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z); }
 
 /// Its middle in the image and in space, and its longest edge in the image.
 struct ElementPlace {
@@ -192,7 +191,7 @@ class Judge {
   throw ComputeError(fmt::format(
       "the chart of the face misses its angles by {:.1e} radians, more than {:.1e}, above all near {}: the surface has "
       "a kink or a tip there; cut the face there in the CAD system",
-      made.fit.closedness, worst_closedness, place(at)));
+      made.fit.closedness, worst_closedness, position_text(at)));
 }
 
 /// Where elements have no size or no normal, the chart has no numbers.
@@ -205,7 +204,7 @@ void require_finite(const MadeChart& made) {
       fmt::format("the face has no chart: its elements turn over near {}, where two edges lie upon each other, or the "
                   "surface bends too sharply or has no normal; remove such edges, or cut the face there, in the CAD "
                   "system",
-                  place(at)));
+                  position_text(at)));
 }
 
 /// Meshes the outline of the last image and makes a new one, until it is closed or no longer becomes better.
@@ -247,8 +246,8 @@ void require_even_scale(const SurfaceMesh& mesh, double greatest_range) {
   throw ComputeError(fmt::format(
       "the chart of the face would have scales between 1 and {:.3g}, which is more than {:.3g}, with the extremes near "
       "{} and {}: cut the face between them in the CAD system",
-      range, greatest_range, place(mesh.nodes[least - mesh.scale.begin()]),
-      place(mesh.nodes[most - mesh.scale.begin()])));
+      range, greatest_range, position_text(mesh.nodes[least - mesh.scale.begin()]),
+      position_text(mesh.nodes[most - mesh.scale.begin()])));
 }
 
 Chart chart_of(const SpaceFace& face, const SurfaceMesh& mesh, double closedness) {

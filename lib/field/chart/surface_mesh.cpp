@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "chart/element_tables.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/tri_topology.hpp"
@@ -91,7 +92,7 @@ Foot Lift::project(Vec3 x, Vec2 first, const std::array<Vec2, 3>& others, double
       if (const double d = off(uv); d < least) guess = uv, least = d;
   const surface::SurfaceProjection found = surface::project(face_->surface, x, guess);
   if (!(found.distance <= least + rounding * (norm(x) + size)))
-    throw ComputeError(fmt::format("the surface has no point near ({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z));
+    throw ComputeError("the surface has no point near " + position_text(x));
   return {found.position, found.uv};
 }
 

@@ -25,8 +25,7 @@ void require_simple_outline(const CadFace& face) {
   const auto contact = outline::find_contact(loops, outline::contact_share * face.diameter);
   if (!contact) return;
   const auto place = [&](int loop, int curve, double t) {
-    const Vec3 x = surface::point(face.chart->space_curves[face.loop_offsets[loop] + curve], t);
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x, x.y, x.z);
+    return position_text(surface::point(face.chart->space_curves[face.loop_offsets[loop] + curve], t));
   };
   throw ComputeError(fmt::format(
       "the chart of the face overlaps itself: its boundary at {} crosses that at {}: cut the face in two between them "
