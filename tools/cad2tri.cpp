@@ -33,7 +33,9 @@ int main(int argc, char** argv) {
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step --name axis=0 --name wall@0,1 -o named.tri.h5",
-                   "cad2tri --list half_disc.step", "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
+                   "cad2tri --list half_disc.step",
+                   "cad2tri bracket_solid.step --section z=0.5 -o cut.tri.h5",
+                   "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
   tool.options = [&](Options& o) {
     o.input("SHAPE", input, "CAD file: STEP, IGES or BREP; or the chart of a curved face (x.chart.h5)");
     o.output(output, "triangle mesh to write (x.tri.h5)");
@@ -51,7 +53,7 @@ int main(int argc, char** argv) {
     stage::Cad2triInput from{{file.bytes, file}, {}};
     std::optional<ChartedFace> chart;
     if (io::is_chart(file)) from.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
-    if (options.is_listing) return io::write_output(output, stage::list_faces(from.cad, s), false);
+    if (options.is_listing) return io::write_output(output, stage::list_faces(from.cad, options, s), false);
     if (!options.names_file.empty()) from.names.emplace(names, names_file);
     const stage::LoadedShape shape = stage::load_shape(from, options, s);
     if (!options.healed_file.empty())

@@ -556,3 +556,19 @@ LENGTH_UNIT() NAMED_UNIT(#902) )/" -e "s/^#91 = /#901 = LENGTH_MEASURE_WITH_UNIT
   assert_equal "$(of_metres Yard 0.9144)" "yard 0.9144"
   assert_equal "$(of_metres "" 0.9144)" "unit of 0.9144 m 0.9144"
 }
+
+@test "--section cuts solids, and its faces are listed, chosen and named as others" {
+  cad2tri "$DATA/bad/solid.step" --section z=0.25 -o cut.tri.h5 --report cut.json
+  run stagecheck cut.tri.h5
+  assert_success
+  assert_equal "$(jq -c '[.regions.count, .face.curves]' cut.json)" '[1,4]'
+  run cad2tri "$DATA/bad/solid.step" --section 0,0,1@7,8,0.25 --list
+  assert_line --regexp '^ +0 +line .* face_[0-5]$'
+  run cad2tri "$DATA/bad/solid.step" --section z=100 -o no.tri.h5
+  assert_failure 3
+  assert_output --partial 'cuts no solid'
+  run cad2tri "$DATA/bad/solid.step" --section w=1 -o no.tri.h5
+  assert_failure 2
+  assert_output --partial '--section w=1: expected x=VALUE'
+  assert_nothing_left cut.tri.h5 cut.json
+}

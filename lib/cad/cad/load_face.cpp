@@ -21,8 +21,8 @@ constexpr int most_seconds = 60;
 
 // What the program of the format answers.
 std::string answer(CadFormat format, const CadRequest& request, const std::string& crash) {
-  return run_program(helper_program("cad2tri-" + format_stem(format)), to_bytes(request), crash,
-                     {.cpu_seconds = most_seconds});
+  const std::string stem = request.options.section.is_given() ? "section" : format_stem(format);
+  return run_program(helper_program("cad2tri-" + stem), to_bytes(request), crash, {.cpu_seconds = most_seconds});
 }
 
 // The answer about a file, with the fault of the file in the error after a crash.
@@ -64,8 +64,10 @@ std::string face_kind_guarded(const std::string& bytes, const std::string& name,
   return answer_about_file({CadTask::kind, name, bytes, options, CadFace()});
 }
 
-FaceList list_faces_guarded(const std::string& bytes, const std::string& name) {
-  return list_from_bytes(answer_about_file({CadTask::list, name, bytes, LoadOptions(), CadFace()}));
+FaceList list_faces_guarded(const std::string& bytes, const std::string& name, const SectionPlane& section) {
+  LoadOptions options;
+  options.section = section;
+  return list_from_bytes(answer_about_file({CadTask::list, name, bytes, options, CadFace()}));
 }
 
 std::string file_of_face(const CadFace& face, CadFormat format) {

@@ -1,6 +1,7 @@
 #pragma once
-// Reads one face, planar or curved, from a CAD file (STEP, IGES, BREP), and writes a planar one. The work is done in a
-// program for each format (cad2tri-step, cad2tri-iges, cad2tri-brep in libexec), because loading the libraries of the
+// Reads one face, planar or curved, or the section of solids from a CAD file (STEP, IGES, BREP), and writes a planar
+// face. The work is done in a program for each format (cad2tri-step, cad2tri-iges, cad2tri-brep in libexec), that on
+// sections in one for all of them (cad2tri-section), because loading the libraries of the
 // CAD kernel takes most of the time of a small shape, and because its readers can crash on malformed files.
 
 #include <string>
@@ -31,8 +32,12 @@ AnyFace load_any_face_guarded(const std::string& bytes, const std::string& name,
 /// The kind of the surface of the chosen face, as in ListedShape: "plane" for faces of one plane too.
 std::string face_kind_guarded(const std::string& bytes, const std::string& name, const std::string& face);
 
-/// All faces of a CAD file, planar or not, numbered from 0, read likewise.
-FaceList list_faces_guarded(const std::string& bytes, const std::string& name);
+/// All faces of a CAD file, planar or not, numbered from 0, read likewise; with a section, its faces.
+FaceList list_faces_guarded(const std::string& bytes, const std::string& name, const SectionPlane& section = {});
+
+/// The plane of a text: "z=0.5", likewise x and y, or "NX,NY,NZ@X,Y,Z", its normal and one of its points; no plane if
+/// the text is empty. Throws UsageError for other texts.
+SectionPlane section_plane(const std::string& text);
 
 /// The face as a file in `format`, STEP or BREP (occ/write_cad.hpp). Throws ComputeError if the kernel cannot write it.
 std::string file_of_face(const CadFace& face, CadFormat format);

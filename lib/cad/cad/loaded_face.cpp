@@ -37,7 +37,7 @@ void members(auto& a, Is<SpaceFace> auto& f) {
 }
 void members(auto& a, Is<LoadedFace> auto& l) { a(l.face, l.repairs); }
 void members(auto& a, Is<LoadOptions> auto& o) {
-  a(o.corner_angle, o.heal_tolerance, o.face, o.blunt_width, o.fit_tolerance);
+  a(o.corner_angle, o.heal_tolerance, o.face, o.blunt_width, o.fit_tolerance, o.section);
 }
 void members(auto& a, Is<CadRequest> auto& r) { a(r.task, r.name, r.bytes, r.options, r.face); }
 void members(auto& a, Is<Report::Warning> auto& w) { a(w.code, w.message); }

@@ -1,7 +1,6 @@
 #pragma once
 // What cad2tri asks of the programs that are linked with the CAD kernel's libraries, what they read from a CAD file,
-// and
-// the bytes in which these pass requests and answers to each other: exact, and not a file format.
+// and the bytes in which these pass requests and answers to each other: exact, and not a file format.
 
 #include <array>
 #include <string>
@@ -9,11 +8,19 @@
 #include <vector>
 
 #include "base/report.hpp"
+#include "base/vec3.hpp"
 #include "model/cad_face.hpp"
 #include "model/repair.hpp"
 #include "model/space_face.hpp"
 
 namespace quadrille::cad {
+
+/// A plane that cuts the solids of a file; none if the normal is zero.
+struct SectionPlane {
+  Vec3 point, normal;  ///< in the coordinates of the file
+
+  bool is_given() const { return norm(normal) > 0; }
+};
 
 struct LoadOptions {
   double corner_angle = 0.017453292519943295;  ///< radians; greater tangent jumps are corners of the layout
@@ -21,6 +28,7 @@ struct LoadOptions {
   std::string face = {};                       ///< number or name; empty: the only face
   double blunt_width = 0;                      ///< as in heal::BluntOptions
   double fit_tolerance = 0;                    ///< as in outline::AssembleOptions
+  SectionPlane section = {};                   ///< the faces are those in which it cuts the solids
 };
 
 enum class CadTask : int {

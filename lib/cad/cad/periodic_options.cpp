@@ -1,10 +1,9 @@
-#include <charconv>
-#include <cmath>
 #include <string_view>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "base/number_list.hpp"
 #include "cad/periodic_sides.hpp"
 
 namespace quadrille::cad {
@@ -12,21 +11,6 @@ namespace {
 
 constexpr const char* expected =
     ": expected A=B, A=B:translate=DX,DY or A=B:rotate=DEGREES[,CX,CY], where A and B are names of curves";
-
-// The numbers of a list; empty if something else is in it.
-std::vector<double> numbers_of(std::string_view list) {
-  std::vector<double> numbers;
-  for (;;) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(list.data(), list.data() + list.size(), number);
-    if (error != std::errc() || !std::isfinite(number)) return {};
-    numbers.push_back(number);
-    list.remove_prefix(static_cast<std::size_t>(end - list.data()));
-    if (list.empty()) return numbers;
-    if (list.front() != ',') return {};
-    list.remove_prefix(1);
-  }
-}
 
 GivenMotion rotation(double angle, Vec2 centre) {
   const Vec2 turn = unit(angle);

@@ -257,6 +257,12 @@ std::string not_planar_text(const FaceChoice& choice) {
                      name, number, number);
 }
 
+std::vector<TopoDS_Face> faces_of(const OccModel& model) {
+  std::vector<TopoDS_Face> faces;
+  for (const PlacedFace& placed : placed_faces(model)) faces.push_back(placed.face);
+  return faces;
+}
+
 cad::FaceList list_faces(const OccModel& model) {
   cad::FaceList list;
   list.length_unit = model.length_unit;

@@ -19,6 +19,9 @@ namespace quadrille::occ {
 /// place; one that two solids share is listed once.
 cad::FaceList list_faces(const OccModel& model);
 
+/// The faces of list_faces, in its order.
+std::vector<TopoDS_Face> faces_of(const OccModel& model);
+
 struct FaceChoice {
   TopoDS_Face face;
   outline::FacePiece piece;

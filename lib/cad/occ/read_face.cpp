@@ -50,6 +50,15 @@ void choose_names_of(std::vector<heal::RawEdge>& edges) {
   edges = std::move(raw.inner_edges);
 }
 
+/// The shapes of a file, or those in which a plane cuts its solids.
+OccModel loaded(const KernelFormat& format, const std::string& bytes, const std::string& name,
+                const cad::LoadOptions& options, Report& report) {
+  OccModel model = occ_load(format, bytes, name);
+  if (!options.section.is_given()) return model;
+  if (format.cut == nullptr) throw Defect("a section was asked of the program of one format");
+  return format.cut(model, options.section, name, report);
+}
+
 /// The face that the curves of a file without faces bound.
 FacesAndEdges closed_curves(const OccModel& model, double tolerance, const std::string& name, Report& report) {
   FacesAndEdges found = face_of_curves(model, name, report);
@@ -133,7 +142,8 @@ SpaceFace curved_face(const OccModel& model, const std::string& name, const cad:
 cad::LoadedFace read_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
                           const cad::LoadOptions& options, Report& report) {
   report.set("input.format", cad::format_name(format.format));
-  return of_file(format, name, [&] { return planar_face(occ_load(format, bytes, name), name, options, report); });
+  return of_file(format, name,
+                 [&] { return planar_face(loaded(format, bytes, name, options, report), name, options, report); });
 }
 
 SpaceFace read_space_face(const KernelFormat& format, const std::string& bytes, const std::string& name,
@@ -146,7 +156,7 @@ cad::AnyFace read_any_face(const KernelFormat& format, const std::string& bytes,
                            const cad::LoadOptions& options, Report& report) {
   report.set("input.format", cad::format_name(format.format));
   return of_file(format, name, [&]() -> cad::AnyFace {
-    const OccModel model = occ_load(format, bytes, name);
+    const OccModel model = loaded(format, bytes, name, options, report);
     if (chosen_kind(model, options.face, name) == "plane") return planar_face(model, name, options, report);
     return curved_face(model, name, options, report);
   });
@@ -158,12 +168,13 @@ std::string answer_request(const KernelFormat& format, const std::string& reques
     if (format.write == nullptr) throw Defect("no face is written as " + cad::format_name(format.format));
     return format.write(r.face);
   }
+  Report report;
   if (r.task == cad::CadTask::list)
-    return of_file(format, r.name, [&] { return cad::to_bytes(list_faces(occ_load(format, r.bytes, r.name))); });
+    return of_file(format, r.name,
+                   [&] { return cad::to_bytes(list_faces(loaded(format, r.bytes, r.name, r.options, report))); });
   if (r.task == cad::CadTask::kind)
     return of_file(format, r.name,
                    [&] { return chosen_kind(occ_load(format, r.bytes, r.name), r.options.face, r.name); });
-  Report report;
   if (r.task == cad::CadTask::load_any)
     return cad::to_bytes(read_any_face(format, r.bytes, r.name, r.options, report), report);
   if (r.task == cad::CadTask::load_space)

@@ -91,7 +91,7 @@ std::string cad_file(ChainState& chain) {
 
 bool is_curved(const ChainState& chain, const std::string& path) {
   const io::InputFile file = read_input(chain, path);
-  if (io::is_chart(file)) return false;
+  if (io::is_chart(file) || !chain.values.cad2tri.section.empty()) return false;
   return cad::face_kind_guarded(file.bytes, file.name, chain.values.cad2tri.face) != "plane";
 }
 

@@ -52,6 +52,8 @@ OPTIONS
   --face-name NAME          points: name of the face, from which blocks get theirs (see points2step --help for these)
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them); a curved one
                             is meshed in its chart (SHAPE.chart.h5 in --workdir; see cad2chart --help)
+  --section PLANE           cut the solids of SHAPE by a plane, z=0.5 or NX,NY,NZ@X,Y,Z (its normal and a point), and
+                            mesh the faces of the cut (see cad2tri --help)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or
                             of the curve nearest to a point; '*': all others of the outline and of holes, 'interface:*'
                             those between regions; may be given several times (see cad2tri --help)

@@ -26,7 +26,7 @@ const std::vector<std::string> own_values{"--output",      "--workdir",    "--ht
                                           "--from",        "--until",      "--stage"};
 const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
                                        "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
-                                       "--blunt",    "--write-healed",   "--keep-joints"};
+                                       "--blunt",    "--write-healed",   "--keep-joints",    "--section"};
 const std::set<std::string> of_points{"--farfield",         "--wake",          "--chord",       "--simplify-outline",
                                       "--points-tolerance", "--points-format", "--points-unit", "--points-corner-angle",
                                       "--face-name"};

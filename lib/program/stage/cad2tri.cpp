@@ -45,12 +45,16 @@ struct Wishes {
   std::vector<offset::OffsetRequest> offsets;
   std::vector<cad::PeriodicRequest> periodic;
   double blunt_width = 0;
+  cad::SectionPlane section;
 };
 
 Wishes parsed(const Cad2triOptions& options) {
-  return {cad::name_option_rules(options.curve_names), cad::name_option_rules(options.region_names, "--region-name"),
-          offset::offset_requests(options.offsets), cad::periodic_options(options.periodic),
-          blunt_width(options.blunt)};
+  return {cad::name_option_rules(options.curve_names),
+          cad::name_option_rules(options.region_names, "--region-name"),
+          offset::offset_requests(options.offsets),
+          cad::periodic_options(options.periodic),
+          blunt_width(options.blunt),
+          cad::section_plane(options.section)};
 }
 
 // The format that the ending of the name determines.
@@ -140,6 +144,10 @@ void declare_face(Options& o, Cad2triOptions& cad2tri) {
          "the one face to read of a solid, shell or assembly: its name, or its number in --list, from 0, or the name "
          "of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if its "
          "boundary touches itself and separates it");
+  o.text("--section", cad2tri.section, "x|y|z=VALUE|NX,NY,NZ@X,Y,Z",
+         "cut the solids of SHAPE by a plane, z=0.5 or one given by its normal and a point, and read the faces of the "
+         "cut, which are named like the solids, their curves like the faces of the solids, or face_N after their "
+         "numbers in --list; neighbours are regions of one face; --list and --face then mean the faces of the cut");
   o.integer("--order", cad2tri.elements.order, 1, 16, "polynomial order of the curved elements");
   o.number("--corner-angle", cad2tri.corner_angle, 0, 90, "degrees",
            "tangent discontinuities greater than this are corners of the layout");
@@ -217,8 +225,9 @@ void declare(Options& o, Cad2triOptions& cad2tri) {
 namespace {
 
 cad::LoadOptions load_options(const Cad2triOptions& options) {
-  return {radians(options.corner_angle), options.heal_tolerance, options.face, parsed(options).blunt_width,
-          options.fit_tolerance};
+  const Wishes wishes = parsed(options);
+  return {radians(options.corner_angle), options.heal_tolerance, options.face, wishes.blunt_width,
+          options.fit_tolerance,         wishes.section};
 }
 
 LoadedShape face_of_cad(const Cad2triInput& input, const Cad2triOptions& options, Run& run) {
@@ -239,6 +248,7 @@ LoadedShape face_of_chart(const Input<ChartedFace>& chart, const Cad2triOptions&
                                    option, remedy));
   };
   refuse(!options.face.empty(), "--face", "give it to cad2chart, which reads the face");
+  refuse(!options.section.empty(), "--section", "give it with the CAD file");
   refuse(!options.offsets.empty(), "--offset",
          "leave blocks=own out of --wall: layers then lie in the blocks along the wall, at their heights in space");
   refuse(!options.periodic.empty(), "--periodic",
@@ -303,8 +313,8 @@ TriMesh cad2tri(const Cad2triInput& input, const Cad2triOptions& options, Run& r
   return cad2tri(load_shape(input, options, run), options, run);
 }
 
-std::string list_faces(const Input<std::string>& file, Run& run) {
-  const cad::FaceList list = cad::list_faces_guarded(file.model, file.file.name);
+std::string list_faces(const Input<std::string>& file, const Cad2triOptions& options, Run& run) {
+  const cad::FaceList list = cad::list_faces_guarded(file.model, file.file.name, cad::section_plane(options.section));
   cad::report_faces(list, run.report());
   const auto num_curved = std::count_if(list.faces.begin(), list.faces.end(), [](const cad::ListedFace& face) {
     return face.face.kind != "plane" && face.face.kind != "other";

@@ -20,6 +20,7 @@ namespace quadrille::stage {
 struct Cad2triOptions {
   bool is_listing = false;  ///< the caller writes a table of the faces (list_faces), not a mesh
   std::string face;         ///< number or name of the one face to read; empty: the only one, or all
+  std::string section;      ///< a plane that cuts solids, as cad::section_plane reads it; empty: none
   double corner_angle = 1;  ///< degrees; greater tangent jumps are corners of the layout
   double polyline_angle = outline::greatest_polyline_kink;  ///< degrees; smaller kinks inside polylines are no corners
   double heal_tolerance = -1;                ///< diameters; -1: 1e-5, or the tolerances of the shape if larger
@@ -68,8 +69,9 @@ TriMesh cad2tri(const LoadedShape& shape, const Cad2triOptions& options, Run& ru
 /// Both after each other.
 TriMesh cad2tri(const Cad2triInput& input, const Cad2triOptions& options, Run& run);
 
-/// The table of the faces of a CAD file and their edges (cad/load_face.hpp), which are reported too.
-std::string list_faces(const Input<std::string>& file, Run& run);
+/// The table of the faces of a CAD file and their edges (cad/load_face.hpp), which are reported too; of a section if
+/// options.section is a plane.
+std::string list_faces(const Input<std::string>& file, const Cad2triOptions& options, Run& run);
 
 /// The face as the bytes of a CAD file, in the format that the ending of `path` means: .step, .stp or .brep. Throws
 /// UsageError for other endings.
