@@ -8,6 +8,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
@@ -16,11 +17,13 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "occ/occ_face.hpp"
 #include "occ/occ_model.hpp"
+#include "occ/read_face.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -108,6 +111,24 @@ TEST(Section, OfPlacedSolidsHasAFaceOfEachWithItsPart) {
   EXPECT_EQ(list.faces[1].part, "brick");
   EXPECT_EQ(list.faces[1].layer, "2");
   EXPECT_NEAR(list.faces[1].face.place[0] - list.faces[0].face.place[0], 1, 1e-12);
+}
+
+TEST(Section, OfTouchingSolidsHasRegionsWithACommonCurve) {
+  Report report;
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(1, 1, 1).Shape());
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), 2, 1, 1).Shape());
+  std::ostringstream bytes;
+  BRepTools::Write(both, bytes);
+  KernelFormat format = brep_format();
+  format.cut = section;
+  cad::LoadOptions options;
+  options.section = at_height(0.5);
+  const CadFace face = read_face(format, bytes.str(), "x.brep", options, report).face;
+  EXPECT_EQ(face.num_regions(), 2);
+  EXPECT_EQ(std::count_if(face.partners.begin(), face.partners.end(), [](int p) { return p >= 0; }), 2);
 }
 
 TEST(Section, ByASlantedPlaneIsAnEllipse) {
