@@ -91,17 +91,6 @@ std::vector<QuadBoundaryEdge> interface_edges_once(const QuadMesh& mesh) {
   return edges;
 }
 
-std::vector<std::string> region_of_blocks(const CadFace& face, const std::vector<int>& block_region,
-                                          std::vector<std::string> block_names,
-                                          const std::vector<int>& unnamed_blocks) {
-  std::string domain = "domain";
-  for (const int block : unnamed_blocks) block_names[block].clear();
-  while (std::find(block_names.begin(), block_names.end(), domain) != block_names.end()) domain += '_';
-  for (const int block : unnamed_blocks)
-    block_names[block] = block_region.empty() ? domain : face.region_names[block_region[block]];
-  return block_names;
-}
-
 Groups mesh_groups(const QuadMesh& mesh) {
   std::vector<std::string> curve_names = mesh.face.curve_names;
   for (std::size_t curve = 0; curve < curve_names.size(); ++curve)

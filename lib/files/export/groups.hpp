@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "export/exported.hpp"
+#include "model/block_regions.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -38,19 +39,15 @@ std::vector<bool> inner_curves(const QuadMesh& mesh);
 /// The edges on interfaces, each once: from the side whose curve has the lower number.
 std::vector<QuadBoundaryEdge> interface_edges_once(const QuadMesh& mesh);
 
-/// The region of each block: its name, or as in mesh_groups.
-std::vector<std::string> region_of_blocks(const CadFace& face, const std::vector<int>& block_region,
-                                          std::vector<std::string> block_names, const std::vector<int>& unnamed_blocks);
-
 /// Gives the name block_<number> to each block without a name of its own (it has none, or that of the face or of its
 /// region), so that it becomes a region of its own.
 void separate_blocks(const CadFace& face, const std::vector<int>& block_region, std::vector<std::string>& block_names,
                      std::vector<int>& unnamed_blocks);
 
-/// The same of a mesh or a layout.
+/// The region of each block of a mesh or a layout, and separate_blocks of it.
 template <typename Stage>
 std::vector<std::string> region_of_blocks(const Stage& stage) {
-  return region_of_blocks(stage.face, stage.block_region, stage.block_names, stage.unnamed_blocks);
+  return quadrille::region_of_blocks(stage.face, stage.block_region, stage.block_names, stage.unnamed_blocks);
 }
 template <typename Stage>
 void separate_blocks(Stage& stage) {
