@@ -18,8 +18,9 @@ struct SideName {
 };
 
 /// Those of all formats: the table of names, named after the whole main file so that those of two formats differ; the
-/// curves of VTK's format; the geometry of Nek5000's.
-inline const SideName names_table_name{".names.json", true}, vtu_curves_name{".curves.vtu"}, nek_field_name{"0.f00000"};
+/// curves, and the faces, of VTK's format; the geometry of Nek5000's.
+inline const SideName names_table_name{".names.json", true}, vtu_curves_name{".curves.vtu"},
+    vtu_faces_name{".faces.vtu"}, nek_field_name{"0.f00000"};
 
 /// A file that a format needs beside the main one, such as a table of names.
 struct SideFile {

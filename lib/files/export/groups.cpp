@@ -105,6 +105,27 @@ Groups mesh_groups(const QuadMesh& mesh) {
   return groups;
 }
 
+Groups mesh_groups(const HexMesh& mesh) {
+  Groups groups;
+  std::vector<std::string> names;
+  std::vector<bool> is_inner;
+  for (const HexFaceGroup& group : mesh.face_groups) {
+    names.push_back(group.name);
+    is_inner.push_back(group.is_interface);
+  }
+  number_curves(names, is_inner, groups);
+  const std::vector<int> region_numbers = number(mesh.region_names, groups.region_names);
+  for (const int region : mesh.block_region) groups.block2region.push_back(region_numbers[region]);
+  groups.is_region_named.assign(groups.region_names.size(), true);
+  return groups;
+}
+
+std::vector<std::string> boundary_and_interface_names(const Groups& groups) {
+  std::vector<std::string> names = groups.boundary_names;
+  names.insert(names.end(), groups.interface_names.begin(), groups.interface_names.end());
+  return names;
+}
+
 void separate_blocks(const CadFace& face, const std::vector<int>& block_region, std::vector<std::string>& block_names,
                      std::vector<int>& unnamed_blocks) {
   for (const int block : unnamed_blocks) block_names[block].clear();

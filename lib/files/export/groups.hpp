@@ -12,6 +12,7 @@
 
 #include "export/exported.hpp"
 #include "model/block_regions.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -19,10 +20,11 @@ namespace quadrille::exports {
 struct Groups {
   std::vector<std::string> boundary_names;   ///< in the order of their first curves
   std::vector<std::string> interface_names;  ///< of the curves that lie between elements and have no boundary's name
-  std::vector<int> curve2boundary;           ///< by CAD curve: interfaces are numbered after the boundaries
-  std::vector<std::string> region_names;     ///< in the order of their first blocks
-  std::vector<int> block2region;             ///< by block
-  std::vector<bool> is_region_named;         ///< by region: the name was given
+  /// By CAD curve, of hexahedra by group of faces: interfaces are numbered after the boundaries.
+  std::vector<int> curve2boundary;
+  std::vector<std::string> region_names;  ///< in the order of their first blocks
+  std::vector<int> block2region;          ///< by block
+  std::vector<bool> is_region_named;      ///< by region: the name was given
 
   int num_boundaries() const { return static_cast<int>(boundary_names.size()); }
   int num_interfaces() const { return static_cast<int>(interface_names.size()); }
@@ -32,6 +34,12 @@ struct Groups {
 /// The region of the blocks without a name is "domain", followed by as many "_" as are necessary to differ from all
 /// given names.
 Groups mesh_groups(const QuadMesh& mesh);
+
+/// Of hexahedra: the names of their groups of faces and of their regions.
+Groups mesh_groups(const HexMesh& mesh);
+
+/// The names of all boundaries, then of all interfaces.
+std::vector<std::string> boundary_and_interface_names(const Groups& groups);
 
 /// Whether a curve lies between elements: an interface that is not open.
 std::vector<bool> inner_curves(const QuadMesh& mesh);
