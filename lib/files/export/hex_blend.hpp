@@ -23,4 +23,16 @@ bool is_blend(const HexMesh& mesh, const std::vector<int>& nodes);
 /// The largest blend_distance of all elements: how far nodes move that a reader rebuilds from the faces.
 double face_blend_loss(const HexMesh& mesh);
 
+/// The middle of an edge between its ends, at the parameter 0.
+Vec3 edge_middle(const HexMesh& mesh, const std::vector<int>& nodes);
+
+/// How far nodes move, on edges and elsewhere, if a reader knows only the corners and the middles of the edges: it
+/// makes parabolas of these, and adds what they differ from the straight edges, blended linearly, to the trilinear map
+/// of the corners. Throws ComputeError with the position if det J is not positive at a Gauss-Lobatto-Legendre point of
+/// such an element; `reader` is the program, for the message.
+struct QuadraticEdgeLoss {
+  double edges = 0, others = 0;
+};
+QuadraticEdgeLoss quadratic_edge_loss(const HexMesh& mesh, const char* reader);
+
 }  // namespace quadrille::exports

@@ -71,6 +71,7 @@ Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame);
 /// NAME0.f00000 to start from (.par: startFrom = "NAME0.f00000 X") and the table of names. Any order; elements as for
 /// ISM, edges as for MFEM.
 Exported nek_re2(const QuadMesh& mesh, const Frame& frame);
+Exported nek_re2(const HexMesh& mesh);  ///< edges and faces must differ by their vertices
 
 /// OpenFOAM's blockMeshDict: one hexahedral block for each block of the layout, one cell thick, its sides as splines
 /// with one graded section for each cell, boundaries as patches, regions as cell zones. Any order; cells have straight
