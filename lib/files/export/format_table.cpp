@@ -93,6 +93,16 @@ const std::vector<ExportFormat>& export_formats() {
        .write_with_types = block_mesh_dict,
        .side_names = {names_table_name},
        .has_straight_sides = true},
+      {.name = "polymesh",
+       .ending = "polyMesh/points",
+       .summary = "OpenFOAM polyMesh",
+       .write = [](const QuadMesh& mesh, const Frame& frame) { return poly_mesh(mesh, frame, {}); },
+       .write_with_types = poly_mesh,
+       .side_names = {poly_faces_name, poly_owner_name, poly_neighbour_name, poly_boundary_name, poly_zones_name,
+                      names_table_name},
+       .has_straight_sides = true,
+       .write_hex = [](const HexMesh& mesh) { return poly_mesh(mesh, {}); },
+       .write_hex_with_types = poly_mesh},
   };
   return formats;
 }
@@ -168,7 +178,8 @@ Exported export_mesh(HexMesh mesh, const ExportFormat& format, const ExportOptio
                     format.name, format.max_hex_order, mesh.order));
   const LengthScale length = length_scale(mesh, options.length);
   if (length.factor != 1 || length.unit != mesh.length_unit) scale_lengths(mesh, length);
-  Exported exported = format.write_hex(mesh);
+  Exported exported =
+      format.write_hex_with_types ? format.write_hex_with_types(mesh, options.patch_types) : format.write_hex(mesh);
   exported.length = length;
   return exported;
 }

@@ -33,6 +33,7 @@ struct ExportFormat {
   std::vector<SideName> side_names = {};  ///< of files that may be written beside the main one
   bool has_straight_sides = false;        ///< whatever the order of the mesh
   Exported (*write_hex)(const HexMesh& mesh) = nullptr;  ///< nullptr: the format has no hexahedra
+  Exported (*write_hex_with_types)(const HexMesh& mesh, const std::vector<PatchType>& types) = nullptr;
   int max_hex_order = 20;
 };
 
