@@ -13,11 +13,13 @@ using namespace quadrille;
 
 namespace {
 
-/// "msh: Gmsh MSH 4.1, ASCII, orders 1 to 10; ..."
+/// "msh: Gmsh MSH 4.1, ASCII, orders 1 to 10, hexahedra 1 to 9; ..."
 std::string format_list() {
   std::string list;
-  for (const exports::ExportFormat& f : exports::export_formats())
+  for (const exports::ExportFormat& f : exports::export_formats()) {
     list += fmt::format("{}{}: {}, orders 1 to {}", list.empty() ? "" : "; ", f.name, f.summary, f.max_order);
+    if (f.write_hex != nullptr) list += fmt::format(", hexahedra 1 to {}", f.max_hex_order);
+  }
   return list;
 }
 

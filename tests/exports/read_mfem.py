@@ -134,6 +134,7 @@ def read(path, _order=None):
 
 
 def names_beside(path):
-    """x.mesh.names.json: regions and boundaries by number."""
+    """x.mesh.names.json: regions by number, boundaries and interfaces by number."""
     table = json.loads(Path(f"{path}.names.json").read_text(encoding="utf-8"))
-    return [{group["id"]: group["name"] for group in table[what]} for what in ("regions", "boundaries")]
+    return [{group["id"]: group["name"] for what in kinds for group in table.get(what, [])}
+            for kinds in (["regions"], ["boundaries", "interfaces"])]

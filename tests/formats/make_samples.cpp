@@ -146,6 +146,12 @@ int main(int argc, char** argv) {
   write_samples(samples::separatrix_graph(), "SEP-R05", [](SeparatrixGraph& g) { g.splines[0].poles[1] = {0.6, 1}; });
   write_samples(samples::block_layout(), "BLK-R11", [](BlockLayout& b) { b.arc_chord[0] = 3; });
   write_samples(samples::quad_mesh(), "QUA-R09", [](QuadMesh& m) { m.nodes[4] = {-0.1, 0.4}; });
+  write_samples(samples::hex_mesh(), "HEX-R09", [](HexMesh& m) {
+    m.nodes[10].x = -0.1;
+    m.face_groups[4].periodic_with = -1;
+  });
+  write_broken(samples::hex_mesh(), "HEX-R04", [](HexMesh& m) { m.elem_scaled_jacobian[0] = 2; });
+  write_broken(samples::hex_mesh(), "HEX-R10", [](HexMesh& m) { m.face_groups[4].motion.shift.z = 0.25; });
   write_resolved_points();
   write_wrong_certificates();
   write_phase_field();

@@ -1,7 +1,7 @@
 # The contract of every command, looped over all tools.
 load common
 
-TOOLS="cad2chart cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck"
+TOOLS="cad2chart cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine hexsweep quadexport stageview stagecheck"
 
 setup_file() {
   stage_chain half_disc "$BATS_FILE_TMPDIR"
@@ -23,7 +23,7 @@ inputs_of() {
     separatrix) echo "$stem.field.h5 $stem.crit.json" ;;
     blocksplit) echo "$stem.sep.json" ;;
     quadrefine) echo "$stem.blocks.h5" ;;
-    quadexport | stageview | stagecheck) echo "$stem.quad.h5" ;;
+    hexsweep | quadexport | stageview | stagecheck) echo "$stem.quad.h5" ;;
   esac
 }
 

@@ -4,6 +4,7 @@
 #include "model/block_layout.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 #include "model/separatrix_graph.hpp"
 #include "model/tri_mesh.hpp"
@@ -200,6 +201,29 @@ inline QuadMesh quad_mesh() {
   m.boundary_edges = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {1, 2, 2}, {0, 2, 2}, {0, 3, 3}};
   m.block_names = {"block-0", "block-1"};
   m.least_jacobian_bound = 0.125;
+  return m;
+}
+
+/// The two quads, 0.5 high in one layer, with periodic ends.
+inline HexMesh hex_mesh() {
+  HexMesh m;
+  m.provenance = provenance();
+  m.length_unit = "metre";
+  m.diameter = 1.5;
+  m.num_quads = 2;
+  for (const double z : {0.0, 0.5})
+    for (const Vec2 x : quad_mesh().nodes) m.nodes.push_back({x.x, x.y, z});
+  m.elem_nodes = {0, 1, 3, 4, 6, 7, 9, 10, 1, 2, 4, 5, 7, 8, 10, 11};
+  m.quad_block = {0, 1};
+  m.block_region = {0, 0};
+  m.region_names = {"domain"};
+  m.face_groups = {{"wall", {0, 1}, {0, 0}}, {"right", {1}, {1}},        {"top side", {1, 0}, {2, 2}},
+                   {"left", {0}, {3}},       {"bottom", {0, 1}, {4, 4}}, {"top", {0, 1}, {5, 5}}};
+  m.face_groups[4].periodic_with = 5;
+  m.face_groups[4].motion.shift = {0, 0, 0.5};
+  m.elem_jacobian_bound = {0.03125, 0.03125};
+  m.elem_scaled_jacobian = {1, 1};
+  m.least_jacobian_bound = 0.03125;
   return m;
 }
 

@@ -58,6 +58,9 @@ inline constexpr const char* reynolds_number_outside = "W-SIZ-001";
 inline constexpr const char* end_length_missed = "W-SIZ-002";
 inline constexpr const char* end_growth_missed = "W-SIZ-003";
 
+// hexsweep
+inline constexpr const char* periodicity_lost = "W-HEX-001";  ///< of sides of the face
+
 // quadexport
 inline constexpr const char* format_loss = "W-EXP-001";
 inline constexpr const char* side_file_not_written = "W-EXP-002";

@@ -26,6 +26,7 @@ std::vector<Violation> check_critical_points_of(const CriticalPoints& points, co
 /// The warning (warning::mesh_not_valid) for a mesh that was written although it is not valid: a sentence with the
 /// position of the worst element; empty for a valid mesh.
 std::string validity_warning(const QuadMesh& mesh);
+std::string validity_warning(const HexMesh& mesh);
 
 /// Throws FormatError with the first violation; `name` is the file's name for the message.
 void require_valid(const std::vector<Violation>& violations, const std::string& name);

@@ -74,6 +74,7 @@ std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth);
 /// Of the chart of a sound curved face; none of a planar one.
 std::vector<Violation> chart_violations(const CadFace& face, CheckDepth depth);
 std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth);
+std::vector<Violation> violations_of(const HexMesh& mesh, CheckDepth depth);
 
 /// The violations found in `part`, a member of the stage's struct; without any, the violations of `rules`.
 template <typename Part, typename Stage, std::size_t N>

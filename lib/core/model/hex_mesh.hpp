@@ -14,6 +14,7 @@
 
 #include "base/vec3.hpp"
 #include "model/provenance.hpp"
+#include "model/quad_mesh.hpp"
 
 namespace quadrille {
 
@@ -26,11 +27,12 @@ struct SpaceMotion {
 /// Faces of the boundary or of interfaces with one name.
 struct HexFaceGroup {
   std::string name;
-  std::vector<int> elems, faces;  ///< element and face (0 to 5) of each; of an interface from both sides
-  bool is_interface = false;      ///< between two regions
-  /// The group that this one is moved to by `motion`, if the two are periodic: face n to face n. -1: none.
+  std::vector<int> elems = {}, faces = {};  ///< element and face (0 to 5) of each; of an interface from both sides
+  bool is_interface = false;                ///< between two regions
+  /// The group that this one is moved to by `motion`, if the two are periodic: face n to face n. -1: none. Of the two
+  /// the first has it.
   int periodic_with = -1;
-  SpaceMotion motion;
+  SpaceMotion motion = {};
 };
 
 struct HexMesh {
@@ -57,7 +59,19 @@ struct HexMesh {
 };
 
 /// Where the nodes of a face stand among those of its element: (N+1)^2 of them, the first index fastest, so that the
-/// cross product of the two directions points out of the element.
-std::vector<int> hex_face_nodes(int order, int face);
+/// cross product of the two directions points out of the element. The first direction of a side is that of the side of
+/// the quad, the second is xi3.
+inline std::vector<int> hex_face_nodes(int order, int face) {
+  const int width = order + 1, layer = width * width;
+  std::vector<int> nodes;
+  for (int b = 0; b <= order; ++b)
+    for (int a = 0; a <= order; ++a) {
+      if (face < 4)
+        nodes.push_back(b * layer + local_side_node(order, face, a));
+      else
+        nodes.push_back(face == 4 ? a * width + b : order * layer + b * width + a);
+    }
+  return nodes;
+}
 
 }  // namespace quadrille

@@ -1,6 +1,7 @@
 #pragma once
 // Changes the unit, or the size, of what a stage file has: all positions and lengths are multiplied by one factor.
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "model/arc_graph.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille {
@@ -52,21 +54,32 @@ struct LengthScale {
   double metres_per_unit = 0;    ///< 0: unknown
 };
 
-/// The factor for a face in its own unit, rounded to 15 digits, so that an inch is 25.4 mm. Throws UsageError if a unit
-/// is requested of a face whose own is unknown.
-inline LengthScale length_scale(const CadFace& face, const ScaleRequest& request) {
-  LengthScale result{request.scale, face.length_unit, face.metres_per_unit};
+/// The factor for lengths in the unit `own`, rounded to 15 digits, so that an inch is 25.4 mm. Throws UsageError if a
+/// unit is requested where `own` is unknown.
+inline LengthScale length_scale(const std::string& own, double metres_per_unit, const ScaleRequest& request) {
+  LengthScale result{request.scale, own, metres_per_unit};
   for (const LengthUnit& unit : length_units) {
     if (unit.symbol != request.unit) continue;
-    if (!(face.metres_per_unit > 0))
+    if (!(metres_per_unit > 0))
       throw UsageError("--unit " + request.unit +
                        ": the CAD file states no length unit: give the factor by --scale instead");
     std::array<char, 40> digits{};
-    std::snprintf(digits.data(), digits.size(), "%.15g", request.scale * face.metres_per_unit / unit.metres);
+    std::snprintf(digits.data(), digits.size(), "%.15g", request.scale * metres_per_unit / unit.metres);
     return {std::strtod(digits.data(), nullptr), std::string(unit.name), unit.metres};
   }
   if (request.scale != 1 && !request.keeps_unit) result.unit = "unknown", result.metres_per_unit = 0;
   return result;
+}
+
+inline LengthScale length_scale(const CadFace& face, const ScaleRequest& request) {
+  return length_scale(face.length_unit, face.metres_per_unit, request);
+}
+
+/// A hexahedral mesh has the name of its unit only.
+inline LengthScale length_scale(const HexMesh& mesh, const ScaleRequest& request) {
+  const auto known = std::find_if(length_units.begin(), length_units.end(),
+                                  [&](const LengthUnit& unit) { return unit.name == mesh.length_unit; });
+  return length_scale(mesh.length_unit, known == length_units.end() ? 0 : known->metres, request);
 }
 
 inline void scale_lengths(Chart& chart, double factor) {
@@ -113,6 +126,17 @@ inline void scale_lengths(QuadMesh& mesh, const LengthScale& scale) {
   mesh.least_jacobian_bound *= factor * factor;
   for (auto* lengths : {&mesh.elem_node_distance, &mesh.elem_prescribed_length})
     for (double& length : *lengths) length *= factor;
+}
+
+/// Jacobians get the cube of the factor.
+inline void scale_lengths(HexMesh& mesh, const LengthScale& scale) {
+  const double factor = scale.factor, cube = factor * factor * factor;
+  mesh.length_unit = scale.unit;
+  mesh.diameter *= factor;
+  for (Vec3& node : mesh.nodes) node = factor * node;
+  for (HexFaceGroup& group : mesh.face_groups) group.motion.shift = factor * group.motion.shift;
+  for (double& bound : mesh.elem_jacobian_bound) bound *= cube;
+  mesh.least_jacobian_bound *= cube;
 }
 
 }  // namespace quadrille

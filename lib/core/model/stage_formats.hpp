@@ -12,6 +12,7 @@
 #include "model/charted_face.hpp"
 #include "model/critical_points.hpp"
 #include "model/field.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 #include "model/separatrix_graph.hpp"
 #include "model/tri_mesh.hpp"
@@ -19,7 +20,8 @@
 namespace quadrille {
 
 /// What a stage file holds.
-using StageModel = std::variant<ChartedFace, TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh>;
+using StageModel =
+    std::variant<ChartedFace, TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh, HexMesh>;
 
 enum class Storage { hdf5, json };
 
@@ -38,6 +40,7 @@ constexpr auto stage_formats = std::to_array<StageFormat>({
     {"separatrix-graph", 2, 5, Storage::json},
     {"block-layout", 2, 1, Storage::hdf5},
     {"quad-mesh", 2, 2, Storage::hdf5},
+    {"hex-mesh", 1, 0, Storage::hdf5},
 });
 static_assert(stage_formats.size() == std::variant_size_v<StageModel>);
 
@@ -75,6 +78,7 @@ constexpr auto stage_tools = std::to_array<StageTool>({
     {"separatrix", "critpoints", "separatrix-graph", "sep.json"},
     {"blocksplit", "separatrix", "block-layout", "blocks.h5"},
     {"quadrefine", "blocksplit", "quad-mesh", "quad.h5"},
+    {"hexsweep", "quadrefine", "hex-mesh", "hex.h5"},
     {"quadexport", "quadrefine", "", ""},
 });
 
@@ -100,6 +104,8 @@ constexpr auto optional_inputs = std::to_array<OptionalInput>({
     {"quadrefine", "--size-field", "size-field", "size-field"},
     {"quadrefine", "--metric", "metric", "metric.csv"},
     {"quadrefine", "--align", "alignment", "align.json"},
+    {"hexsweep", "--curve", "curve", "curve.csv"},
+    {"hexsweep", "--terrain", "terrain", "terrain.csv"},
 });
 
 }  // namespace quadrille

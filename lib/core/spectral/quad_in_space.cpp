@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "spectral/bernstein_tables.hpp"
 #include "spectral/quad_map.hpp"
 #include "spectral/quad_samples.hpp"
 
@@ -49,7 +50,7 @@ std::vector<Vec2> quad_projection(int order, const Vec3* nodes) {
 // differences is at most lebesgue^2 times as great (the constant of the Gauss-Lobatto-Legendre nodes is below 3 up to
 // order 30), its derivatives N^2 times that (Markov). Axes that are not quite orthonormal only change n0.
 double quad_normal_lower_bound(int order, const Vec3* nodes, int depth) {
-  constexpr double lebesgue = 3, ulps = 8, unit_roundoff = 0x1p-53;
+  constexpr double lebesgue = 3, ulps = 8;
   const std::vector<Vec2> projected = quad_projection(order, nodes);
   double size = 0;
   for (const Vec2 x : projected) size = std::max(size, norm(x));

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "spectral/bernstein_tables.hpp"
 #include "spectral/lagrange.hpp"
-#include "spectral/per_order.hpp"
 #include "spectral/quad_samples.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -18,66 +18,8 @@ namespace quadrille::spectral {
 
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
-constexpr double extended_roundoff = 0x1p-64;
 constexpr double sharp = 1e-10;       ///< difference of a bound from the least value, of this
 constexpr double bilinear_ulps = 16;  ///< by which nodes of bilinear elements are rounded at most
-
-using Rows = std::vector<long double>;
-
-std::vector<double> binomials(int n) {
-  std::vector<double> row(n + 1, 1.0);
-  for (int k = 1; k < n; ++k) row[k] = std::round(row[k - 1] * (n - k + 1) / k);
-  return row;
-}
-
-/// Column `node` of M: the Lagrange polynomial as a product of linear factors (1 - z_k) X - z_k (1 - X), X in [0, 1].
-void lagrange_column(const std::vector<double>& points, int node, const std::vector<double>& binomial, Rows& m) {
-  const int n = static_cast<int>(points.size()) - 1;
-  Rows product(n + 1, 0.0L);
-  product[0] = 1;
-  int degree = 0;
-  for (int k = 0; k <= n; ++k) {
-    if (k == node) continue;
-    const long double gap = static_cast<long double>(points[node]) - points[k];
-    const long double low = -(1.0L + points[k]) / gap, high = (1.0L - points[k]) / gap;
-    for (int i = ++degree; i > 0; --i) product[i] = product[i] * low + product[i - 1] * high;
-    product[0] *= low;
-  }
-  for (int i = 0; i <= n; ++i) m[i * (n + 1) + node] = product[i] / binomial[i];
-}
-
-double row_norm(const Rows& matrix, int columns) {
-  double norm = 0;
-  for (std::size_t r = 0; r < matrix.size(); r += columns) {
-    long double sum = 0;
-    for (int c = 0; c < columns; ++c) sum += std::abs(matrix[r + c]);
-    norm = std::max(norm, static_cast<double>(sum));
-  }
-  return norm;
-}
-
-/// Tables that depend on the order only.
-struct Tables {
-  Rows value, derivative;  ///< nodes -> Bernstein coefficients of the polynomial and of its derivative by xi in [-1, 1]
-  double value_norm, derivative_norm;
-  std::vector<double> binomial_n, binomial_d, binomial_det;
-
-  explicit Tables(int n) : value((n + 1) * (n + 1)), derivative(n * (n + 1)) {
-    binomial_n = binomials(n);
-    binomial_d = binomials(n - 1);
-    binomial_det = binomials(2 * n - 1);
-    for (int k = 0; k <= n; ++k) lagrange_column(gll_points(n), k, binomial_n, value);
-    for (int i = 0; i < n * (n + 1); ++i) derivative[i] = (value[i + n + 1] - value[i]) * n / 2;
-    value_norm = row_norm(value, n + 1);
-    derivative_norm = row_norm(derivative, n + 1);
-  }
-};
-
-const Tables& tables(int order) {
-  if (order < 1) throw Defect("a quad of order " + std::to_string(order));
-  return table_per_order<Tables>(order);
-}
 
 /// Coefficients of one derivative of one coordinate, scaled by the binomials of its degrees.
 struct Derivative {
@@ -114,7 +56,7 @@ Derivative apply(int n, const Rows& along1, const Rows& along2, const Rows& noda
 
 /// Error bound: both sums, the entries of both matrices and the shift of the nodes, each a few units in the last place,
 /// then the rounding to double.
-double conversion_error(int n, const Derivative& d, double largest_node, const Tables& t) {
+double conversion_error(int n, const Derivative& d, double largest_node, const BernsteinTables& t) {
   return (12 * n + 32) * extended_roundoff * t.value_norm * t.derivative_norm * largest_node +
          unit_roundoff * d.largest;
 }
@@ -135,17 +77,11 @@ void add_product(const Derivative& a, const Derivative& b, double sign, Bernstei
                (2 * a.rows * a.columns + 12) * unit_roundoff * a.largest * b.largest;
 }
 
-/// Halves along the rows (stride 1 between the coefficients of a line) or columns by de Casteljau's averages.
+/// Halves along the rows (stride 1 between the coefficients of a line) or columns.
 void halve(std::vector<double>& low, std::vector<double>& high, int width, int stride, int line_stride) {
   high = low;
-  for (int line = 0; line < width; ++line) {
-    double* a = &low[line * line_stride];
-    double* b = &high[line * line_stride];
-    for (int step = 1; step < width; ++step) {
-      for (int i = 0; i < width - step; ++i) b[i * stride] = (b[i * stride] + b[(i + 1) * stride]) / 2;
-      a[step * stride] = b[0];
-    }
-  }
+  for (int line = 0; line < width; ++line)
+    halve_line(&low[line * line_stride], &high[line * line_stride], width, stride);
 }
 
 /// The four quarters of the square; the caller sets their `error`.
@@ -197,7 +133,7 @@ std::optional<BilinearElement> as_bilinear(int order, const Vec2* nodes) {
 
 /// As conversion_error and add_product bound it: a node is at most `deviation` off. No value if the bound is not sharp.
 std::optional<double> bilinear_lower_bound(int order, const BilinearElement& element) {
-  const Tables& t = tables(order);
+  const BernsteinTables& t = bernstein_tables(order);
   Vec2 largest_a, largest_b;
   double least = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 4; ++corner) {
@@ -229,7 +165,7 @@ ScaledJacobianMinimum least_at_corners(const BilinearElement& element) {
 }  // namespace
 
 BernsteinSquare quad_jacobian_det(int order, const Vec2* nodes) {
-  const Tables& t = tables(order);
+  const BernsteinTables& t = bernstein_tables(order);
   const int n = order, count = (n + 1) * (n + 1);
   const Vec2 centre = nodes[(n / 2) * (n + 1) + n / 2];
   Rows x(count), y(count);

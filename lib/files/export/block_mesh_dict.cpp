@@ -143,22 +143,10 @@ class BlockMeshWriter : TextWriter {
   double metres_ = 1;  ///< factor of all written lengths; `scale` has the rest
 };
 
-/// Largest distance of the boundary's points from the straight sides of the cells.
-double boundary_distance(const QuadMesh& mesh) {
-  double largest = 0;
-  for (const QuadBoundaryEdge& e : mesh.boundary_edges) {
-    const std::vector<int> nodes = side_nodes(mesh, e.elem, e.side);
-    const Vec2 start = mesh.nodes[nodes.front()], along = normalized(mesh.nodes[nodes.back()] - start);
-    for (const int node : nodes) largest = std::max(largest, std::abs(cross(along, mesh.nodes[node] - start)));
-  }
-  return largest;
-}
-
 void report_losses(const QuadMesh& mesh, const PlateBlocks& plates, std::vector<std::string>& losses) {
   const double diameter = mesh.face.diameter, least = 1e-12 * diameter;
   if (const double moved = boundary_distance(mesh); moved > least)
-    losses.push_back(
-        fmt::format("cells have straight sides, which moves the boundary by up to {}", length_text(moved, diameter)));
+    losses.push_back(straight_sides_loss(moved, diameter));
   if (plates.moved > least)
     losses.push_back(fmt::format("blockMesh places the points inside blocks itself, which moves them by up to {}",
                                  length_text(plates.moved, diameter)));

@@ -166,15 +166,21 @@ void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numb
                                  position_text(position((*twice)[0])), position_text(position((*twice)[1])), reader));
 }
 
-QuadMesh turned_along_chords(const QuadMesh& mesh) {
+std::vector<int> chord_corners(const QuadMesh& mesh) {
   const Directions directions(mesh);
+  std::vector<int> corners;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) corners.push_back(directions.first_corner(elem));
+  return corners;
+}
+
+QuadMesh turned_along_chords(const QuadMesh& mesh) {
+  const std::vector<int> corners = chord_corners(mesh);
   QuadMesh turned = mesh;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const std::vector<int> nodes = nodes_from_corner(mesh, elem, directions.first_corner(elem));
+    const std::vector<int> nodes = nodes_from_corner(mesh, elem, corners[elem]);
     std::copy(nodes.begin(), nodes.end(), turned.elem_nodes.begin() + elem * mesh.nodes_per_elem());
   }
-  for (QuadBoundaryEdge& edge : turned.boundary_edges)
-    edge.side = (edge.side + 4 - directions.first_corner(edge.elem)) % 4;
+  for (QuadBoundaryEdge& edge : turned.boundary_edges) edge.side = (edge.side + 4 - corners[edge.elem]) % 4;
   return turned;
 }
 

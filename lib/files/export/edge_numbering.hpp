@@ -43,9 +43,12 @@ std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
 /// Throws ComputeError with the position if two edges join the same two vertices, which `reader` could not distinguish.
 void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader);
 
-/// The same elements, each with its nodes in the order that starts at the corner where the directions of its sides
-/// begin: sides 0 and 2 run along xi1, sides 1 and 3 along xi2. The edge of least number on a chord determines the
-/// direction of all (from its vertex of lower number, as number_edges has it). Linear cost.
+/// For each element the corner where the directions of its sides begin. The edge of least number on a chord determines
+/// the direction of all (from its vertex of lower number, as number_edges has it). Linear cost.
+std::vector<int> chord_corners(const QuadMesh& mesh);
+
+/// The same elements, each with its nodes in the order that starts at its chord_corners: sides 0 and 2 run along xi1,
+/// sides 1 and 3 along xi2.
 QuadMesh turned_along_chords(const QuadMesh& mesh);
 
 /// number_edges of a mesh that is turned along its chords, with edges in the directions of their chords, which need not

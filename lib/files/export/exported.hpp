@@ -11,15 +11,21 @@
 namespace quadrille::exports {
 
 /// The name of a file beside the main one: what replaces its ending (".curves.vtu") or, if `is_appended`, follows its
-/// whole name (x.re2.names.json).
+/// whole name (x.re2.names.json), or, if `is_whole`, replaces it ("owner" beside "points").
 struct SideName {
   std::string ending;
-  bool is_appended = false;
+  bool is_appended = false, is_whole = false;
 };
 
 /// Those of all formats: the table of names, named after the whole main file so that those of two formats differ; the
-/// curves of VTK's format; the geometry of Nek5000's.
-inline const SideName names_table_name{".names.json", true}, vtu_curves_name{".curves.vtu"}, nek_field_name{"0.f00000"};
+/// curves, and the faces, of VTK's format; the geometry of Nek5000's.
+inline const SideName names_table_name{".names.json", true}, vtu_curves_name{".curves.vtu"},
+    vtu_faces_name{".faces.vtu"}, nek_field_name{"0.f00000"};
+
+/// Those of OpenFOAM's polyMesh, beside its points.
+inline const SideName poly_faces_name{"faces", false, true}, poly_owner_name{"owner", false, true},
+    poly_neighbour_name{"neighbour", false, true}, poly_boundary_name{"boundary", false, true},
+    poly_zones_name{"cellZones", false, true};
 
 /// A file that a format needs beside the main one, such as a table of names.
 struct SideFile {

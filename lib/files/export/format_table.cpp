@@ -13,35 +13,96 @@ namespace quadrille::exports {
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
-      {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41},
-      {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22},
-      {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange, nullptr, true, {vtu_curves_name}},
-      {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier, nullptr, true, {vtu_curves_name}},
-      {"nektar", ".xml", "Nektar++ XML", 20, true, nektar_xml},
-      {"mfem", ".mesh", "MFEM mesh v1.0", 20, true, mfem_mesh10, nullptr, false, {names_table_name}},
-      {"mfem13", "", "MFEM mesh v1.3, with names", 20, true, mfem_mesh13},
-      {"ism-v2", ".ism", "HOHQMesh ISM-V2", 20, false, hohqmesh_ism, nullptr, false, {names_table_name}},
-      {"ism-mm", "", "HOHQMesh ISM-MM, with materials", 20, false, hohqmesh_ism_mm, nullptr, true, {names_table_name}},
-      {"inp", ".inp", "Abaqus in HOHQMesh's flavour", 20, false, abaqus_inp, nullptr, false, {names_table_name}},
-      {"re2",
-       ".re2",
-       "Nek5000 mesh, with a geometry field",
-       20,
-       false,
-       nek_re2,
-       nullptr,
-       false,
-       {names_table_name, nek_field_name}},
-      {"blockmesh",
-       "blockMeshDict",
-       "OpenFOAM blockMeshDict",
-       20,
-       false,
-       [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); },
-       block_mesh_dict,
-       false,
-       {names_table_name},
-       true},
+      {.name = "msh",
+       .ending = ".msh",
+       .summary = "Gmsh MSH 4.1, ASCII",
+       .max_order = 10,
+       .holds_space = true,
+       .write = gmsh_msh41,
+       .write_hex = gmsh_msh41,
+       .max_hex_order = 9},
+      {.name = "msh22",
+       .summary = "Gmsh MSH 2.2, ASCII",
+       .max_order = 10,
+       .holds_space = true,
+       .write = gmsh_msh22,
+       .write_hex = gmsh_msh22,
+       .max_hex_order = 9},
+      {.name = "vtu",
+       .ending = ".vtu",
+       .summary = "VTK XML with Lagrange cells",
+       .max_order = 10,
+       .holds_space = true,
+       .write = vtu_lagrange,
+       .loses_periodic_sides = true,
+       .side_names = {vtu_curves_name, vtu_faces_name},
+       .write_hex = vtu_lagrange,
+       .max_hex_order = 10},
+      {.name = "vtu-bezier",
+       .summary = "VTK XML with Bezier cells",
+       .max_order = 10,
+       .holds_space = true,
+       .write = vtu_bezier,
+       .loses_periodic_sides = true,
+       .side_names = {vtu_curves_name, vtu_faces_name},
+       .write_hex = vtu_bezier,
+       .max_hex_order = 10},
+      {.name = "nektar",
+       .ending = ".xml",
+       .summary = "Nektar++ XML",
+       .holds_space = true,
+       .write = nektar_xml,
+       .write_hex = nektar_xml},
+      {.name = "mfem",
+       .ending = ".mesh",
+       .summary = "MFEM mesh v1.0",
+       .holds_space = true,
+       .write = mfem_mesh10,
+       .side_names = {names_table_name},
+       .write_hex = mfem_mesh10},
+      {.name = "mfem13",
+       .summary = "MFEM mesh v1.3, with names",
+       .holds_space = true,
+       .write = mfem_mesh13,
+       .write_hex = mfem_mesh13},
+      {.name = "ism-v2",
+       .ending = ".ism",
+       .summary = "HOHQMesh ISM-V2",
+       .write = hohqmesh_ism,
+       .side_names = {names_table_name}},
+      {.name = "ism-mm",
+       .summary = "HOHQMesh ISM-MM, with materials",
+       .write = hohqmesh_ism_mm,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name}},
+      {.name = "inp",
+       .ending = ".inp",
+       .summary = "Abaqus in HOHQMesh's flavour",
+       .write = abaqus_inp,
+       .side_names = {names_table_name}},
+      {.name = "re2",
+       .ending = ".re2",
+       .summary = "Nek5000 mesh, with a geometry field",
+       .write = nek_re2,
+       .side_names = {names_table_name, nek_field_name},
+       .write_hex = nek_re2},
+      {.name = "blockmesh",
+       .ending = "blockMeshDict",
+       .summary = "OpenFOAM blockMeshDict",
+       .write = [](const QuadMesh& mesh, const Frame& frame) { return block_mesh_dict(mesh, frame, {}); },
+       .write_with_types = block_mesh_dict,
+       .side_names = {names_table_name},
+       .has_straight_sides = true},
+      {.name = "polymesh",
+       .ending = "polyMesh/points",
+       .summary = "OpenFOAM polyMesh",
+       .write = [](const QuadMesh& mesh, const Frame& frame) { return poly_mesh(mesh, frame, {}); },
+       .write_with_types = poly_mesh,
+       .side_names = {poly_faces_name, poly_owner_name, poly_neighbour_name, poly_boundary_name, poly_zones_name,
+                      names_table_name},
+       .has_straight_sides = true,
+       .write_hex = [](const HexMesh& mesh) { return poly_mesh(mesh, {}); },
+       .write_hex_with_types = poly_mesh},
   };
   return formats;
 }
@@ -92,6 +153,33 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
       format.write_with_types ? format.write_with_types(mesh, frame, options.patch_types) : format.write(mesh, frame);
   if (format.loses_periodic_sides && !mesh.face.periodic_pairs.empty())
     exported.losses.push_back(periodic_loss(mesh.face, mesh.face.periodic_pairs));
+  exported.length = length;
+  return exported;
+}
+
+void require_hex_options(const ExportFormat& format, const ExportOptions& options) {
+  if (format.write_hex == nullptr) {
+    std::string others;
+    for (const ExportFormat& other : export_formats())
+      if (other.write_hex != nullptr) others += fmt::format("{}{}", others.empty() ? "" : ", ", other.name);
+    throw UsageError(fmt::format("the format {} has no hexahedra: choose one of {}", format.name, others));
+  }
+  if (options.in_space) throw UsageError("--frame 3d: hexahedra have coordinates of the CAD model always: omit it");
+  if (options.block_groups) throw UsageError("--block-groups: blocks of hexahedra have no names: omit it");
+  require_options(format, options);
+}
+
+Exported export_mesh(HexMesh mesh, const ExportFormat& format, const ExportOptions& options) {
+  require_hex_options(format, options);
+  if (mesh.order > format.max_hex_order)
+    throw ComputeError(
+        fmt::format("the format {} supports hexahedra up to order {}, this mesh has order {}: refine with a lower "
+                    "--order",
+                    format.name, format.max_hex_order, mesh.order));
+  const LengthScale length = length_scale(mesh, options.length);
+  if (length.factor != 1 || length.unit != mesh.length_unit) scale_lengths(mesh, length);
+  Exported exported =
+      format.write_hex_with_types ? format.write_hex_with_types(mesh, options.patch_types) : format.write_hex(mesh);
   exported.length = length;
   return exported;
 }

@@ -6,6 +6,7 @@
 
 #include "export/exported.hpp"
 #include "export/patches.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/length_scale.hpp"
 #include "model/quad_mesh.hpp"
 
@@ -20,17 +21,20 @@ struct ExportOptions {
 };
 
 struct ExportFormat {
-  std::string_view name;     ///< for --format
-  std::string_view ending;   ///< of file names; empty: by --format only
-  std::string_view summary;  ///< for --help
-  int max_order = 20;        ///< greater ones are refused before the writer is called
-  bool holds_space = false;  ///< can be written with --frame 3d
+  std::string_view name;      ///< for --format
+  std::string_view ending{};  ///< of file names; empty: by --format only
+  std::string_view summary;   ///< for --help
+  int max_order = 20;         ///< greater ones are refused before the writer is called
+  bool holds_space = false;   ///< can be written with --frame 3d
   Exported (*write)(const QuadMesh& mesh, const Frame& frame) = nullptr;
   /// The same for a format whose boundaries have types; nullptr: they have none.
   Exported (*write_with_types)(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types) = nullptr;
   bool loses_periodic_sides = false;      ///< which export_mesh reports; the other writers report those that they lose
   std::vector<SideName> side_names = {};  ///< of files that may be written beside the main one
   bool has_straight_sides = false;        ///< whatever the order of the mesh
+  Exported (*write_hex)(const HexMesh& mesh) = nullptr;  ///< nullptr: the format has no hexahedra
+  Exported (*write_hex_with_types)(const HexMesh& mesh, const std::vector<PatchType>& types) = nullptr;
+  int max_hex_order = 20;
 };
 
 /// All formats of a quad mesh, in the order of the help.
@@ -51,5 +55,12 @@ std::string planar_format_text(const ExportFormat& format);
 /// Writes the mesh. Throws ComputeError for an order that the format does not support, UsageError as require_options,
 /// for a unit where that of the mesh is unknown, and for types of boundaries that the mesh does not have.
 Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOptions& options = {});
+
+/// Throws UsageError for a format without hexahedra, naming those that have them, and for options of quads that do not
+/// apply: a frame, groups of blocks, types of boundaries of a format without them.
+void require_hex_options(const ExportFormat& format, const ExportOptions& options);
+
+/// The same for hexahedra, whose options are `length` and those that require_hex_options accepts.
+Exported export_mesh(HexMesh mesh, const ExportFormat& format, const ExportOptions& options = {});
 
 }  // namespace quadrille::exports

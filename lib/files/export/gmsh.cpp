@@ -10,35 +10,20 @@ namespace quadrille::exports {
 
 namespace {
 
-using Position = std::array<double, 3>;
-
-struct Box {
-  Position lower{1e300, 1e300, 1e300}, upper{-1e300, -1e300, -1e300};
-  void add(const Position& x) {
-    for (int k = 0; k < 3; ++k) lower[k] = std::min(lower[k], x[k]), upper[k] = std::max(upper[k], x[k]);
-  }
-};
-
 template <class... Args>
 void print(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
-void append_box(const Box& box, std::string& text) {
-  append_position(box.lower, text);
-  text += ' ';
-  append_position(box.upper, text);
-}
-
 /// The boundary of each block: the signed tags of its curves, and the box around them.
 struct BlockBounds {
   std::vector<std::vector<int>> curves;
-  std::vector<Box> boxes;
+  std::vector<GmshBox> boxes;
 };
 
-Box box_of_curve(const GmshModel& model, int c) {
+GmshBox box_of_curve(const GmshModel& model, int c) {
   const SkeletonCurve& curve = model.skeleton.curves[c];
-  Box box;
+  GmshBox box;
   for (const int node : model.entity_nodes[1][c]) box.add(model.positions[node]);
   for (const int point : {curve.from, curve.to}) box.add(model.positions[model.skeleton.points[point]]);
   return box;
@@ -46,9 +31,9 @@ Box box_of_curve(const GmshModel& model, int c) {
 
 BlockBounds block_bounds(const GmshModel& model) {
   BlockBounds bounds{std::vector<std::vector<int>>(model.block_elems.size()),
-                     std::vector<Box>(model.block_elems.size())};
+                     std::vector<GmshBox>(model.block_elems.size())};
   for (int c = 0; c < static_cast<int>(model.skeleton.curves.size()); ++c) {
-    const Box box = box_of_curve(model, c);
+    const GmshBox box = box_of_curve(model, c);
     for (int side = 0; side < 2; ++side) {
       const int block = model.skeleton.curves[c].blocks[side];
       if (block < 0) continue;
@@ -63,7 +48,7 @@ BlockBounds block_bounds(const GmshModel& model) {
 void append_curve_entity(const GmshModel& model, int c, std::string& text) {
   const SkeletonCurve& curve = model.skeleton.curves[c];
   print(text, "{} ", c + 1);
-  append_box(box_of_curve(model, c), text);
+  box_of_curve(model, c).append(text);
   if (curve.cad_curve >= 0)
     print(text, " 1 {}", model.boundary_group(curve.cad_curve));
   else
@@ -71,11 +56,11 @@ void append_curve_entity(const GmshModel& model, int c, std::string& text) {
   print(text, " 2 {} {}\n", curve.from + 1, -(curve.to + 1));
 }
 
-void append_surface_entity(const GmshModel& model, int block, const std::vector<int>& curves, Box box,
+void append_surface_entity(const GmshModel& model, int block, const std::vector<int>& curves, GmshBox box,
                            std::string& text) {
   for (const int node : model.entity_nodes[2][block]) box.add(model.positions[node]);
   print(text, "{} ", block + 1);
-  append_box(box, text);
+  box.append(text);
   print(text, " 1 {} {}", model.region_group(block), curves.size());
   for (const int curve : curves) print(text, " {}", curve);
   text += '\n';
@@ -94,22 +79,6 @@ void append_entities(const GmshModel& model, std::string& text) {
   for (std::size_t b = 0; b < model.block_elems.size(); ++b)
     append_surface_entity(model, static_cast<int>(b), bounds.curves[b], bounds.boxes[b], text);
   text += "$EndEntities\n";
-}
-
-void append_nodes(const GmshModel& model, std::size_t num_nodes, std::string& text) {
-  std::size_t num_entities = 0;
-  for (const auto& entities : model.entity_nodes)
-    for (const auto& nodes : entities) num_entities += !nodes.empty();
-  print(text, "$Nodes\n{} {} 1 {}\n", num_entities, num_nodes, num_nodes);
-  for (int dim = 0; dim < 3; ++dim)
-    for (std::size_t e = 0; e < model.entity_nodes[dim].size(); ++e) {
-      const std::vector<int>& nodes = model.entity_nodes[dim][e];
-      if (nodes.empty()) continue;
-      print(text, "{} {} 0 {}\n", dim, e + 1, nodes.size());
-      for (const int node : nodes) print(text, "{}\n", model.node_tags[node]);
-      for (const int node : nodes) append_position(model.positions[node], text), text += '\n';
-    }
-  text += "$EndNodes\n";
 }
 
 /// `tag`: the tag of the last element written.
@@ -147,19 +116,6 @@ void append_elements(const GmshModel& model, const QuadMesh& mesh, std::string& 
   text += "$EndElements\n";
 }
 
-std::string nodes_section(const GmshModel& model) {
-  std::string text = fmt::format("$Nodes\n{}\n", model.positions.size());
-  for (const auto& entities : model.entity_nodes)
-    for (const auto& nodes : entities)
-      for (const int node : nodes) {
-        fmt::format_to(std::back_inserter(text), "{} ", model.node_tags[node]);
-        append_position(model.positions[node], text);
-        text += '\n';
-      }
-  text += "$EndNodes\n";
-  return text;
-}
-
 /// "tag type 2 physical elementary nodes": in this version each element lists its groups itself.
 std::string elements_section(const GmshModel& model, const QuadMesh& mesh) {
   std::string text = fmt::format(
@@ -191,9 +147,9 @@ Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) {
   const GmshModel model = gmsh_model(mesh, frame);
   std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + gmsh_names(model.groups);
   append_entities(model, text);
-  append_nodes(model, mesh.nodes.size(), text);
+  text += gmsh_nodes41(model);
   append_elements(model, mesh, text);
-  text += gmsh_periodic(model, mesh, frame, "16");
+  text += gmsh_periodic(model, periodic_links(model, mesh, frame), "16");
   return {std::move(text), false, {}, {}};
 }
 
@@ -201,9 +157,9 @@ Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame) {
   GmshModel model = gmsh_model(mesh, frame);
   model.tags_before = model.num_groups();
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + gmsh_names(model.groups);
-  text += nodes_section(model);
+  text += gmsh_nodes22(model);
   text += elements_section(model, mesh);
-  text += gmsh_periodic(model, mesh, frame, "Affine");
+  text += gmsh_periodic(model, periodic_links(model, mesh, frame), "Affine");
   return {std::move(text), false, {}, {}};
 }
 

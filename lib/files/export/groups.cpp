@@ -91,17 +91,6 @@ std::vector<QuadBoundaryEdge> interface_edges_once(const QuadMesh& mesh) {
   return edges;
 }
 
-std::vector<std::string> region_of_blocks(const CadFace& face, const std::vector<int>& block_region,
-                                          std::vector<std::string> block_names,
-                                          const std::vector<int>& unnamed_blocks) {
-  std::string domain = "domain";
-  for (const int block : unnamed_blocks) block_names[block].clear();
-  while (std::find(block_names.begin(), block_names.end(), domain) != block_names.end()) domain += '_';
-  for (const int block : unnamed_blocks)
-    block_names[block] = block_region.empty() ? domain : face.region_names[block_region[block]];
-  return block_names;
-}
-
 Groups mesh_groups(const QuadMesh& mesh) {
   std::vector<std::string> curve_names = mesh.face.curve_names;
   for (std::size_t curve = 0; curve < curve_names.size(); ++curve)
@@ -114,6 +103,27 @@ Groups mesh_groups(const QuadMesh& mesh) {
     if (!std::binary_search(mesh.unnamed_blocks.begin(), mesh.unnamed_blocks.end(), static_cast<int>(block)))
       groups.is_region_named[groups.block2region[block]] = true;
   return groups;
+}
+
+Groups mesh_groups(const HexMesh& mesh) {
+  Groups groups;
+  std::vector<std::string> names;
+  std::vector<bool> is_inner;
+  for (const HexFaceGroup& group : mesh.face_groups) {
+    names.push_back(group.name);
+    is_inner.push_back(group.is_interface);
+  }
+  number_curves(names, is_inner, groups);
+  const std::vector<int> region_numbers = number(mesh.region_names, groups.region_names);
+  for (const int region : mesh.block_region) groups.block2region.push_back(region_numbers[region]);
+  groups.is_region_named.assign(groups.region_names.size(), true);
+  return groups;
+}
+
+std::vector<std::string> boundary_and_interface_names(const Groups& groups) {
+  std::vector<std::string> names = groups.boundary_names;
+  names.insert(names.end(), groups.interface_names.begin(), groups.interface_names.end());
+  return names;
 }
 
 void separate_blocks(const CadFace& face, const std::vector<int>& block_region, std::vector<std::string>& block_names,

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "export/exported.hpp"
+#include "model/block_regions.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -18,10 +20,11 @@ namespace quadrille::exports {
 struct Groups {
   std::vector<std::string> boundary_names;   ///< in the order of their first curves
   std::vector<std::string> interface_names;  ///< of the curves that lie between elements and have no boundary's name
-  std::vector<int> curve2boundary;           ///< by CAD curve: interfaces are numbered after the boundaries
-  std::vector<std::string> region_names;     ///< in the order of their first blocks
-  std::vector<int> block2region;             ///< by block
-  std::vector<bool> is_region_named;         ///< by region: the name was given
+  /// By CAD curve, of hexahedra by group of faces: interfaces are numbered after the boundaries.
+  std::vector<int> curve2boundary;
+  std::vector<std::string> region_names;  ///< in the order of their first blocks
+  std::vector<int> block2region;          ///< by block
+  std::vector<bool> is_region_named;      ///< by region: the name was given
 
   int num_boundaries() const { return static_cast<int>(boundary_names.size()); }
   int num_interfaces() const { return static_cast<int>(interface_names.size()); }
@@ -32,25 +35,27 @@ struct Groups {
 /// given names.
 Groups mesh_groups(const QuadMesh& mesh);
 
+/// Of hexahedra: the names of their groups of faces and of their regions.
+Groups mesh_groups(const HexMesh& mesh);
+
+/// The names of all boundaries, then of all interfaces.
+std::vector<std::string> boundary_and_interface_names(const Groups& groups);
+
 /// Whether a curve lies between elements: an interface that is not open.
 std::vector<bool> inner_curves(const QuadMesh& mesh);
 
 /// The edges on interfaces, each once: from the side whose curve has the lower number.
 std::vector<QuadBoundaryEdge> interface_edges_once(const QuadMesh& mesh);
 
-/// The region of each block: its name, or as in mesh_groups.
-std::vector<std::string> region_of_blocks(const CadFace& face, const std::vector<int>& block_region,
-                                          std::vector<std::string> block_names, const std::vector<int>& unnamed_blocks);
-
 /// Gives the name block_<number> to each block without a name of its own (it has none, or that of the face or of its
 /// region), so that it becomes a region of its own.
 void separate_blocks(const CadFace& face, const std::vector<int>& block_region, std::vector<std::string>& block_names,
                      std::vector<int>& unnamed_blocks);
 
-/// The same of a mesh or a layout.
+/// The region of each block of a mesh or a layout, and separate_blocks of it.
 template <typename Stage>
 std::vector<std::string> region_of_blocks(const Stage& stage) {
-  return region_of_blocks(stage.face, stage.block_region, stage.block_names, stage.unnamed_blocks);
+  return quadrille::region_of_blocks(stage.face, stage.block_region, stage.block_names, stage.unnamed_blocks);
 }
 template <typename Stage>
 void separate_blocks(Stage& stage) {

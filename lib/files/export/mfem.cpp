@@ -1,8 +1,6 @@
-#include <fmt/format.h>
-
-#include "base/message_text.hpp"
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
+#include "export/mfem_text.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/renode.hpp"
 #include "export/writers.hpp"
@@ -13,17 +11,7 @@ namespace {
 /// MFEM's numbers of its geometries (geom.hpp of its source).
 constexpr int segment_type = 1, square_type = 3;
 
-/// As std::quoted writes it, which is how MFEM reads it.
-std::string mfem_quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
-
-class MfemWriter : TextWriter {
+class MfemWriter : MfemText {
  public:
   MfemWriter(const QuadMesh& mesh, const Frame& frame, bool with_names)
       : mesh_(mesh), frame_(frame), with_names_(with_names), edges_(number_edges(mesh)), groups_(mesh_groups(mesh)) {
@@ -35,11 +23,11 @@ class MfemWriter : TextWriter {
   const std::string& periodic_loss() const { return periodic_.loss; }
 
   std::string text() {
-    print("MFEM mesh v1.{}\n\ndimension\n2\n", with_names_ ? 3 : 0);
+    begin(with_names_, 2);
     write_elements();
     if (with_names_) write_sets("attribute_sets", groups_.region_names);
     write_boundary();
-    if (with_names_) write_sets("bdr_attribute_sets", line_names());
+    if (with_names_) write_sets("bdr_attribute_sets", boundary_and_interface_names(groups_));
     write_geometry();
     if (with_names_) print("\nmfem_mesh_end\n");
     return std::move(out_);
@@ -64,12 +52,6 @@ class MfemWriter : TextWriter {
     }
   }
 
-  std::vector<std::string> line_names() const {
-    std::vector<std::string> names = groups_.boundary_names;
-    names.insert(names.end(), groups_.interface_names.begin(), groups_.interface_names.end());
-    return names;
-  }
-
   /// MFEM's boundary may have elements inside the mesh: periodic sides, and interfaces with attributes after those of
   /// the boundary.
   void write_boundary() {
@@ -80,11 +62,6 @@ class MfemWriter : TextWriter {
     for (const QuadBoundaryEdge& e : edges)
       print("{} {} {} {}\n", 1 + groups_.curve2boundary[e.curve], segment_type, vertex(e.elem, e.side),
             vertex(e.elem, e.side + 1));
-  }
-
-  void write_sets(const char* title, const std::vector<std::string>& names) {
-    print("\n{}\n{}\n", title, names.size());
-    for (std::size_t k = 0; k < names.size(); ++k) print("{} 1 {}\n", mfem_quoted(names[k]), k + 1);
   }
 
   int space_dim() const { return space_dimension(mesh_, frame_); }
@@ -101,21 +78,16 @@ class MfemWriter : TextWriter {
   void write_geometry() {
     print("\nvertices\n{}\n", num_vertices_);
     if (periodic_.are_identified()) {
-      write_space("L2_T1");  // T1: the basis of Gauss-Lobatto nodes
+      write_space("L2_T1", 2, mesh_.order, space_dim());  // T1: the basis of Gauss-Lobatto nodes
       for (const int node : mesh_.elem_nodes) print_position(node);
       return;
     }
     if (mesh_.order == 1)
       print("{}\n", space_dim());
     else
-      write_space("H1");
+      write_space("H1", 2, mesh_.order, space_dim());
     for (const int node : edges_.vertices) print_position(node);
     if (mesh_.order > 1) write_inner_nodes();
-  }
-
-  void write_space(const char* kind) {
-    print("\nnodes\nFiniteElementSpace\nFiniteElementCollection: {}_2D_P{}\nVDim: {}\nOrdering: 1\n\n",  // 1: x y x y
-          kind, mesh_.order, space_dim());
   }
 
   /// MFEM's own order: vertices, edges (each in its own direction), elements (i fastest).
@@ -153,12 +125,7 @@ Exported mfem_mesh(const QuadMesh& mesh, const Frame& frame, bool with_names) {
 Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame) {
   const Groups groups = mesh_groups(mesh);
   Exported result = mfem_mesh(mesh, frame, false);
-  result.side_files.push_back(names_table(groups, groups.boundary_names, groups.region_names, true));
-  result.add_loss(
-      fmt::format("MFEM v1.0 stores {} and {} by number only; their names are in *.names.json "
-                  "(--format mfem13 keeps them, for MFEM 4.7 and later)",
-                  groups.num_boundaries() == 1 ? "1 boundary" : fmt::format("{} boundaries", groups.num_boundaries()),
-                  counted(groups.num_regions(), "region")));
+  add_mfem_names(groups, result);
   return result;
 }
 

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
+#include "export/nek_bytes.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/renode.hpp"
 #include "export/writers.hpp"
@@ -19,18 +18,7 @@ namespace quadrille::exports {
 
 namespace {
 
-constexpr float byte_order_mark = 6.54321F;
-
-/// Appends the 4 or 8 bytes of a number, the lowest first.
-template <class Number>
-void append_little_endian(std::string& bytes, Number number) {
-  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
-  static_assert(sizeof(Number) == sizeof(Bits));
-  const Bits bits = std::bit_cast<Bits>(number);
-  for (std::size_t k = 0; k < sizeof(Bits); ++k) bytes += static_cast<char>((bits >> (8 * k)) & 0xff);
-}
-
-class Re2Writer {
+class Re2Writer : NekRe2Bytes {
  public:
   Re2Writer(const QuadMesh& mesh, const Frame& frame, const Groups& groups)
       : mesh_(mesh), frame_(frame), groups_(groups), edges_(number_edges(mesh)) {
@@ -38,10 +26,7 @@ class Re2Writer {
   }
 
   std::string bytes() {
-    std::string header = fmt::format("#v004{:16}{:3}{:16}{:4} hdr", mesh_.num_elems(), 2, mesh_.num_elems(), 1);
-    header.resize(80, ' ');
-    out_ = std::move(header);
-    append_little_endian(out_, byte_order_mark);
+    begin(mesh_.num_elems(), 2);
     write_corners();
     write_curved_sides();
     write_boundaries();
@@ -51,8 +36,6 @@ class Re2Writer {
  private:
   bool has_groups() const { return !mesh_.block_region.empty(); }
 
-  void put(double number) { append_little_endian(out_, number); }
-
   void write_corners() {
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
       // Group of material properties: 0 in a face of one region.
@@ -61,13 +44,6 @@ class Re2Writer {
         for (int corner = 0; corner < 4; ++corner)
           put(frame_.at(mesh_.nodes[edges_.vertices[edges_.elem2verts[4 * elem + corner]]])[axis]);
     }
-  }
-
-  /// Element and side from 1, five numbers, a word of eight letters.
-  void write_record(int elem, int side, const std::array<double, 5>& numbers, const char* word) {
-    put(elem + 1), put(side + 1);
-    for (const double number : numbers) put(number);
-    out_ += fmt::format("{:<8}", word);
   }
 
   void write_curved_sides() {
@@ -121,7 +97,6 @@ class Re2Writer {
   const Frame& frame_;
   const Groups& groups_;
   EdgeNumbering edges_;
-  std::string out_;
 };
 
 void report_losses(const QuadMesh& mesh, const Groups& groups, Exported& exported) {
@@ -141,31 +116,10 @@ void report_losses(const QuadMesh& mesh, const Groups& groups, Exported& exporte
   if (mesh.block_region.empty()) exported.add_loss(region_loss(groups));
 }
 
-constexpr std::size_t header_length = 132;
-
-/// Word size, points in each direction, elements here and in all, time, step, file and number of files, contents,
-/// thermodynamic pressure, no pressure on the velocity's points.
-std::string field_header(const QuadMesh& mesh) {
-  const int width = mesh.order + 1, count = mesh.num_elems();
-  std::string line = fmt::format("#std {:1} {:2} {:2} {:2} {:10} {:10} {:>20} {:9} {:6} {:6} {:<10}{:15} F", 8, width,
-                                 width, 1, count, count, "0.0000000000000E+00", 0, 0, 1, "X", "  1.0000000E+00");
-  line.resize(header_length, ' ');
-  return line;
-}
-
-/// The geometry at Gauss-Lobatto-Legendre points, which Nek5000 uses as the positions of its own points.
-std::string geometry_field(const QuadMesh& mesh, const Frame& frame) {
-  std::string bytes = field_header(mesh);
-  const std::size_t num_values = 2 * mesh.elem_nodes.size();
-  bytes.reserve(bytes.size() + 4 * (1 + mesh.elem_block.size()) + 8 * num_values);
-  append_little_endian(bytes, byte_order_mark);
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) append_little_endian(bytes, elem + 1);
-  const int count = mesh.nodes_per_elem();
-  for (int elem = 0; elem < mesh.num_elems(); ++elem)
-    for (int axis = 0; axis < 2; ++axis)
-      for (int k = 0; k < count; ++k)
-        append_little_endian(bytes, frame.at(mesh.nodes[mesh.elem_nodes[elem * count + k]])[axis]);
-  return bytes;
+std::vector<std::array<double, 3>> node_positions(const QuadMesh& mesh, const Frame& frame) {
+  std::vector<std::array<double, 3>> points;
+  for (const Vec2 x : mesh.nodes) points.push_back(frame.at(x));
+  return points;
 }
 
 }  // namespace
@@ -178,7 +132,9 @@ Exported nek_re2(const QuadMesh& mesh, const Frame& frame) {
   exported.is_binary = true;
   const std::vector<std::string> regions = mesh.block_region.empty() ? std::vector<std::string>() : groups.region_names;
   exported.side_files.push_back(names_table(groups, groups.boundary_names, regions));
-  if (mesh.order > 1) exported.side_files.push_back({nek_field_name, geometry_field(mesh, frame), true});
+  if (mesh.order > 1)
+    exported.side_files.push_back(
+        {nek_field_name, nek_geometry_field(mesh.order, 2, mesh.elem_nodes, node_positions(mesh, frame)), true});
   return exported;
 }
 

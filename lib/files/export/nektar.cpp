@@ -1,12 +1,11 @@
 // The XML is a fixed skeleton around numbers, so it is printed as it stands; a document tree of an XML library would
 // store 100,000 quads several times, and only the escaping of names would be gained.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
 #include "export/edge_numbering.hpp"
 #include "export/groups.hpp"
+#include "export/nektar_text.hpp"
 #include "export/patches.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/renode.hpp"
@@ -18,39 +17,6 @@ namespace {
 /// An element is the blend of its sides within this part of its shortest one: round-off would cost elements that are
 /// listed as curved their constant Jacobian.
 constexpr double blend_tol = 1e-10;
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-/// The value of an attribute. XML 1.0 cannot represent control characters.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += is_control(c) ? '_' : c;
-  }
-  return out;
-}
-
-/// "0-3,7": in their order, those that follow each other as ranges.
-std::string ranges(const std::vector<int>& numbers) {
-  std::string out;
-  for (std::size_t k = 0; k < numbers.size();) {
-    std::size_t last = k;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
-    out += fmt::format("{}{}", out.empty() ? "" : ",", numbers[k]);
-    if (last > k) out += fmt::format("-{}", numbers[last]);
-    k = last + 1;
-  }
-  return out;
-}
 
 /// The edges and faces written as curves: a face and all its edges for an element that is not the blend of its sides,
 /// and every edge that is not a straight line. Nektar++ treats the others as straight, and detects parallelograms, for
@@ -81,47 +47,29 @@ CurvedParts curved_parts(const QuadMesh& mesh, const EdgeNumbering& numbering) {
 }
 
 /// Writes a mesh that is turned along its chords.
-class NektarWriter : TextWriter {
+class NektarWriter : NektarText {
  public:
   NektarWriter(const QuadMesh& mesh, const Frame& frame)
       : mesh_(mesh), frame_(frame), edges_(number_directed_edges(mesh)), groups_(mesh_groups(mesh)) {}
 
   std::string text() {
-    print("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<NEKTAR>\n");
-    print("  <GEOMETRY DIM=\"2\" SPACE=\"{}\">\n", space_dimension(mesh_, frame_));
-    write_vertices();
-    write_edges();
+    begin(2, space_dimension(mesh_, frame_));
+    write_vertices(positions_of(edges_.vertices));
+    begin_edges();
+    for (int e = 0; e < edges_.num_edges(); ++e) write_edge(e, edges_.edges[e].vertices);
+    end_edges();
     write_elements();
     write_curves();
     write_composites();
-    print("  </GEOMETRY>\n");
-    write_expansions();
-    print("</NEKTAR>\n");
+    end(mesh_.order);
     return std::move(out_);
   }
 
  private:
-  /// With as many digits as needed to read back the same bits.
-  void print_position(int node) {
-    const auto x = position(mesh_, frame_, node);
-    print("{} {} {}", x[0], x[1], x[2]);
-  }
-
-  void write_vertices() {
-    print("    <VERTEX>\n");
-    for (int v = 0; v < edges_.num_vertices(); ++v) {
-      print("      <V ID=\"{}\">", v);
-      print_position(edges_.vertices[v]);
-      print("</V>\n");
-    }
-    print("    </VERTEX>\n");
-  }
-
-  void write_edges() {
-    print("    <EDGE>\n");
-    for (int e = 0; e < edges_.num_edges(); ++e)
-      print("      <E ID=\"{}\">{} {}</E>\n", e, edges_.edges[e].vertices[0], edges_.edges[e].vertices[1]);
-    print("    </EDGE>\n");
+  std::vector<std::array<double, 3>> positions_of(const std::vector<int>& nodes) const {
+    std::vector<std::array<double, 3>> points;
+    for (const int node : nodes) points.push_back(position(mesh_, frame_, node));
+    return points;
   }
 
   void write_elements() {
@@ -140,29 +88,19 @@ class NektarWriter : TextWriter {
     print("    <CURVED>\n");
     for (int e = 0; e < edges_.num_edges(); ++e) {
       if (!curved.edges[e]) continue;
-      const std::vector<int> nodes = edge_nodes(mesh_, edges_.edges[e]);
-      write_curve('E', "EDGEID", id++, e, nodes.data(), nodes.size());
+      write_curve('E', "EDGEID", id++, e, positions_of(edge_nodes(mesh_, edges_.edges[e])));
     }
-    const int count = mesh_.nodes_per_elem();
-    for (int elem = 0; elem < mesh_.num_elems(); ++elem)
-      if (curved.faces[elem]) write_curve('F', "FACEID", id++, elem, &mesh_.elem_nodes[elem * count], count);
+    for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
+      if (!curved.faces[elem]) continue;
+      const auto first = mesh_.elem_nodes.begin() + static_cast<std::ptrdiff_t>(elem) * mesh_.nodes_per_elem();
+      write_curve('F', "FACEID", id++, elem, positions_of({first, first + mesh_.nodes_per_elem()}));
+    }
     print("    </CURVED>\n");
   }
 
-  void write_curve(char letter, const char* what, int id, int of, const int* nodes, std::size_t count) {
-    print("      <{} ID=\"{}\" {}=\"{}\" NUMPOINTS=\"{}\" TYPE=\"GaussLobattoLegendre\">", letter, id, what, of, count);
-    for (std::size_t k = 0; k < count; ++k) {
-      if (k > 0) print("  ");
-      print_position(nodes[k]);
-    }
-    print("</{}>\n", letter);
-  }
-
-  /// Boundaries get the first numbers, then interfaces and regions, as in Gmsh's files.
   void write_composites() {
-    std::vector<std::string> names = groups_.boundary_names;
-    names.insert(names.end(), groups_.interface_names.begin(), groups_.interface_names.end());
-    std::vector<std::vector<int>> lines(names.size()), regions(groups_.num_regions());
+    std::vector<std::vector<int>> lines(groups_.num_boundaries() + groups_.num_interfaces()),
+        regions(groups_.num_regions());
     for (const std::vector<QuadBoundaryEdge>& edges : {mesh_.boundary_edges, interface_edges_once(mesh_)})
       for (const QuadBoundaryEdge& e : edges)
         lines[groups_.curve2boundary[e.curve]].push_back(edges_.elem2edges[4 * e.elem + e.side]);
@@ -170,14 +108,7 @@ class NektarWriter : TextWriter {
       regions[groups_.block2region[mesh_.elem_block[elem]]].push_back(elem);
     for (std::vector<int>& edges : lines) std::sort(edges.begin(), edges.end());
     order_periodic_edges(lines);
-    int id = 1;
-    print("    <COMPOSITE>\n");
-    for (std::size_t b = 0; b < names.size(); ++b) write_composite(id++, names[b], 'E', lines[b]);
-    for (int r = 0; r < groups_.num_regions(); ++r) {
-      if (!regions[r].empty()) region_ids_.push_back(id);
-      write_composite(id++, groups_.region_names[r], 'Q', regions[r]);
-    }
-    print("    </COMPOSITE>\n    <DOMAIN>\n      <D ID=\"0\"> C[{}] </D>\n    </DOMAIN>\n", ranges(region_ids_));
+    write_groups(groups_, 'E', lines, 'Q', regions);
   }
 
   /// Nektar++ couples the edges of two periodic composites in the order of their lists.
@@ -194,36 +125,17 @@ class NektarWriter : TextWriter {
                        [&](int of) { return images.at(of); });
   }
 
-  void write_composite(int id, const std::string& name, char letter, const std::vector<int>& members) {
-    if (members.empty()) return;  // an empty list is an error of the file
-    print("      <C ID=\"{}\" NAME=\"{}\"> {}[{}] </C>\n", id, escaped(name), letter, ranges(members));
-  }
-
-  /// A default expansion of the order of the geometry; a session file may replace it.
-  void write_expansions() {
-    print("  <EXPANSIONS>\n    <E COMPOSITE=\"C[{}]\" NUMMODES=\"{}\" TYPE=\"MODIFIED\" FIELDS=\"u\" />\n",
-          ranges(region_ids_), mesh_.order + 1);
-    print("  </EXPANSIONS>\n");
-  }
-
   const QuadMesh& mesh_;
   const Frame& frame_;
   EdgeNumbering edges_;
   Groups groups_;
-  std::vector<int> region_ids_;
 };
 
 void report_losses(const QuadMesh& mesh, Exported& exported) {
   const Groups groups = mesh_groups(mesh);
   exported.add_loss(cyclic_loss(mesh.face, groups, cyclic_patches(mesh, groups, {}),
                                 "a composite has periodic curves of one motion only"));
-  std::size_t count = 0;
-  for (const auto* names : {&groups.boundary_names, &groups.interface_names, &groups.region_names})
-    count += std::count_if(names->begin(), names->end(),
-                           [](const std::string& name) { return std::any_of(name.begin(), name.end(), is_control); });
-  if (count > 0)
-    exported.add_loss(
-        fmt::format("XML cannot represent control characters: those of {} names are replaced by underscores", count));
+  add_nektar_names_loss(groups, exported);
 }
 
 }  // namespace

@@ -14,13 +14,14 @@
 #include "base/name_text.hpp"
 #include "base/tolerance.hpp"
 #include "export/periodic_edges.hpp"
+#include "export/renode.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> types{"patch", "wall", "symmetryPlane", "symmetry", "empty", "wedge"};
+constexpr std::array<std::string_view, 6> known_types{"patch", "wall", "symmetryPlane", "symmetry", "empty", "wedge"};
 
 bool begins_with(const std::string& name, std::string_view word) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
@@ -42,11 +43,10 @@ bool is_on_a_line(const QuadMesh& mesh, const Groups& groups, int boundary) {
                      [&](Vec2 x) { return std::abs(cross(along, x - points[0])) <= 1e-6 * mesh.face.diameter; });
 }
 
-std::string type_by_name(const QuadMesh& mesh, const Groups& groups, int boundary) {
-  const std::string& name = groups.boundary_names[boundary];
+std::string type_by_name(const std::string& name, const std::function<bool()>& is_flat) {
   if (begins_with(name, "wall")) return "wall";
   if (begins_with(name, "empty")) return "empty";
-  if (begins_with(name, "symmetry")) return is_on_a_line(mesh, groups, boundary) ? "symmetryPlane" : "symmetry";
+  if (begins_with(name, "symmetry")) return is_flat() ? "symmetryPlane" : "symmetry";
   return "patch";
 }
 
@@ -54,11 +54,6 @@ bool is_same_motion(const CadFace& face, int a, int b) {
   const PeriodicPair &one = face.periodic_pairs[a], &other = face.periodic_pairs[b];
   return std::abs(one.angle - other.angle) <= tolerance::round_off &&
          distance(one.shift, other.shift) <= tolerance::round_off * face.diameter;
-}
-
-bool is_chosen(const std::string& name, const std::vector<PatchType>& chosen) {
-  return std::any_of(chosen.begin(), chosen.end(),
-                     [&](const PatchType& choice) { return matches_wildcard(name, choice.pattern); });
 }
 
 // By curve.
@@ -131,17 +126,29 @@ std::vector<PatchType> patch_type_options(const std::vector<std::string>& option
     if (end == std::string::npos || end == 0)
       throw UsageError(fmt::format("--patch-type {}: expected NAME=TYPE, such as inlet=patch", option));
     const std::string type = option.substr(end + 1);
-    if (std::find(types.begin(), types.end(), type) == types.end())
-      throw UsageError(fmt::format("--patch-type {}: the type must be one of {}", option, fmt::join(types, ", ")));
+    if (std::find(known_types.begin(), known_types.end(), type) == known_types.end())
+      throw UsageError(
+          fmt::format("--patch-type {}: the type must be one of {}", option, fmt::join(known_types, ", ")));
     result.push_back({option.substr(0, end), type});
   }
   return result;
 }
 
+bool is_type_chosen(const std::string& name, const std::vector<PatchType>& chosen) {
+  return std::any_of(chosen.begin(), chosen.end(),
+                     [&](const PatchType& choice) { return matches_wildcard(name, choice.pattern); });
+}
+
 std::vector<std::string> patch_types(const QuadMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen) {
+  return patch_types(groups, chosen, [&](int boundary) { return is_on_a_line(mesh, groups, boundary); });
+}
+
+std::vector<std::string> patch_types(const Groups& groups, const std::vector<PatchType>& chosen,
+                                     const std::function<bool(int boundary)>& is_flat) {
   require_boundaries(groups.boundary_names, chosen);
   std::vector<std::string> result;
-  for (int b = 0; b < groups.num_boundaries(); ++b) result.push_back(type_by_name(mesh, groups, b));
+  for (int b = 0; b < groups.num_boundaries(); ++b)
+    result.push_back(type_by_name(groups.boundary_names[b], [&] { return is_flat(b); }));
   for (const PatchType& choice : chosen)
     for (int b = 0; b < groups.num_boundaries(); ++b)
       if (matches_wildcard(groups.boundary_names[b], choice.pattern)) result[b] = choice.type;
@@ -157,6 +164,20 @@ void require_boundaries(const std::vector<std::string>& names, const std::vector
                                  choice.pattern, choice.type, did_you_mean(choice.pattern, names),
                                  fmt::join(distinct, ", ")));
   }
+}
+
+double boundary_distance(const QuadMesh& mesh) {
+  double largest = 0;
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges) {
+    const std::vector<int> nodes = side_nodes(mesh, e.elem, e.side);
+    const Vec2 start = mesh.nodes[nodes.front()], along = normalized(mesh.nodes[nodes.back()] - start);
+    for (const int node : nodes) largest = std::max(largest, std::abs(cross(along, mesh.nodes[node] - start)));
+  }
+  return largest;
+}
+
+std::string straight_sides_loss(double moved, double diameter) {
+  return fmt::format("cells have straight sides, which moves the boundary by up to {}", length_text(moved, diameter));
 }
 
 std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& groups,
@@ -175,7 +196,7 @@ std::vector<CyclicPatch> cyclic_patches(const QuadMesh& mesh, const Groups& grou
       is_cyclic[boundary] = false;
   }
   for (int b = 0; b < groups.num_boundaries(); ++b)
-    if (is_chosen(groups.boundary_names[b], chosen)) is_cyclic[b] = false;
+    if (is_type_chosen(groups.boundary_names[b], chosen)) is_cyclic[b] = false;
   std::vector<CyclicPatch> result(patches.size());
   for (std::size_t b = 0; b < patches.size(); ++b)
     if (is_known[b] && is_cyclic[b] && is_cyclic[patches[b].neighbour]) result[b] = patches[b];

@@ -3,6 +3,7 @@
 // (formats/export/openfoam.md, "Types of patches"), and pairs of its cyclic patches, which are also Nektar++'s periodic
 // composites, from the periodic sides of a mesh.
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,17 @@ std::vector<PatchType> patch_type_options(const std::vector<std::string>& option
 /// case: wall, symmetry (symmetryPlane if all its edges lie on one line, within 1e-6 diameters), empty; else patch.
 /// Throws as require_boundaries.
 std::vector<std::string> patch_types(const QuadMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen);
+
+/// The same of any mesh; `is_flat`: whether a boundary lies on one line or plane.
+std::vector<std::string> patch_types(const Groups& groups, const std::vector<PatchType>& chosen,
+                                     const std::function<bool(int boundary)>& is_flat);
+
+/// Whether one of `chosen` fits the name.
+bool is_type_chosen(const std::string& name, const std::vector<PatchType>& chosen);
+
+/// Largest distance of the boundary's points from the straight sides of the cells, and a sentence about it.
+double boundary_distance(const QuadMesh& mesh);
+std::string straight_sides_loss(double moved, double diameter);
 
 /// Throws UsageError, with the nearest name, for an entry of `chosen` that fits none of the names of boundaries.
 void require_boundaries(const std::vector<std::string>& names, const std::vector<PatchType>& chosen);

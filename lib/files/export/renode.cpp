@@ -90,11 +90,31 @@ Eigen::MatrixXd equispaced_from_gll(int order) {
   return spectral::interpolation_matrix(spectral::gll_points(order), points);
 }
 
+Eigen::MatrixXd from_gll(int order, ElementPoints points) {
+  return points == ElementPoints::bezier ? bezier_from_gll(order) : equispaced_from_gll(order);
+}
+
 /// Nodes of order 2 and below are equispaced.
+bool are_nodes(int order, ElementPoints points) { return points == ElementPoints::equispaced && order <= 2; }
+
 template <typename Point>
 std::vector<Point> points_of(const QuadMesh& mesh, const std::vector<Point>& nodes, ElementPoints points) {
-  if (points == ElementPoints::bezier) return renoded_points(mesh, nodes, bezier_from_gll(mesh.order));
-  return mesh.order <= 2 ? nodes : renoded_points(mesh, nodes, equispaced_from_gll(mesh.order));
+  return are_nodes(mesh.order, points) ? nodes : renoded_points(mesh, nodes, from_gll(mesh.order, points));
+}
+
+/// The values of a tensor of width^3 points after a change of nodes along the axis with this stride.
+void change_along(const Eigen::MatrixXd& from_gll, int stride, std::vector<Vec3>& values) {
+  const int width = static_cast<int>(from_gll.rows()), count = static_cast<int>(values.size());
+  std::vector<Vec3> line(width);
+  for (int first = 0; first < count; ++first) {
+    if (first / stride % width != 0) continue;
+    for (int k = 0; k < width; ++k) line[k] = values[first + k * stride];
+    for (int i = 0; i < width; ++i) {
+      Vec3 sum;
+      for (int k = 0; k < width; ++k) sum += from_gll(i, k) * line[k];
+      values[first + i * stride] = sum;
+    }
+  }
 }
 
 std::array<double, 3> coordinates(Vec3 x) { return {x.x, x.y, x.z}; }
@@ -114,6 +134,33 @@ std::vector<std::array<double, 3>> positions(const QuadMesh& mesh, const Frame& 
     for (const Vec2 x : points_of(mesh, mesh.nodes, points)) result.push_back(frame.at(x));
   else
     for (const Vec3 x : points_of(mesh, mesh.space_nodes, points)) result.push_back(coordinates(x));
+  return result;
+}
+
+// The rows of both ends are those of the unit matrix, so that a node of a face, or of an edge, depends on the nodes of
+// that alone.
+std::vector<Vec3> renoded(const HexMesh& mesh, const Eigen::MatrixXd& from_gll) {
+  const int count = mesh.nodes_per_elem(), width = mesh.order + 1;
+  std::vector<Vec3> moved(mesh.nodes.size()), values(count);
+  std::vector<bool> is_known(mesh.nodes.size(), false);
+  for (std::size_t first = 0; first < mesh.elem_nodes.size(); first += count) {
+    for (int k = 0; k < count; ++k) values[k] = mesh.nodes[mesh.elem_nodes[first + k]];
+    for (const int stride : {1, width, width * width}) change_along(from_gll, stride, values);
+    for (int k = 0; k < count; ++k) {
+      const int node = mesh.elem_nodes[first + k];
+      if (!is_known[node]) moved[node] = values[k];
+      is_known[node] = true;
+    }
+  }
+  return moved;
+}
+
+std::vector<std::array<double, 3>> positions(const HexMesh& mesh, ElementPoints points) {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(mesh.nodes.size());
+  const bool as_they_are = are_nodes(mesh.order, points);
+  for (const Vec3 x : as_they_are ? mesh.nodes : renoded(mesh, from_gll(mesh.order, points)))
+    result.push_back(coordinates(x));
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "export/exported.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -37,6 +38,12 @@ enum class ElementPoints { equispaced, bezier };
 /// One position in space for each of mesh.nodes: bezier_points or equispaced_nodes, of a planar face in the frame, of a
 /// curved one those of the elements in space.
 std::vector<std::array<double, 3>> positions(const QuadMesh& mesh, const Frame& frame, ElementPoints points);
+
+/// Of hexahedra: nodes of edges and faces are evaluated once and shared, vertices keep their position bit for bit.
+std::vector<std::array<double, 3>> positions(const HexMesh& mesh, ElementPoints points);
+
+/// The same by any matrix that renoded accepts.
+std::vector<Vec3> renoded(const HexMesh& mesh, const Eigen::MatrixXd& from_gll);
 
 /// A node of the mesh in the frame or, of a curved face, in space.
 std::array<double, 3> position(const QuadMesh& mesh, const Frame& frame, int node);

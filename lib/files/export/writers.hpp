@@ -1,6 +1,7 @@
 #pragma once
 // The writers of the formats, one source for each program; format_table has a row for each of them. They throw
-// ComputeError, with the position, for a mesh that the format cannot hold.
+// ComputeError, with the position, for a mesh that the format cannot hold. A writer of hexahedra has the name of that
+// of quads; boundaries are groups of faces there, positions are those of the CAD model.
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 
 #include "export/exported.hpp"
 #include "export/patches.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -28,17 +30,22 @@ class TextWriter {
 /// Gmsh MSH (ASCII), versions 4.1 and 2.2: physical groups for boundaries and blocks, orders 1-10, equispaced nodes.
 Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame);
 Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame);
+Exported gmsh_msh41(const HexMesh& mesh);  ///< orders 1-9
+Exported gmsh_msh22(const HexMesh& mesh);
 
 /// VTK's XML for ParaView, VisIt and PyVista: Lagrange or Bezier cells of orders 1-10, with the blocks, the names and
 /// the quality of the elements; curves of the boundary and of the interfaces in a side file.
 Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame);
 Exported vtu_bezier(const QuadMesh& mesh, const Frame& frame);
+Exported vtu_lagrange(const HexMesh& mesh);  ///< faces of boundaries and interfaces in a side file
+Exported vtu_bezier(const HexMesh& mesh);
 
 /// Nektar++ XML: vertices, edges, quads, curved edges and, where the sides do not determine the element, curved faces;
 /// composites with names for boundaries and regions; a default expansion. Any order; the nodes are those of the quad
 /// mesh (GaussLobattoLegendre). Lossless but for control characters in names, which XML cannot represent. SPACE="3" if
 /// the frame is not the plane z = 0.
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame);
+Exported nektar_xml(const HexMesh& mesh);  ///< nodes inside elements are lost, which it reports
 
 /// MFEM mesh v1.0 and v1.3 (named attribute sets): any order, the nodes of the quad mesh (H1, Gauss-Lobatto), regions
 /// and boundaries as attributes counted from 1 each. Positions are lossless; v1.0 has no names, they are written to a
@@ -46,6 +53,8 @@ Exported nektar_xml(const QuadMesh& mesh, const Frame& frame);
 /// may join the same two vertices.
 Exported mfem_mesh10(const QuadMesh& mesh, const Frame& frame);
 Exported mfem_mesh13(const QuadMesh& mesh, const Frame& frame);
+Exported mfem_mesh10(const HexMesh& mesh);  ///< faces too must differ by their vertices
+Exported mfem_mesh13(const HexMesh& mesh);
 
 /// HOHQMesh ISM-V2 (Trixi.jl's UnstructuredMesh2D, SELF): corners, edges with their elements, curved sides at
 /// Chebyshev-Lobatto points, names of sides. ISM-MM has the materials of elements, and no edges. Any order. No element
@@ -62,10 +71,16 @@ Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame);
 /// NAME0.f00000 to start from (.par: startFrom = "NAME0.f00000 X") and the table of names. Any order; elements as for
 /// ISM, edges as for MFEM.
 Exported nek_re2(const QuadMesh& mesh, const Frame& frame);
+Exported nek_re2(const HexMesh& mesh);  ///< edges and faces must differ by their vertices
 
 /// OpenFOAM's blockMeshDict: one hexahedral block for each block of the layout, one cell thick, its sides as splines
 /// with one graded section for each cell, boundaries as patches, regions as cell zones. Any order; cells have straight
 /// sides and must be convex. `types`: of patches, where they shall not follow from the names.
 Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types = {});
+
+/// OpenFOAM's polyMesh: points, and beside them faces, owner, neighbour, boundary and cellZones. A cell for each
+/// hexahedron, with straight edges; of a quad mesh a plate one cell thick, its ends `frontAndBack` of type empty.
+Exported poly_mesh(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types = {});
+Exported poly_mesh(const HexMesh& mesh, const std::vector<PatchType>& types = {});
 
 }  // namespace quadrille::exports

@@ -20,6 +20,7 @@ void describe(Archive& archive, CriticalPoints& points);
 void describe(Archive& archive, SeparatrixGraph& graph);
 void describe(Archive& archive, BlockLayout& layout);
 void describe(Archive& archive, QuadMesh& mesh);
+void describe(Archive& archive, HexMesh& mesh);
 
 // Parts of several formats.
 /// The face as the JSON object or HDF5 group `face` (formats/cad-face.md).

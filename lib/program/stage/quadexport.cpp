@@ -45,6 +45,7 @@ std::string beside(const std::string& output, const std::string& ending) {
 }
 
 std::string path_of(const exports::SideName& side, const std::string& output) {
+  if (side.is_whole) return output.substr(0, output.rfind('/') + 1) + side.ending;
   return side.is_appended ? output + side.ending : beside(output, side.ending);
 }
 

@@ -41,6 +41,9 @@ std::vector<std::string> stagecheck(const StageModel& stage, const std::string& 
     lines.push_back(fmt::format("{}: {}: {}", file, violation.rule, violation.text));
   const QuadMesh* mesh = std::get_if<QuadMesh>(&stage);
   if (lines.empty() && mesh) report_mesh(*mesh, file, run);
+  const HexMesh* hexes = std::get_if<HexMesh>(&stage);
+  if (lines.empty() && hexes && !hexes->is_valid)
+    run.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file, check::validity_warning(*hexes)));
   return lines;
 }
 

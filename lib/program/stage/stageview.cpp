@@ -92,8 +92,9 @@ std::string picture_of(const View& view, const StageviewOptions& options) {
   const View::Stage &first = view.stages.front(), &last = view.stages.back();
   if (view.is_comparison)
     return draw::draw_comparison(first.model, last.model, {base_name(first.file), base_name(last.file)}, draw);
-  if (draw.view && !std::holds_alternative<QuadMesh>(last.model))
-    throw UsageError("--view is for the quad mesh of a curved face, but " + last.file.name + " is another");
+  if (draw.view && !std::holds_alternative<QuadMesh>(last.model) && !std::holds_alternative<HexMesh>(last.model))
+    throw UsageError("--view is for the quad mesh of a curved face and for hexahedra, but " + last.file.name +
+                     " is another");
   draw.file = base_name(last.file);
   draw.field = std::get_if<Field>(&first.model);
   return std::visit([&](const auto& model) { return draw::draw_stage(model, draw); }, last.model);
@@ -127,8 +128,8 @@ void declare(Options& o, StageviewOptions& stageview) {
          "unit of the file",
          false);
   o.text("--view", stageview.view, "X,Y,Z|iso",
-         "in a picture, the mesh of a curved face as it is seen in space from this direction; iso: along a diagonal of "
-         "the axes, on the side of the face's normal; without it that beside the chart",
+         "in a picture, the mesh of a curved face, or hexahedra, as seen in space from this direction; iso: along a "
+         "diagonal of the axes, on the side of the face's normal; without it, a curved face is seen beside its chart",
          false);
   o.integer("--width", stageview.width, 200, 20000, "width of the picture in pixels");
 }
@@ -153,6 +154,8 @@ void require_view(const View& view, std::size_t num_files, bool has_report, cons
 void add_to(View& view, StageModel model, FileIdentity file, Run& run) {
   std::visit([&](const auto& stage) { check::require_sound(stage, file.name); }, model);
   if (const auto* mesh = std::get_if<QuadMesh>(&model); mesh && !mesh->is_valid)
+    run.report().warn(warning::mesh_not_valid, check::validity_warning(*mesh));
+  if (const auto* mesh = std::get_if<HexMesh>(&model); mesh && !mesh->is_valid)
     run.report().warn(warning::mesh_not_valid, check::validity_warning(*mesh));
   view.is_comparison ? require_comparable(view, model, file.name) : require_related(view, model, file);
   view.stages.push_back({std::move(model), std::move(file)});

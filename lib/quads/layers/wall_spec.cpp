@@ -23,13 +23,17 @@ namespace {
 
 class Parser {
  public:
-  explicit Parser(const std::string& text) : text_(text) {}
+  Parser(std::string option, const std::string& text) : option_(std::move(option)), text_(text) {}
 
   WallSpec parse(double yplus) {
     const std::size_t colon = text_.rfind(':');
     if (colon == std::string::npos || colon == 0) fail("expected NAME:first=H,layers=N");
     spec_.names = split_at_commas(std::string_view(text_).substr(0, colon));
-    for (const std::string& pair : split_at_commas(std::string_view(text_).substr(colon + 1))) {
+    return parse_keys(std::string_view(text_).substr(colon + 1), yplus);
+  }
+
+  WallSpec parse_keys(std::string_view keys, double yplus) {
+    for (const std::string& pair : split_at_commas(keys)) {
       const std::size_t equals = pair.find('=');
       if (equals == std::string::npos) fail(fmt::format("'{}' is not key=value", pair));
       const std::string key = pair.substr(0, equals);
@@ -96,8 +100,11 @@ class Parser {
     if (spec_.own_blocks && spec_.as_many_as_fit) fail("blocks=own needs a number of layers, or thickness");
   }
 
-  [[noreturn]] void fail(const std::string& why) const { throw UsageError(fmt::format("--wall {}: {}", text_, why)); }
+  [[noreturn]] void fail(const std::string& why) const {
+    throw UsageError(fmt::format("{} {}: {}", option_, text_, why));
+  }
 
+  std::string option_;
   const std::string& text_;
   WallSpec spec_;
   std::set<std::string> seen_;
@@ -134,7 +141,14 @@ std::vector<double> gll_heights(double first, int layers) {
 
 }  // namespace
 
-WallSpec parse_wall_spec(const std::string& text, double yplus) { return Parser(text).parse(yplus); }
+WallSpec parse_wall_spec(const std::string& text, double yplus) { return Parser("--wall", text).parse(yplus); }
+
+WallSpec parse_layer_spec(const std::string& option, const std::string& text) {
+  const WallSpec spec = Parser(option, text).parse_keys(text, 0);
+  if (spec.yplus > 0 || spec.as_many_as_fit || spec.own_blocks)
+    throw UsageError(fmt::format("{} {}: yplus, layers=fit and blocks are for --wall of quadrefine", option, text));
+  return spec;
+}
 
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face) {
   std::vector<int> walls(face.curves.size(), -1);

@@ -38,6 +38,10 @@ struct WallSpec {
 /// `yplus`: of walls that have neither first nor yplus; 0: they are mistakes. Throws UsageError with the text.
 WallSpec parse_wall_spec(const std::string& text, double yplus = 0);
 
+/// Layers of a boundary that the option itself names: "first=H,growth=R,layers=N", or thickness and law, without names.
+/// Throws UsageError.
+WallSpec parse_layer_spec(const std::string& option, const std::string& text);
+
 /// The spec number of each curve of the face, -1 if it is no wall. Throws UsageError
 /// for a name that no curve has, with the names that exist, and for a curve that is named twice.
 std::vector<int> curve_walls(const std::vector<WallSpec>& specs, const CadFace& face);

@@ -26,7 +26,8 @@ struct DrawOptions {
   CurveLabels curve_labels = CurveLabels::given;  ///< where the face is known
   std::string show = "psi";                       ///< of a field: "u", "v", "psi" or "order"
   std::optional<Window> window;                   ///< none: everything
-  /// Of a mesh of a curved face: seen in space from there; without it, seen isometrically, beside the chart.
+  /// Of a mesh of a curved face: seen in space from there; without it, seen isometrically, beside the chart. Of
+  /// hexahedra: where their outer faces are seen from.
   std::optional<ViewDirection> view;
   std::string file;          ///< name of the file without folders, written beside the title; empty: none
   std::string title_prefix;  ///< "A: " in a comparison
@@ -43,5 +44,6 @@ std::string draw_stage(const CriticalPoints& points, const DrawOptions& options)
 std::string draw_stage(const SeparatrixGraph& graph, const DrawOptions& options);
 std::string draw_stage(const BlockLayout& layout, const DrawOptions& options);
 std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options);
+std::string draw_stage(const HexMesh& mesh, const DrawOptions& options);
 
 }  // namespace quadrille::draw

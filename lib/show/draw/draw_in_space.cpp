@@ -148,16 +148,20 @@ SpaceView space_view(const QuadMesh& mesh, const ViewDirection& view) {
   return {right, cross(towards, right), towards};
 }
 
-std::string draw_in_space(const QuadMesh& mesh, const SpaceView& view, const DrawOptions& options) {
+SpaceTitle quad_title(const QuadMesh& mesh) {
+  return {"Quad mesh in space", fmt::format("{} of order {} in {}", counted(mesh.num_elems(), "quad"), mesh.order,
+                                            counted(num_blocks(mesh), "block"))};
+}
+
+std::string draw_in_space(const QuadMesh& mesh, const SpaceView& view, const DrawOptions& options,
+                          const SpaceTitle& what) {
   PictureBox box;
   for (const Vec3 x : mesh.space_nodes) box.include(view.at(x));
   DrawOptions own = options;
   own.window.reset();
   const Vec3& t = view.towards;
-  Picture picture(
-      box, own, "Quad mesh in space",
-      fmt::format("{} of order {} in {}, seen from the direction ({:.3g}, {:.3g}, {:.3g})",
-                  counted(mesh.num_elems(), "quad"), mesh.order, counted(num_blocks(mesh), "block"), t.x, t.y, t.z));
+  Picture picture(box, own, what.title,
+                  fmt::format("{}, seen from the direction ({:.3g}, {:.3g}, {:.3g})", what.caption, t.x, t.y, t.z));
   SpacePicture(mesh, view, picture).draw();
   picture.legend_bar(palette(Paper::light).quality, "scaled Jacobian", {"0", "0.25", "0.5", "0.75", "1"});
   picture.legend_scale(unit_symbol(mesh.face));

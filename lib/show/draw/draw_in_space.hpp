@@ -21,8 +21,14 @@ struct SpaceView {
 /// mesh's mean normal. The mesh must have nodes in space.
 SpaceView space_view(const QuadMesh& mesh, const ViewDirection& view);
 
-/// The picture of the surface alone. Lengths of the window are those of the picture.
-std::string draw_in_space(const QuadMesh& mesh, const SpaceView& view, const DrawOptions& options);
+/// The picture of the surface alone. Lengths of the window are those of the picture. `what`: the title, and what the
+/// caption says before the direction.
+struct SpaceTitle {
+  std::string title, caption;
+};
+SpaceTitle quad_title(const QuadMesh& mesh);  ///< of the mesh of a curved face
+std::string draw_in_space(const QuadMesh& mesh, const SpaceView& view, const DrawOptions& options,
+                          const SpaceTitle& what);
 
 /// Two pictures beside each other, each half as wide as `width`.
 std::string side_by_side(const std::array<std::string, 2>& pictures, const std::string& title, int width);

@@ -145,11 +145,11 @@ std::string draw_plane(const QuadMesh& mesh, const DrawOptions& options) {
 std::string draw_stage(const QuadMesh& mesh, const DrawOptions& options) {
   if (options.view && mesh.space_nodes.empty())
     throw UsageError("--view is for meshes of curved faces, but this one is planar");
-  if (options.view) return draw_in_space(mesh, space_view(mesh, *options.view), options);
+  if (options.view) return draw_in_space(mesh, space_view(mesh, *options.view), options, quad_title(mesh));
   if (mesh.space_nodes.empty() || options.window) return draw_plane(mesh, options);
   DrawOptions half = options;
   half.width = options.width / 2;
-  return side_by_side({draw_plane(mesh, half), draw_in_space(mesh, space_view(mesh, {}), half)},
+  return side_by_side({draw_plane(mesh, half), draw_in_space(mesh, space_view(mesh, {}), half, quad_title(mesh))},
                       "Quad mesh in the chart and in space", options.width);
 }
 

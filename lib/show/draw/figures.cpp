@@ -165,6 +165,18 @@ std::vector<Figure> figures_of(const QuadMesh& mesh) {
           {"proved valid", mesh.is_valid ? "yes" : fmt::format("no: {} are not", mesh.num_unproved())}};
 }
 
+std::vector<Figure> figures_of(const HexMesh& mesh) {
+  const auto is_unproved = [](double bound) { return !(bound > 0); };
+  return {{"hexahedra", std::to_string(mesh.num_elems())},
+          {"layers", std::to_string(mesh.num_layers())},
+          {"order", std::to_string(mesh.order)},
+          {"mesh nodes", std::to_string(mesh.nodes.size())},
+          {"regions", std::to_string(mesh.region_names.size())},
+          {"proved valid", mesh.is_valid ? "yes"
+                                         : fmt::format("no: {} are not",
+                                                       std::ranges::count_if(mesh.elem_jacobian_bound, is_unproved))}};
+}
+
 std::vector<Figure> quality_figures_of(const SeparatrixGraph&) { return {}; }
 
 std::vector<Figure> quality_figures_of(const BlockLayout& layout) {

@@ -20,6 +20,7 @@ struct Figure {
 std::vector<Figure> figures_of(const SeparatrixGraph& graph);
 std::vector<Figure> figures_of(const BlockLayout& layout);
 std::vector<Figure> figures_of(const QuadMesh& mesh);
+std::vector<Figure> figures_of(const HexMesh& mesh);
 
 /// That have elements.
 int num_blocks(const QuadMesh& mesh);

@@ -13,7 +13,9 @@ const CadFace* face_of(const StageModel& stage) {
   return std::visit(
       [](const auto& model) -> const CadFace* {
         using Model = std::decay_t<decltype(model)>;
-        if constexpr (std::is_same_v<Model, CriticalPoints>)
+        if constexpr (std::is_same_v<Model, HexMesh>)
+          return nullptr;
+        else if constexpr (std::is_same_v<Model, CriticalPoints>)
           return model.face.curves.empty() ? nullptr : &model.face;
         else if constexpr (std::is_same_v<Model, Field>)
           return &model.mesh.face;
@@ -23,7 +25,7 @@ const CadFace* face_of(const StageModel& stage) {
       stage);
 }
 
-/// The first face of the stages; nullptr if only critical points are shown.
+/// The first face of the stages; nullptr if only critical points or hexahedra are shown.
 const CadFace* first_face(const std::vector<StageModel>& stages) {
   for (const StageModel& stage : stages)
     if (const CadFace* face = face_of(stage)) return face;
@@ -40,16 +42,23 @@ draw::PictureBox box_of(const CriticalPoints& points) {
 
 /// Where the positions of a stage count from.
 Vec2 origin_of(const StageModel& stage) {
-  const CadFace* face = face_of(stage);
-  return face ? face->origin : std::get<CriticalPoints>(stage).origin;
+  if (const CadFace* face = face_of(stage)) return face->origin;
+  const auto* points = std::get_if<CriticalPoints>(&stage);
+  return points ? points->origin : Vec2{};
+}
+
+/// Of the face, or of the points without one; of hexahedra that of their projection.
+draw::PictureBox own_box(const StageModel& stage) {
+  if (const CadFace* face = face_of(stage)) return draw::bounding_box(*face);
+  const auto* hexes = std::get_if<HexMesh>(&stage);
+  return hexes ? hex_box(*hexes) : box_of(std::get<CriticalPoints>(stage));
 }
 
 /// In the coordinates of the CAD file, origins included.
 draw::PictureBox box_of(const std::vector<StageModel>& stages) {
   draw::PictureBox box;
   for (const StageModel& stage : stages) {
-    const CadFace* face = face_of(stage);
-    const draw::PictureBox own = face ? draw::bounding_box(*face) : box_of(std::get<CriticalPoints>(stage));
+    const draw::PictureBox own = own_box(stage);
     if (own.empty()) continue;
     box.include(own.lower + origin_of(stage));
     box.include(own.upper + origin_of(stage));

@@ -11,7 +11,7 @@ import numpy as np
 
 # The major version that is read, of each format of `stagecheck --list-formats`.
 MAJOR_VERSIONS = {"chart": 1, "tri-mesh": 1, "field": 2, "critical-points": 2, "separatrix-graph": 2,
-                  "block-layout": 2, "quad-mesh": 2}
+                  "block-layout": 2, "quad-mesh": 2, "hex-mesh": 1}
 HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
 
 

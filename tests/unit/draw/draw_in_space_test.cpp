@@ -43,8 +43,8 @@ TEST(DrawInSpace, IsometricIsOnTheSideOfTheNormal) {
 
 TEST(DrawInSpace, FarElementsComeFirst) {
   const QuadMesh mesh = curved_mesh();
-  const std::string above = draw_in_space(mesh, space_view(mesh, Vec3{0, 0, 1}), {}),
-                    below = draw_in_space(mesh, space_view(mesh, Vec3{0, 0, -1}), {});
+  const std::string above = draw_in_space(mesh, space_view(mesh, Vec3{0, 0, 1}), {}, quad_title(mesh)),
+                    below = draw_in_space(mesh, space_view(mesh, Vec3{0, 0, -1}), {}, quad_title(mesh));
   EXPECT_LT(above.find("elem-0"), above.find("elem-1"));
   EXPECT_GT(below.find("elem-0"), below.find("elem-1"));
   EXPECT_EQ(count(above, "id=\"elem-"), 2u);

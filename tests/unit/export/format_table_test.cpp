@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "two_hexes.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -41,8 +42,12 @@ TEST(FormatTable, FilesBesideTheMainOneAreThoseOfTheTable) {
   for (const ExportFormat& format : export_formats()) {
     std::set<std::string> declared;
     for (const SideName& side : format.side_names) declared.insert(side.ending);
-    for (const SideFile& side : export_mesh(mesh, format).side_files)
-      EXPECT_EQ(declared.erase(side.name.ending), 1u) << format.name << ' ' << side.name.ending;
+    std::set<std::string> written;
+    for (const SideFile& side : export_mesh(mesh, format).side_files) written.insert(side.name.ending);
+    if (format.write_hex != nullptr)
+      for (const SideFile& side : export_mesh(two_hexes({.order = 2}), format).side_files)
+        written.insert(side.name.ending);
+    for (const std::string& ending : written) EXPECT_EQ(declared.erase(ending), 1u) << format.name << ' ' << ending;
     EXPECT_TRUE(declared.empty()) << format.name << ' ' << *declared.begin();
   }
 }
@@ -74,6 +79,40 @@ TEST(FormatTable, EveryFormatObeysUnitAndScale) {
     EXPECT_EQ(export_mesh(mesh, format, {.length = {"mm"}}).bytes, whole.bytes) << format.name;
     EXPECT_EQ(export_mesh(mesh, format, {.length = {"m"}}).length.unit, "metre");
   }
+}
+
+TEST(FormatTable, HexahedraAreScaledWithTheirMotionsAndWrittenByFormatsThatHaveThem) {
+  HexMesh mesh = two_hexes({.order = 2, .layers = 3});
+  join_ends(mesh, 3);
+  HexMesh doubled = mesh;
+  scale_lengths(doubled, {2, "unknown", 0});
+  for (const ExportFormat& format : export_formats()) {
+    if (format.write_hex == nullptr) continue;
+    const Exported scaled = export_mesh(mesh, format, {.length = {"file", 2}});
+    EXPECT_EQ(scaled.bytes, export_mesh(doubled, format).bytes) << format.name;
+    EXPECT_NE(scaled.bytes, export_mesh(mesh, format).bytes) << format.name;
+    const ExportOptions in_metres{.length = {"m"}};
+    EXPECT_EQ(export_mesh(mesh, format, in_metres).length.factor, 1e-3) << format.name;
+  }
+}
+
+TEST(FormatTable, FormatsWithoutHexahedraNameThoseThatHaveThem) {
+  const auto refusal = [](const char* format, const ExportOptions& options) -> std::string {
+    try {
+      export_mesh(two_hexes({}), *find_export_format(format), options);
+      return "";
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+  };
+  const ExportOptions none, in_space{.in_space = true}, with_blocks{.block_groups = true};
+  ExportOptions with_types;
+  with_types.patch_types = {{"wall", "wall"}};
+  EXPECT_NE(refusal("ism-v2", none).find("the format ism-v2 has no hexahedra: choose one of msh, msh22, vtu, "),
+            std::string::npos);
+  EXPECT_NE(refusal("msh", in_space).find("--frame 3d"), std::string::npos);
+  EXPECT_NE(refusal("msh", with_blocks).find("--block-groups"), std::string::npos);
+  EXPECT_NE(refusal("msh", with_types).find("--patch-type"), std::string::npos);
 }
 
 }  // namespace

@@ -30,13 +30,19 @@ Format format_of_sample(Model (*sample)()) {
 }
 
 const std::vector<Format>& formats() {
-  static const std::vector<Format> all{
-      format_of_sample(samples::tri_mesh),           format_of_sample(samples::field),
-      format_of_sample(samples::critical_points),    format_of_sample(samples::resolved_points),
-      format_of_sample(samples::phase_field),        format_of_sample(samples::separatrix_graph),
-      format_of_sample(samples::block_layout),       format_of_sample(samples::quad_mesh),
-      format_of_sample(samples::two_regions_mesh),   format_of_sample(samples::two_regions_phase_field),
-      format_of_sample(samples::two_regions_points), format_of_sample(samples::charted_face)};
+  static const std::vector<Format> all{format_of_sample(samples::tri_mesh),
+                                       format_of_sample(samples::field),
+                                       format_of_sample(samples::critical_points),
+                                       format_of_sample(samples::resolved_points),
+                                       format_of_sample(samples::phase_field),
+                                       format_of_sample(samples::separatrix_graph),
+                                       format_of_sample(samples::block_layout),
+                                       format_of_sample(samples::quad_mesh),
+                                       format_of_sample(samples::two_regions_mesh),
+                                       format_of_sample(samples::two_regions_phase_field),
+                                       format_of_sample(samples::two_regions_points),
+                                       format_of_sample(samples::charted_face),
+                                       format_of_sample(samples::hex_mesh)};
   return all;
 }
 

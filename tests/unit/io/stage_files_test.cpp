@@ -311,6 +311,18 @@ TEST_F(StageFiles, QuadMeshSurvivesTheRoundTrip) {
   EXPECT_EQ(read_stage<QuadMesh>(read_input(path("second"))).least_jacobian_bound, -0.25);
 }
 
+TEST_F(StageFiles, HexMeshSurvivesTheRoundTrip) {
+  HexMesh mesh = samples::hex_mesh();
+  mesh.face_groups[1].is_interface = true;
+  mesh.is_valid = false;
+  expect_same_bytes(mesh);
+  const HexMesh read = read_stage<HexMesh>(read_input(path("second")));
+  EXPECT_EQ(read.face_groups[2].elems, mesh.face_groups[2].elems);
+  EXPECT_TRUE(read.face_groups[1].is_interface);
+  EXPECT_EQ(read.face_groups[4].motion.shift, mesh.face_groups[4].motion.shift);
+  EXPECT_EQ(read.face_groups[4].motion.matrix, mesh.face_groups[4].motion.matrix);
+}
+
 TEST_F(StageFiles, AStructHasTheBytesAndTheIdentityOfItsFile) {
   const std::string bytes = stage_bytes(samples::field());
   write_stage(path("file"), samples::field());
@@ -340,6 +352,7 @@ TEST_F(StageFiles, TheReaderOfAStructReadsItsFormatAlone) {
   expect_own_format(samples::separatrix_graph(), "separatrix-graph");
   expect_own_format(samples::block_layout(), "block-layout");
   expect_own_format(samples::quad_mesh(), "quad-mesh");
+  expect_own_format(samples::hex_mesh(), "hex-mesh");
 }
 
 }  // namespace

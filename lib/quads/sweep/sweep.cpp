@@ -1,0 +1,196 @@
+#include "sweep/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/message_text.hpp"
+#include "model/block_regions.hpp"
+#include "spectral/quadrature.hpp"
+#include "sweep/swept_quads.hpp"
+
+namespace quadrille::sweep {
+
+namespace {
+
+Vec3 vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// Whether the sweep runs against the normals of the quads, on the whole.
+bool runs_backwards(const QuadMesh& quads, const std::vector<Vec3>& nodes, const SweepMotion& motion) {
+  constexpr double step = 1e-4;
+  const SpaceMotion begin = motion.at(step);
+  double volume = 0;
+  for (int e = 0; e < quads.num_elems(); ++e) {
+    const auto corner = [&](int k) { return nodes[side_start(quads, e, k)]; };
+    const Vec3 normal = cross(corner(2) - corner(0), corner(3) - corner(1));
+    for (int k = 0; k < 4; ++k) volume += dot(normal, image(begin, corner(k)) - corner(k));
+  }
+  return volume < 0;
+}
+
+/// xi1 and xi2 exchanged.
+std::vector<int> mirrored_elements(const QuadMesh& quads) {
+  const int n = quads.order + 1;
+  std::vector<int> mirrored(quads.elem_nodes.size());
+  for (int e = 0; e < quads.num_elems(); ++e)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) mirrored[e * n * n + j * n + i] = quads.elem_nodes[e * n * n + i * n + j];
+  return mirrored;
+}
+
+/// Fractions of the sweep at which there are nodes; without the last one if the end is the beginning.
+std::vector<double> levels_of(const std::vector<double>& ends, int order, bool is_closed) {
+  const std::vector<double>& xi = spectral::gll_points(order);
+  std::vector<double> levels{0};
+  for (std::size_t l = 0; l + 1 < ends.size(); ++l) {
+    for (int k = 1; k < order; ++k) levels.push_back(ends[l] + (ends[l + 1] - ends[l]) * (1 + xi[k]) / 2);
+    levels.push_back(ends[l + 1]);
+  }
+  if (is_closed) levels.pop_back();
+  return levels;
+}
+
+void require_countable(const SweptQuads& swept, std::size_t layers, int order) {
+  const double entries = static_cast<double>(swept.elem_nodes.size()) * static_cast<double>(layers) * (order + 1);
+  if (entries > std::numeric_limits<int>::max())
+    throw ComputeError(
+        fmt::format("{} quads of order {} in {} layers have too many nodes for one mesh: take fewer layers, coarser "
+                    "quads or a lower order",
+                    swept.quads.num_elems(), order, layers));
+}
+
+void add_nodes(const SweptQuads& swept, const SweepMotion& motion, const SweepPlan& plan,
+               const std::vector<double>& levels, HexMesh& mesh) {
+  mesh.nodes.reserve(levels.size() * swept.nodes.size());
+  for (const double s : levels) {
+    const SpaceMotion at = motion.at(s);
+    for (const Vec3 x : swept.nodes) mesh.nodes.push_back(image(at, x));
+    if (plan.bottom_heights.empty()) continue;
+    Vec3* const level = &mesh.nodes[mesh.nodes.size() - swept.nodes.size()];
+    for (std::size_t q = 0; q < swept.nodes.size(); ++q)
+      level[q] += (1 - s) * plan.bottom_heights[q] * motion.shape().normal;
+  }
+}
+
+void add_elements(const SweptQuads& swept, std::size_t layers, std::size_t levels, HexMesh& mesh) {
+  const int order = mesh.order, per_quad = (order + 1) * (order + 1), nodes = static_cast<int>(swept.nodes.size());
+  mesh.elem_nodes.reserve(swept.elem_nodes.size() * layers * (order + 1));
+  for (std::size_t l = 0; l < layers; ++l)
+    for (int quad = 0; quad < mesh.num_quads; ++quad)
+      for (int k = 0; k <= order; ++k) {
+        const int first = static_cast<int>((l * order + k) % levels) * nodes;
+        for (int i = 0; i < per_quad; ++i) mesh.elem_nodes.push_back(first + swept.elem_nodes[quad * per_quad + i]);
+      }
+}
+
+void add_regions(const QuadMesh& quads, HexMesh& mesh) {
+  mesh.quad_block = quads.elem_block;
+  std::map<std::string, int> numbers;
+  for (const std::string& name :
+       region_of_blocks(quads.face, quads.block_region, quads.block_names, quads.unnamed_blocks)) {
+    const auto [entry, is_new] = numbers.try_emplace(name, static_cast<int>(mesh.region_names.size()));
+    if (is_new) mesh.region_names.push_back(name);
+    mesh.block_region.push_back(entry->second);
+  }
+}
+
+double diameter_of(const std::vector<Vec3>& nodes) {
+  Vec3 low = nodes.front(), high = low;
+  for (const Vec3 x : nodes) {
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  return distance(low, high);
+}
+
+std::vector<int> unproved(const HexMesh& mesh) {
+  std::vector<int> elems;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    if (!(mesh.elem_jacobian_bound[e] > 0)) elems.push_back(e);
+  return elems;
+}
+
+Vec3 middle_of(const HexMesh& mesh, int elem) {
+  Vec3 sum;
+  const int count = mesh.nodes_per_elem();
+  for (int k = 0; k < count; ++k) sum += mesh.nodes[mesh.elem_nodes[static_cast<std::size_t>(elem) * count + k]];
+  return sum / count;
+}
+
+}  // namespace
+
+Vec3 in_model(const CadFace& face, Vec2 x) {
+  const Vec2 own = x + face.origin;
+  return vector(face.plane_origin) + own.x * vector(face.plane_x) + own.y * vector(face.plane_y);
+}
+
+Vec3 normal_of(const CadFace& face) { return normalized(cross(vector(face.plane_x), vector(face.plane_y))); }
+
+std::vector<Vec3> nodes_in_model(const QuadMesh& quads) {
+  if (!quads.space_nodes.empty()) return quads.space_nodes;
+  std::vector<Vec3> nodes;
+  for (const Vec2 x : quads.nodes) nodes.push_back(in_model(quads.face, x));
+  return nodes;
+}
+
+SweptQuads swept_quads(const QuadMesh& quads, const SweepMotion& motion) {
+  SweptQuads swept{quads, nodes_in_model(quads), quads.elem_nodes};
+  if (!runs_backwards(quads, swept.nodes, motion)) return swept;
+  swept.elem_nodes = mirrored_elements(quads);
+  swept.face_of_side = {3, 2, 1, 0};
+  return swept;
+}
+
+HexMesh sweep(const QuadMesh& quads, const SweepMotion& motion, const SweepPlan& plan, int threads, Progress* progress,
+              std::vector<std::string>& lost) {
+  const SweptQuads swept = swept_quads(quads, motion);
+  const std::size_t layers = plan.ends.size() - 1;
+  require_countable(swept, layers, quads.order);
+  HexMesh mesh;
+  mesh.length_unit = quads.face.length_unit;
+  mesh.order = quads.order;
+  mesh.num_quads = quads.num_elems();
+  const std::vector<double> levels = levels_of(plan.ends, quads.order, motion.is_closed());
+  add_nodes(swept, motion, plan, levels, mesh);
+  add_elements(swept, layers, levels.size(), mesh);
+  add_regions(quads, mesh);
+  mesh.diameter = diameter_of(mesh.nodes);
+  mesh.elem_jacobian_bound.resize(layers * mesh.num_quads);
+  mesh.elem_scaled_jacobian.resize(mesh.elem_jacobian_bound.size());
+  add_face_groups(swept, mesh, lost);
+  if (!motion.is_closed()) add_ends(plan.bottom_name, plan.top_name, mesh);
+  if (plan.has_periodic_ends && (motion.is_closed() || !motion.is_rigid() || !join_ends(motion.at(1), mesh)))
+    throw UsageError("the ends of this sweep cannot be periodic: no rigid motion maps the bottom onto the top");
+  measure(swept, motion, plan.ends, !plan.bottom_heights.empty(), threads, progress, mesh);
+  return mesh;
+}
+
+void require_valid_elements(const HexMesh& mesh) {
+  const std::vector<int> elems = unproved(mesh);
+  if (elems.empty()) return;
+  const int worst = *std::min_element(elems.begin(), elems.end(), [&](int a, int b) {
+    return mesh.elem_jacobian_bound[a] < mesh.elem_jacobian_bound[b];
+  });
+  throw ComputeError(fmt::format(
+      "{} of {} hexahedra cannot be proved valid; the worst lies at {} in layer {}: det J is only known to be at least "
+      "{:.3g}; take more layers, smaller quads, or a sweep that bends, twists or narrows less (--allow-invalid writes "
+      "the mesh all the same)",
+      elems.size(), mesh.num_elems(), position_text(middle_of(mesh, worst)), worst / mesh.num_quads,
+      mesh.elem_jacobian_bound[worst]));
+}
+
+void report_mesh(const HexMesh& mesh, Report& report) {
+  report.set("hexahedra", mesh.num_elems());
+  report.set("nodes", mesh.nodes.size());
+  report.set("layers", mesh.num_layers());
+  report.set("valid", mesh.is_valid);
+  report.set("unproved_elements", unproved(mesh).size());
+  report.set("least_jacobian_bound", mesh.least_jacobian_bound);
+  report.set("least_scaled_jacobian", *std::ranges::min_element(mesh.elem_scaled_jacobian));
+}
+
+}  // namespace quadrille::sweep

@@ -1,0 +1,127 @@
+# hexsweep: quads in, curved hexahedra out.
+load common
+
+setup_file() {
+  stage_chain half_disc "$BATS_FILE_TMPDIR"
+}
+
+setup() {
+  common_setup
+  quads=$BATS_FILE_TMPDIR/half_disc.quad.h5
+}
+
+@test "writes a mesh silently, which is valid and has all names" {
+  run hexsweep "$quads" --height 0.5 --layers 2 -o a.hex.h5
+  assert_success
+  assert_output ""
+  assert_nothing_left a.hex.h5
+  run stagecheck a.hex.h5
+  assert_success
+  run -0 h5dump -A 0 -d /face_groups/name a.hex.h5
+  assert_output --partial '"bottom", "top"'
+}
+
+@test "gives the same bytes through pipes, twice and on two threads" {
+  hexsweep "$quads" --height 1 --twist 40 --taper 0.8 --layers 3 -o a.hex.h5 --threads 1
+  hexsweep --height 1 --twist 40 --taper 0.8 --layers 3 --threads 2 <"$quads" >b.hex.h5
+  cmp a.hex.h5 b.hex.h5
+}
+
+@test "every motion is proved valid and passes the check" {
+  printf 'x,y,z\n0,0.5,0\n0,0.6,0.5\n0.1,0.8,1\n0.2,1.2,1.4\n' >curve.csv
+  for motion in "--along 0.3,0.1,1" "--along 0,0,-1" "--curve curve.csv" "--revolve 90 --axis -3,0,-3,1" \
+    "--revolve -90 --axis -3,0,-3,1" "--revolve 360 --axis -3,0,-3,1" "--height 1 --twist 90" "--height 1 --taper 0.3"; do
+    hexsweep "$quads" $motion --layers 6 -o a.hex.h5 --report a.json
+    run jq -c '[.layers, .valid, .unproved_elements, .least_jacobian_bound > 0]' a.json
+    assert_output "[6,true,0,true]"
+    run stagecheck a.hex.h5
+    assert_success
+  done
+}
+
+@test "layers have the heights that are prescribed at both ends" {
+  hexsweep "$quads" --height 1 --bottom-layers first=0.01,growth=1.3,layers=4 --top-layers first=0.02,layers=2 -o a.hex.h5
+  stagecheck a.hex.h5
+  run h5dump -d /nodes -m %.12g a.hex.h5
+  assert_output --partial ", 0.01"
+  assert_output --partial ", 0.98"
+}
+
+@test "terrain moves the bottom, the top stays flat" {
+  for x in -2 -1 0 1 2; do for y in -2 -1 0 1 2; do echo "$x,$y,0.$((x * x + y * y))"; done; done >hills.csv
+  hexsweep "$quads" --height 2 --terrain hills.csv --layers 2 -o a.hex.h5
+  stagecheck a.hex.h5
+  run -2 hexsweep "$quads" --height 0.1 --terrain hills.csv -o b.hex.h5
+  assert_output --partial "the top must lie above it"
+  head -n 24 hills.csv >broken.csv
+  run -2 hexsweep "$quads" --height 2 --terrain broken.csv -o b.hex.h5
+  assert_output --partial "no rectangular grid"
+  printf '0,0,0\n0,.1,0\n.1,0,0\n.1,.1,0\n' >small.csv
+  run -2 hexsweep "$quads" --height 2 --terrain small.csv -o b.hex.h5
+  assert_output --partial "the face reaches beyond its points"
+}
+
+@test "without a motion, layers are as high as the quads are long" {
+  hexsweep "$quads" -o a.hex.h5 --report a.json
+  assert_equal "$(jq .layers a.json)" 1
+  hexsweep "$quads" --layers 3 -o b.hex.h5 --report b.json
+  assert_equal "$(jq .layers b.json)" 3
+  run jq -n '[inputs.least_jacobian_bound] | .[0] / .[1] | . > 0.999 and . < 1.001' a.json b.json
+  assert_output true
+}
+
+@test "one layer has periodic ends" {
+  hexsweep "$quads" --one-layer -o a.hex.h5 --report a.json
+  assert_equal "$(jq .layers a.json)" 1
+  stagecheck a.hex.h5
+  h5dump -d /face_groups/periodic_with a.hex.h5 | grep -qE '\(0\): -1, -1, 3, -1|-1, [1-9]'
+}
+
+@test "a face that touches or crosses the axis is refused with a remedy" {
+  for axis in 0,0,0,1 0,0,1,0; do
+    run -2 hexsweep "$quads" --revolve 90 --axis $axis -o a.hex.h5
+    assert_output --regexp "the face (touches|crosses) the axis"
+    assert_output --partial "move --axis"
+  done
+  assert_nothing_left
+}
+
+@test "an element that cannot be proved ends with 1, and is written only if that is asked for" {
+  run -1 hexsweep "$quads" --height 0.01 --twist 400 --layers 1 -o a.hex.h5
+  assert_output --partial "cannot be proved valid; the worst lies at"
+  assert_output --partial "take more layers"
+  assert_nothing_left
+  run -0 hexsweep "$quads" --height 0.01 --twist 400 --layers 1 -o a.hex.h5 --allow-invalid
+  assert_output --partial "warning W-QUA-001"
+  run -0 stagecheck a.hex.h5
+  assert_output --partial "warning W-QUA-001"
+}
+
+@test "options that exclude each other end with 2" {
+  for options in "--height 1 --along 0,0,1" "--revolve 90" "--axis 0,0,0,1 --height 1" "--along 1,2" "--along 0,0,0" \
+    "--height 1 --taper 0" "--height 1 --taper 0.5 --periodic-ends" "--one-layer --layers 2" "--height 1 --centre 0,0" \
+    "--revolve 90 --axis 3,0,3,1 --bottom-layers first=0.1,layers=2" "--height 1 --bottom-layers layers=2" \
+    "--height 1 --bottom-layers first=1,layers=2" "--height 1 --bottom-name top" "--revolve 361 --axis 3,0,3,1" \
+    "--revolve 360 --axis 3,0,3,1 --layers 2" "--revolve 360 --axis 3,0,3,1 --periodic-ends" "--terrain x.csv"; do
+    run hexsweep "$quads" $options -o a.hex.h5
+    assert_failure 2
+  done
+  assert_nothing_left
+}
+
+@test "other input ends with 3" {
+  run -3 hexsweep "$BATS_FILE_TMPDIR/half_disc.blocks.h5" --height 1 -o a.hex.h5
+  echo "1,2" >points.csv
+  run -3 hexsweep "$quads" --curve points.csv -o a.hex.h5
+  assert_nothing_left points.csv
+}
+
+@test "pictures and pages show the outer faces" {
+  hexsweep "$quads" --height 1 --twist 30 --layers 2 -o a.hex.h5
+  stageview a.hex.h5 -o a.svg
+  grep -q "Hexahedral mesh" a.svg
+  stageview a.hex.h5 --view 0,-1,0 -o b.svg
+  run ! cmp a.svg b.svg
+  stageview a.hex.h5 -o a.html
+  grep -q '"space":' a.html
+}
