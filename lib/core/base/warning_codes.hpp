@@ -61,6 +61,7 @@ inline constexpr const char* end_growth_missed = "W-SIZ-003";
 // quadexport
 inline constexpr const char* format_loss = "W-EXP-001";
 inline constexpr const char* side_file_not_written = "W-EXP-002";
+inline constexpr const char* ending_of_trixi = "W-EXP-003";
 
 inline constexpr const char* stage_stopped = "W-RUN-001";
 

@@ -18,8 +18,11 @@ struct SideName {
 };
 
 /// Those of all formats: the table of names, named after the whole main file so that those of two formats differ; the
-/// curves of VTK's format; the geometry of Nek5000's.
-inline const SideName names_table_name{".names.json", true}, vtu_curves_name{".curves.vtu"}, nek_field_name{"0.f00000"};
+/// curves of VTK's format; the geometry of Nek5000's; the sides of PLOT3D's grids;
+/// the parts of SPECFEM2D's mesh.
+inline const SideName names_table_name{".names.json", true}, vtu_curves_name{".curves.vtu"}, nek_field_name{"0.f00000"},
+    neutral_map_name{".nmf"}, specfem_nodes{".nodes", true}, specfem_materials{".materials", true},
+    specfem_free_surface{".free_surface", true}, specfem_absorbing{".absorbing_surface", true};
 
 /// A file that a format needs beside the main one, such as a table of names.
 struct SideFile {

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "export/groups.hpp"
+#include "export/merge_blocks.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/writers.hpp"
 
@@ -15,6 +16,7 @@ const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats{
       {"msh", ".msh", "Gmsh MSH 4.1, ASCII", 10, true, gmsh_msh41},
       {"msh22", "", "Gmsh MSH 2.2, ASCII", 10, true, gmsh_msh22},
+      {"msh-pyfr", "", "Gmsh MSH 4.1 as PyFR reads it", 4, false, gmsh_pyfr, nullptr, false, {names_table_name}},
       {"vtu", ".vtu", "VTK XML with Lagrange cells", 10, true, vtu_lagrange, nullptr, true, {vtu_curves_name}},
       {"vtu-bezier", "", "VTK XML with Bezier cells", 10, true, vtu_bezier, nullptr, true, {vtu_curves_name}},
       {"nektar", ".xml", "Nektar++ XML", 20, true, nektar_xml},
@@ -42,6 +44,51 @@ const std::vector<ExportFormat>& export_formats() {
        false,
        {names_table_name},
        true},
+      {"abaqus", "", "Abaqus and CalculiX, plane stress", 20, false, abaqus_cps, nullptr, true, {names_table_name}},
+      {"abaqus-cpe", "", "the same, plane strain", 20, false, abaqus_cpe, nullptr, true, {names_table_name}},
+      {"abaqus-cax", "", "the same, axisymmetric", 20, false, abaqus_cax, nullptr, true, {names_table_name}},
+      {"cgns",
+       ".cgns",
+       "CGNS, unstructured",
+       4,
+       true,
+       cgns_unstructured,
+       nullptr,
+       true,
+       {names_table_name},
+       false,
+       "quadexport-cgns"},
+      {"cgns-structured",
+       "",
+       "CGNS, structured zones",
+       20,
+       true,
+       cgns_structured,
+       nullptr,
+       true,
+       {names_table_name},
+       false,
+       "quadexport-cgns"},
+      {"exodus", ".exo", "Exodus II", 20, false, exodus, nullptr, true, {names_table_name}},
+      {"plot3d",
+       ".xyz",
+       "PLOT3D grids, with a neutral map",
+       20,
+       true,
+       plot3d,
+       nullptr,
+       true,
+       {neutral_map_name, names_table_name}},
+      {"specfem2d",
+       "",
+       "text files of SPECFEM2D",
+       20,
+       false,
+       specfem2d,
+       nullptr,
+       true,
+       {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name}},
+      {"su2", ".su2", "SU2 mesh of straight quads", 20, false, su2_mesh, nullptr, true, {names_table_name}},
   };
   return formats;
 }
@@ -86,6 +133,7 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
   if (!mesh.space_nodes.empty() && !format.holds_space) throw ComputeError(planar_format_text(format));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_lengths(mesh, length);
+  if (options.merge_blocks) mesh = merge_blocks(std::move(mesh));
   if (options.block_groups) separate_blocks(mesh);
   const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
   Exported exported =

@@ -17,6 +17,7 @@ struct ExportOptions {
   bool in_space = false;                 ///< coordinates of the CAD model rather than of the face's plane
   std::vector<PatchType> patch_types{};  ///< of formats whose boundaries have types
   bool block_groups = false;  ///< each block without a name of its own is a region of its own (export/groups)
+  bool merge_blocks = false;  ///< blocks of one region are joined (export/merge_blocks)
 };
 
 struct ExportFormat {
@@ -31,6 +32,8 @@ struct ExportFormat {
   bool loses_periodic_sides = false;      ///< which export_mesh reports; the other writers report those that they lose
   std::vector<SideName> side_names = {};  ///< of files that may be written beside the main one
   bool has_straight_sides = false;        ///< whatever the order of the mesh
+  /// A program in libexec that makes the file of what the writer returns; empty: that is the file.
+  std::string_view program = {};
 };
 
 /// All formats of a quad mesh, in the order of the help.

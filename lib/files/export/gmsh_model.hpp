@@ -38,6 +38,9 @@ struct GmshModel {
 /// For orders 1 to 10.
 GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame);
 
+/// A whole file of version 4.1.
+std::string gmsh41_text(const GmshModel& model, const QuadMesh& mesh, const Frame& frame);
+
 /// The section $PhysicalNames; double quotes in a name become single ones.
 std::string gmsh_names(const Groups& groups);
 

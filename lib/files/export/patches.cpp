@@ -20,7 +20,7 @@ namespace quadrille::exports {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> types{"patch", "wall", "symmetryPlane", "symmetry", "empty", "wedge"};
+constexpr std::array<std::string_view, 6> type_words{"patch", "wall", "symmetryPlane", "symmetry", "empty", "wedge"};
 
 bool begins_with(const std::string& name, std::string_view word) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
@@ -131,8 +131,8 @@ std::vector<PatchType> patch_type_options(const std::vector<std::string>& option
     if (end == std::string::npos || end == 0)
       throw UsageError(fmt::format("--patch-type {}: expected NAME=TYPE, such as inlet=patch", option));
     const std::string type = option.substr(end + 1);
-    if (std::find(types.begin(), types.end(), type) == types.end())
-      throw UsageError(fmt::format("--patch-type {}: the type must be one of {}", option, fmt::join(types, ", ")));
+    if (std::find(type_words.begin(), type_words.end(), type) == type_words.end())
+      throw UsageError(fmt::format("--patch-type {}: the type must be one of {}", option, fmt::join(type_words, ", ")));
     result.push_back({option.substr(0, end), type});
   }
   return result;
