@@ -1,6 +1,8 @@
 """What all readers of this folder return, and how two of it are compared. No code is shared with the writers."""
+import json
 from dataclasses import dataclass, field
 from math import cos, dist, pi
+from pathlib import Path
 
 
 @dataclass
@@ -94,3 +96,12 @@ def differences(found, wanted, tolerance=1e-13):
                 said.append(f"{what} of {key} is {got.get(key)!r} for {want[key]!r}")
                 break
     return said
+
+
+def real_names(path, kind="boundaries"):
+    """word in the file -> name of the boundary (or kind="regions"), where the table beside the file has another one."""
+    table = Path(f"{path}.names.json")
+    if not table.exists():
+        return {}
+    groups = json.loads(table.read_text(encoding="utf-8"))[kind]
+    return {group["tag"]: group["name"] for group in groups if "tag" in group}

@@ -1,10 +1,8 @@
 """What HOHQMesh's two formats have in common: elements by their sides, at Chebyshev-Lobatto points in the direction of
 the local coordinate, and the reader's blend of the sides (Kopriva 2009, algorithm 98)."""
-import json
 from math import cos, pi
-from pathlib import Path
 
-from element_mesh import ElementMesh, gll_points
+from element_mesh import ElementMesh, gll_points, real_names
 
 # Side k joins these two corners, in the direction in which its points are listed.
 SIDE_CORNERS = ((0, 1), (1, 2), (3, 2), (0, 3))
@@ -94,12 +92,3 @@ def element_mesh(path, n, vertices, elements, curved, names, joined=()):
     nodes = [blended([vertices[v] for v in ids], curved[e], n) for e, ids in enumerate(elements)]
     mesh = ElementMesh(n, nodes, None, boundaries, len(vertices), numbers={"joined": dict(joined)})
     return mesh, neighbours
-
-
-def real_names(path):
-    """word in the file -> name, where the table beside the file has another one."""
-    table = Path(f"{path}.names.json")
-    if not table.exists():
-        return {}
-    groups = json.loads(table.read_text(encoding="utf-8"))["boundaries"]
-    return {group["tag"]: group["name"] for group in groups if "tag" in group}

@@ -83,9 +83,13 @@ setup() {
 @test "every format gives the same bytes through pipes, and says what it cannot hold only once" {
   formats=$(quadexport --help | grep -oE -- '--format auto[a-z0-9|-]*' | tr '|' '\n' | grep -vE 'auto|step')
   assert [ "$(wc -l <<< "$formats")" -ge 4 ]
+  stage_blocks . quarter_annulus
+  quadrefine -q quarter_annulus.blocks.h5 -o right.quad.h5 # x is not negative there
   for format in $formats; do
-    quadexport --format "$format" "$quad" -o a.out 2> said
-    quadexport -q --format "$format" < "$quad" > b.out 2> nothing
+    mesh=$quad
+    [[ $format != abaqus-cax ]] || mesh=right.quad.h5
+    quadexport --format "$format" "$mesh" -o a.out 2> said
+    quadexport -q --format "$format" < "$mesh" > b.out 2> nothing
     cmp a.out b.out
     [[ ! -s nothing ]] || fail "$format: $(cat nothing)"
     assert_equal "$(sort said | uniq -d)" ""
@@ -157,6 +161,7 @@ PYTHON
   # OpenFOAM converts to metres itself, unless the unit is not known.
   scale_of() { quadexport -q --format blockmesh "$@" "$quad" | sed -n 's/^scale //p'; }
   assert_equal "$(scale_of) $(scale_of --unit m) $(scale_of --unit in) $(scale_of --scale 0.001)" "0.001; 1; 0.0254; 1;"
+  assert_equal "$(scale_of --scale 1)" "1;"
 }
 
 @test "--unit and --scale change a STEP model" {
@@ -255,6 +260,12 @@ PYTHON
   run -0 quadexport "$quad" -o x.d/a.mesh
   assert_output --partial "their names are in x.d/a.mesh.names.json"
   assert_equal "$(ls x.d | tr '\n' ' ')" "a.mesh a.mesh.names.json a.re2 a.re2.names.json a0.f00000 "
+}
+
+@test "abaqus-cax refuses negative radii, with the remedy" {
+  run -1 quadexport --format abaqus-cax "$quad" -o a.inp
+  assert_output --partial "x is the radius of axisymmetric elements, and the mesh begins at x = -1: move the drawing"
+  assert_nothing_left
 }
 
 @test "an unknown ending ends with 2" {

@@ -45,6 +45,11 @@ void IntervalCheck::number(const std::string& flag, double& value, double low, d
   require_within(flag, value, fmt::format("{}", value), low, high);
 }
 
+void IntervalCheck::optional_number(const std::string& flag, std::optional<double>& value, double low, double high,
+                                    const std::string& unit, const std::string& help) {
+  if (value) number(flag, *value, low, high, unit, help);
+}
+
 void IntervalCheck::integer(const std::string& flag, int& value, int low, int high, const std::string&) {
   require_within(flag, value, std::to_string(value), low, high);
 }
@@ -56,6 +61,11 @@ void OptionRecord::record(const std::string& flag, std::function<std::string()> 
 void OptionRecord::number(const std::string& flag, double& value, double, double, const std::string&,
                           const std::string&) {
   record(flag, [&value] { return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string("null"); });
+}
+
+void OptionRecord::optional_number(const std::string& flag, std::optional<double>& value, double, double,
+                                   const std::string&, const std::string&) {
+  record(flag, [&value] { return value ? fmt::format("{:.17g}", *value) : std::string("null"); });
 }
 
 void OptionRecord::integer(const std::string& flag, int& value, int, int, const std::string&) {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class Options {
   virtual void output(std::string& /*path*/, const std::string& /*help*/) {}  ///< -o, --output
   virtual void number(const std::string& /*flag*/, double& /*value*/, double /*low*/, double /*high*/,
                       const std::string& /*unit*/, const std::string& /*help*/) {}
+  /// As `number`, without a default: the value stays empty where the option is not given.
+  virtual void optional_number(const std::string& /*flag*/, std::optional<double>& /*value*/, double /*low*/,
+                               double /*high*/, const std::string& /*unit*/, const std::string& /*help*/) {}
   virtual void integer(const std::string& /*flag*/, int& /*value*/, int /*low*/, int /*high*/,
                        const std::string& /*help*/) {}
   virtual void text(const std::string& /*flag*/, std::string& /*value*/, const std::string& /*placeholder*/,
@@ -77,6 +81,8 @@ class IntervalCheck : public Options {
  public:
   void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
               const std::string& help) override;
+  void optional_number(const std::string& flag, std::optional<double>& value, double low, double high,
+                       const std::string& unit, const std::string& help) override;
   void integer(const std::string& flag, int& value, int low, int high, const std::string& help) override;
 };
 
@@ -92,6 +98,8 @@ class OptionRecord : public Options {
  public:
   void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
               const std::string& help) override;
+  void optional_number(const std::string& flag, std::optional<double>& value, double low, double high,
+                       const std::string& unit, const std::string& help) override;
   void integer(const std::string& flag, int& value, int low, int high, const std::string& help) override;
   void text(const std::string& flag, std::string& value, const std::string& placeholder, const std::string& help,
             bool recorded) override;

@@ -64,6 +64,7 @@ inline constexpr const char* periodicity_lost = "W-HEX-001";  ///< of sides of t
 // quadexport
 inline constexpr const char* format_loss = "W-EXP-001";
 inline constexpr const char* side_file_not_written = "W-EXP-002";
+inline constexpr const char* ending_of_trixi = "W-EXP-003";
 
 inline constexpr const char* stage_stopped = "W-RUN-001";
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,9 +43,10 @@ inline std::string unit_symbol(const CadFace& face) {
 
 /// What a user asks of written coordinates.
 struct ScaleRequest {
-  std::string unit = "file";  ///< symbol of a length unit; "file": that of the CAD file
-  double scale = 1;           ///< > 0; a further factor
-  bool keeps_unit = false;    ///< a scale without a unit enlarges the shape; else its numbers have no known unit
+  std::string unit = "file";      ///< symbol of a length unit; "file": that of the CAD file
+  std::optional<double> scale{};  ///< > 0; a further factor
+  /// A scale without a unit enlarges the shape; else its numbers have no known unit, also those times 1.
+  bool keeps_unit = false;
 };
 
 /// Coordinates are multiplied by `factor`, which gives numbers in `unit`.
@@ -57,17 +59,18 @@ struct LengthScale {
 /// The factor for lengths in the unit `own`, rounded to 15 digits, so that an inch is 25.4 mm. Throws UsageError if a
 /// unit is requested where `own` is unknown.
 inline LengthScale length_scale(const std::string& own, double metres_per_unit, const ScaleRequest& request) {
-  LengthScale result{request.scale, own, metres_per_unit};
+  const double scale = request.scale.value_or(1);
+  LengthScale result{scale, own, metres_per_unit};
   for (const LengthUnit& unit : length_units) {
     if (unit.symbol != request.unit) continue;
     if (!(metres_per_unit > 0))
       throw UsageError("--unit " + request.unit +
                        ": the CAD file states no length unit: give the factor by --scale instead");
     std::array<char, 40> digits{};
-    std::snprintf(digits.data(), digits.size(), "%.15g", request.scale * metres_per_unit / unit.metres);
+    std::snprintf(digits.data(), digits.size(), "%.15g", scale * metres_per_unit / unit.metres);
     return {std::strtod(digits.data(), nullptr), std::string(unit.name), unit.metres};
   }
-  if (request.scale != 1 && !request.keeps_unit) result.unit = "unknown", result.metres_per_unit = 0;
+  if (request.scale && !request.keeps_unit) result.unit = "unknown", result.metres_per_unit = 0;
   return result;
 }
 

@@ -166,7 +166,7 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::ve
     exported.add_loss(interfaces + " (blockMesh makes no face zones; splitMeshRegions -cellZones divides the mesh)");
   exported.add_loss(cyclic_loss(mesh.face, groups, cyclic,
                                 "a cyclic patch has periodic curves of one motion only, and no type by --patch-type"));
-  const auto [patches, zones] = add_plain_names(groups, true, {front_and_back}, exported);
+  const auto [patches, zones] = add_plain_names(groups, true, {{front_and_back}}, exported);
   exported.bytes = BlockMeshWriter(mesh, frame, plates).text(patches, type_names, cyclic, zones);
   return exported;
 }

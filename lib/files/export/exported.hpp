@@ -18,9 +18,12 @@ struct SideName {
 };
 
 /// Those of all formats: the table of names, named after the whole main file so that those of two formats differ; the
-/// curves, and the faces, of VTK's format; the geometry of Nek5000's.
+/// curves, and the faces, of VTK's format; the geometry of Nek5000's; the sides of PLOT3D's grids; the parts of
+/// SPECFEM2D's mesh.
 inline const SideName names_table_name{".names.json", true}, vtu_curves_name{".curves.vtu"},
-    vtu_faces_name{".faces.vtu"}, nek_field_name{"0.f00000"};
+    vtu_faces_name{".faces.vtu"}, nek_field_name{"0.f00000"}, neutral_map_name{".nmf"}, specfem_nodes{".nodes", true},
+    specfem_materials{".materials", true}, specfem_free_surface{".free_surface", true},
+    specfem_absorbing{".absorbing_surface", true};
 
 /// Those of OpenFOAM's polyMesh, beside its points.
 inline const SideName poly_faces_name{"faces", false, true}, poly_owner_name{"owner", false, true},

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "export/groups.hpp"
+#include "export/merge_blocks.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/writers.hpp"
 
@@ -28,6 +29,11 @@ const std::vector<ExportFormat>& export_formats() {
        .write = gmsh_msh22,
        .write_hex = gmsh_msh22,
        .max_hex_order = 9},
+      {.name = "msh-pyfr",
+       .summary = "Gmsh MSH 4.1 as PyFR reads it",
+       .max_order = 4,
+       .write = gmsh_pyfr,
+       .side_names = {names_table_name}},
       {.name = "vtu",
        .ending = ".vtu",
        .summary = "VTK XML with Lagrange cells",
@@ -103,6 +109,61 @@ const std::vector<ExportFormat>& export_formats() {
        .has_straight_sides = true,
        .write_hex = [](const HexMesh& mesh) { return poly_mesh(mesh, {}); },
        .write_hex_with_types = poly_mesh},
+      {.name = "abaqus",
+       .summary = "Abaqus and CalculiX, plane stress",
+       .write = abaqus_cps,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name}},
+      {.name = "abaqus-cpe",
+       .summary = "the same, plane strain",
+       .write = abaqus_cpe,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name}},
+      {.name = "abaqus-cax",
+       .summary = "the same, axisymmetric",
+       .write = abaqus_cax,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name}},
+      {.name = "cgns",
+       .ending = ".cgns",
+       .summary = "CGNS, unstructured",
+       .max_order = 4,
+       .holds_space = true,
+       .write = cgns_unstructured,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name},
+       .program = "quadexport-cgns"},
+      {.name = "cgns-structured",
+       .summary = "CGNS, structured zones",
+       .holds_space = true,
+       .write = cgns_structured,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name},
+       .program = "quadexport-cgns"},
+      {.name = "exodus",
+       .ending = ".exo",
+       .summary = "Exodus II",
+       .write = exodus,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name}},
+      {.name = "plot3d",
+       .ending = ".xyz",
+       .summary = "PLOT3D grids, with a neutral map",
+       .holds_space = true,
+       .write = plot3d,
+       .loses_periodic_sides = true,
+       .side_names = {neutral_map_name, names_table_name}},
+      {.name = "specfem2d",
+       .summary = "text files of SPECFEM2D",
+       .write = specfem2d,
+       .loses_periodic_sides = true,
+       .side_names = {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name}},
+      {.name = "su2",
+       .ending = ".su2",
+       .summary = "SU2 mesh of straight quads",
+       .write = su2_mesh,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name}},
   };
   return formats;
 }
@@ -147,6 +208,7 @@ Exported export_mesh(QuadMesh mesh, const ExportFormat& format, const ExportOpti
   if (!mesh.space_nodes.empty() && !format.holds_space) throw ComputeError(planar_format_text(format));
   const LengthScale length = length_scale(mesh.face, options.length);
   if (length.factor != 1 || length.unit != mesh.face.length_unit) scale_lengths(mesh, length);
+  if (options.merge_blocks) mesh = merge_blocks(std::move(mesh));
   if (options.block_groups) separate_blocks(mesh);
   const Frame frame = options.in_space ? model_frame(mesh.face) : plane_frame(mesh.face);
   Exported exported =
@@ -165,6 +227,7 @@ void require_hex_options(const ExportFormat& format, const ExportOptions& option
     throw UsageError(fmt::format("the format {} has no hexahedra: choose one of {}", format.name, others));
   }
   if (options.in_space) throw UsageError("--frame 3d: hexahedra have coordinates of the CAD model always: omit it");
+  if (options.merge_blocks) throw UsageError("--merge-blocks: the format has no grids of hexahedra: omit it");
   if (options.block_groups) throw UsageError("--block-groups: blocks of hexahedra have no names: omit it");
   require_options(format, options);
 }

@@ -18,6 +18,7 @@ struct ExportOptions {
   bool in_space = false;                 ///< coordinates of the CAD model rather than of the face's plane
   std::vector<PatchType> patch_types{};  ///< of formats whose boundaries have types
   bool block_groups = false;  ///< each block without a name of its own is a region of its own (export/groups)
+  bool merge_blocks = false;  ///< blocks of one region are joined (export/merge_blocks)
 };
 
 struct ExportFormat {
@@ -35,6 +36,8 @@ struct ExportFormat {
   Exported (*write_hex)(const HexMesh& mesh) = nullptr;  ///< nullptr: the format has no hexahedra
   Exported (*write_hex_with_types)(const HexMesh& mesh, const std::vector<PatchType>& types) = nullptr;
   int max_hex_order = 20;
+  /// A program in libexec that makes the file of what the writer returns; empty: that is the file.
+  std::string_view program = {};
 };
 
 /// All formats of a quad mesh, in the order of the help.

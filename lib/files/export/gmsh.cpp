@@ -143,14 +143,17 @@ std::string elements_section(const GmshModel& model, const QuadMesh& mesh) {
 
 }  // namespace
 
-Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) {
-  const GmshModel model = gmsh_model(mesh, frame);
+std::string gmsh41_text(const GmshModel& model, const QuadMesh& mesh, const Frame& frame) {
   std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + gmsh_names(model.groups);
   append_entities(model, text);
   text += gmsh_nodes41(model);
   append_elements(model, mesh, text);
   text += gmsh_periodic(model, periodic_links(model, mesh, frame), "16");
-  return {std::move(text), false, {}, {}};
+  return text;
+}
+
+Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) {
+  return {gmsh41_text(gmsh_model(mesh, frame), mesh, frame), false, {}, {}};
 }
 
 Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame) {

@@ -46,6 +46,9 @@ struct GmshModel : GmshNodes {
 /// For orders 1 to 10.
 GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame);
 
+/// A whole file of version 4.1.
+std::string gmsh41_text(const GmshModel& model, const QuadMesh& mesh, const Frame& frame);
+
 /// Gmsh's order of the local nodes of a quad of any order from 0, xi1 fastest: corners, then sides counter-clockwise,
 /// then the same recursively for the inner nodes.
 std::vector<int> gmsh_quad_order(int order);

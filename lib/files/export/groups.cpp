@@ -61,9 +61,25 @@ std::string plain(const std::string& name) {
   return word.empty() || !is_letter(word[0]) ? "_" + word : word;
 }
 
-std::string numbered(const std::string& name, const std::set<std::string>& used) {
-  std::string free = name;
-  for (int k = 2; used.count(free) > 0; ++k) free = fmt::format("{}_{}", name, k);
+std::string cut(const std::string& word, std::size_t length, const WordRules& rules) {
+  return rules.max_length > 0 && length > rules.max_length ? word.substr(0, word.size() + rules.max_length - length)
+                                                           : word;
+}
+
+/// What distinguishes a word from others.
+std::string key_of(std::string word, const WordRules& rules) {
+  if (rules.is_case_ignored)
+    for (char& c : word)
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return word;
+}
+
+std::string numbered(const std::string& name, const std::set<std::string>& used, const WordRules& rules) {
+  std::string free = cut(name, name.size(), rules);
+  for (int k = 2; used.count(key_of(free, rules)) > 0; ++k) {
+    const std::string number = fmt::format("_{}", k);
+    free = cut(name, name.size() + number.size(), rules) + number;
+  }
   return free;
 }
 
@@ -126,6 +142,12 @@ std::vector<std::string> boundary_and_interface_names(const Groups& groups) {
   return names;
 }
 
+Groups lines_as_boundaries(Groups groups) {
+  groups.boundary_names = boundary_and_interface_names(groups);
+  groups.interface_names.clear();
+  return groups;
+}
+
 void separate_blocks(const CadFace& face, const std::vector<int>& block_region, std::vector<std::string>& block_names,
                      std::vector<int>& unnamed_blocks) {
   for (const int block : unnamed_blocks) block_names[block].clear();
@@ -148,19 +170,23 @@ SideFile names_table(const Groups& groups, const NameList& boundaries, const Nam
                       between, regions.empty() ? "[]" : listed(groups.region_names, regions))};
 }
 
-NameList plain_names(const NameList& names, const NameList& taken) {
-  std::set<std::string> used(taken.begin(), taken.end());
+NameList plain_names(const NameList& names, const WordRules& rules) {
+  std::set<std::string> used;
+  for (const std::string& word : rules.taken) used.insert(key_of(word, rules));
   NameList words(names.size());
   for (const bool as_it_is : {true, false})  // names that need no change take precedence
     for (std::size_t k = 0; k < names.size(); ++k) {
       const std::string word = plain(names[k]);
-      if (!words[k].empty() || (as_it_is && (word != names[k] || used.count(word) > 0))) continue;
-      used.insert(words[k] = numbered(word, used));
+      const bool needs_change =
+          word != names[k] || cut(word, word.size(), rules) != word || used.count(key_of(word, rules)) > 0;
+      if (!words[k].empty() || (as_it_is && needs_change)) continue;
+      words[k] = numbered(word, used, rules);
+      used.insert(key_of(words[k], rules));
     }
   return words;
 }
 
-std::string renamed_loss(const NameList& names, const NameList& plain) {
+std::string renamed_loss(const NameList& names, const NameList& plain, const WordRules& rules) {
   int count = 0;
   std::string list;
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -168,14 +194,15 @@ std::string renamed_loss(const NameList& names, const NameList& plain) {
     if (++count <= num_told) list += fmt::format("{}\"{}\" as {}", count == 1 ? "" : ", ", names[k], plain[k]);
   }
   if (count == 0) return {};
-  return fmt::format("{} written in plain letters: {}{}", some_are(count, "name"), list, dots(count));
+  const std::string limit = rules.max_length > 0 ? fmt::format("at most {} ", rules.max_length) : "";
+  return fmt::format("{} written in {}plain letters: {}{}", some_are(count, "name"), limit, list, dots(count));
 }
 
-PlainNames add_plain_names(const Groups& groups, bool with_regions, const NameList& taken, Exported& exported) {
-  PlainNames plain{plain_names(groups.boundary_names, taken), {}};
-  if (with_regions) plain.regions = plain_names(groups.region_names);
-  const std::string boundary_loss = renamed_loss(groups.boundary_names, plain.boundaries);
-  const std::string region_loss = with_regions ? renamed_loss(groups.region_names, plain.regions) : "";
+PlainNames add_plain_names(const Groups& groups, bool with_regions, const WordRules& rules, Exported& exported) {
+  PlainNames plain{plain_names(groups.boundary_names, rules), {}};
+  if (with_regions) plain.regions = plain_names(groups.region_names, rules);
+  const std::string boundary_loss = renamed_loss(groups.boundary_names, plain.boundaries, rules);
+  const std::string region_loss = with_regions ? renamed_loss(groups.region_names, plain.regions, rules) : "";
   exported.add_loss(boundary_loss);
   exported.add_loss(region_loss);
   if (!boundary_loss.empty() || !region_loss.empty())

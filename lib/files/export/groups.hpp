@@ -41,6 +41,9 @@ Groups mesh_groups(const HexMesh& mesh);
 /// The names of all boundaries, then of all interfaces.
 std::vector<std::string> boundary_and_interface_names(const Groups& groups);
 
+/// The same with the interfaces as further boundaries, for formats whose sets of sides may lie inside the mesh.
+Groups lines_as_boundaries(Groups groups);
+
 /// Whether a curve lies between elements: an interface that is not open.
 std::vector<bool> inner_curves(const QuadMesh& mesh);
 
@@ -64,13 +67,21 @@ void separate_blocks(Stage& stage) {
 
 using NameList = std::vector<std::string>;  ///< names of groups in a file, group by group
 
-/// Each name by ASCII letters, digits and _ . - alone, the first one a letter or _ ; any other character becomes _ .
-/// Names that would coincide, also with one of `taken`, are numbered (_2, _3, ...). Names that are such words already
-/// are not changed.
-NameList plain_names(const NameList& names, const NameList& taken = {});
+/// The words that a format allows as names.
+struct WordRules {
+  NameList taken{};              ///< words that mean something else
+  std::size_t max_length = 0;    ///< 0: any
+  bool is_case_ignored = false;  ///< words that differ in upper and lower case only are one
+};
 
-/// "1 name is written in plain letters: \"outer wall\" as outer_wall" for the first few; empty if none is.
-std::string renamed_loss(const NameList& names, const NameList& plain);
+/// Each name by ASCII letters, digits and _ . - alone, the first one a letter or _ ; any other character becomes _ .
+/// Names that are too long are cut; those that would coincide, also with one of the words taken, are numbered (_2, _3,
+/// ...). Names that are such words already are not changed.
+NameList plain_names(const NameList& names, const WordRules& rules = {});
+
+/// "1 name is written in plain letters: \"outer wall\" as outer_wall" for the first few, "in at most 32 plain letters"
+/// where the rules limit that; empty if none is.
+std::string renamed_loss(const NameList& names, const NameList& plain, const WordRules& rules = {});
 
 /// The table as a side file: .names.json behind the name of the main file, so that those of two formats differ. Groups
 /// count from 1, in the order of the mesh, interfaces after the boundaries. `boundaries` and `regions` are what the
@@ -83,7 +94,7 @@ SideFile names_table(const Groups& groups, const NameList& boundaries, const Nam
 struct PlainNames {
   NameList boundaries, regions;
 };
-PlainNames add_plain_names(const Groups& groups, bool with_regions, const NameList& taken, Exported& exported);
+PlainNames add_plain_names(const Groups& groups, bool with_regions, const WordRules& rules, Exported& exported);
 
 /// "2 interfaces are not stored: \"fluid-solid\", \"wake\"" for formats that name the boundary alone; empty if there is
 /// none.

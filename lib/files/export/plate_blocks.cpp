@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "export/periodic_edges.hpp"
+#include "export/split_elements.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -16,29 +17,10 @@ namespace {
 
 constexpr double largest_move = 0.1;  ///< of the shortest side of the cells at a point
 
-bool is_convex(const std::array<Vec2, 4>& corners) {
-  for (int k = 0; k < 4; ++k)
-    if (cross(corners[(k + 1) % 4] - corners[k], corners[(k + 3) % 4] - corners[k]) <= 0) return false;
-  return true;
-}
-
 double shortest_side(const std::array<Vec2, 4>& corners) {
   double shortest = distance(corners[3], corners[0]);
   for (int k = 0; k < 3; ++k) shortest = std::min(shortest, distance(corners[k], corners[k + 1]));
   return shortest;
-}
-
-void require_convex_cells(const QuadMesh& mesh) {
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    std::array<Vec2, 4> corners;
-    for (int k = 0; k < 4; ++k) corners[k] = mesh.nodes[side_start(mesh, elem, k)];
-    if (is_convex(corners)) continue;
-    const Vec2 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]) + mesh.face.origin;
-    throw ComputeError(
-        fmt::format("OpenFOAM's cells have straight sides, and element {} near {} would not be convex; "
-                    "refine the mesh",
-                    elem, position_text(middle)));
-  }
 }
 
 /// The boundary group of each side of each element; -1 inside.
@@ -247,7 +229,7 @@ class Collector {
 }  // namespace
 
 PlateBlocks plate_blocks(const QuadMesh& mesh, const Groups& groups) {
-  require_convex_cells(mesh);
+  require_convex_cells(mesh, "OpenFOAM's cells");
   Divider divider(mesh, groups);
   std::vector<DividedGrid> grids = divider.divide();
   Collector collector(mesh, groups, divider);

@@ -29,8 +29,8 @@ std::vector<std::string> fields_of(const std::string& bytes, std::size_t count) 
 }  // namespace
 
 std::string to_bytes(const StepRequest& request) {
-  return fmt::format("{1}{0}{2:.17g}{0}{3:d}{0}{4}{0}{5}", separator, request.length.unit, request.length.scale,
-                     request.block_groups, request.name, request.bytes);
+  return fmt::format("{1}{0}{2:.17g}{0}{3:d}{0}{4}{0}{5}", separator, request.length.unit,
+                     request.length.scale.value_or(1), request.block_groups, request.name, request.bytes);
 }
 
 StepRequest step_request(const std::string& bytes) {

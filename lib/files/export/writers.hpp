@@ -33,6 +33,10 @@ Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame);
 Exported gmsh_msh41(const HexMesh& mesh);  ///< orders 1-9
 Exported gmsh_msh22(const HexMesh& mesh);
 
+/// MSH 4.1 as PyFR reads it: orders 1-4, one group "fluid" of all elements, no lines inside, periodic sides in groups
+/// periodic_0_l and periodic_0_r, periodic_1_l ... Names are single words in which upper and lower case are the same.
+Exported gmsh_pyfr(const QuadMesh& mesh, const Frame& frame);
+
 /// VTK's XML for ParaView, VisIt and PyVista: Lagrange or Bezier cells of orders 1-10, with the blocks, the names and
 /// the quality of the elements; curves of the boundary and of the interfaces in a side file.
 Exported vtu_lagrange(const QuadMesh& mesh, const Frame& frame);
@@ -82,5 +86,35 @@ Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::ve
 /// hexahedron, with straight edges; of a quad mesh a plate one cell thick, its ends `frontAndBack` of type empty.
 Exported poly_mesh(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types = {});
 Exported poly_mesh(const HexMesh& mesh, const std::vector<PatchType>& types = {});
+
+/// Abaqus .inp for Abaqus and CalculiX: plane stress (CPS), plane strain (CPE) or axisymmetric elements (CAX) of 4
+/// nodes for order 1, of 8 for order 2; higher orders are split into elements of order 2. Regions are element sets,
+/// boundaries and interfaces node sets and surfaces. No element may be folded; x of CAX, the radius, is not negative.
+Exported abaqus_cps(const QuadMesh& mesh, const Frame& frame);
+Exported abaqus_cpe(const QuadMesh& mesh, const Frame& frame);
+Exported abaqus_cax(const QuadMesh& mesh, const Frame& frame);
+
+/// PLOT3D, multi-grid, ASCII: a grid of points for each block, its boundaries and neighbours in a neutral map beside
+/// it. Any order; cells must be convex.
+Exported plot3d(const QuadMesh& mesh, const Frame& frame);
+
+/// CGNS, as the request from which quadexport-cgns makes the file (export/cgns_request.hpp): one unstructured zone of
+/// orders 1-4 with sections for regions, boundaries and interfaces, or a structured zone for each block with its
+/// boundaries and neighbours, of any order; cells must be convex then. Boundaries and regions are families.
+Exported cgns_unstructured(const QuadMesh& mesh, const Frame& frame);
+Exported cgns_structured(const QuadMesh& mesh, const Frame& frame);
+
+/// Exodus II in a NetCDF file: QUAD4 for order 1, QUAD9 for order 2; higher orders are split into elements of order 2.
+/// Regions are blocks, boundaries and interfaces side sets. No element may be folded.
+Exported exodus(const QuadMesh& mesh, const Frame& frame);
+
+/// SPECFEM2D's text files: elements of 4 nodes for order 1, of 9 for order 2; higher orders are split into elements of
+/// order 2. Nodes, numbers of materials, and the free and absorbing sides in files beside them. No element may be
+/// folded.
+Exported specfem2d(const QuadMesh& mesh, const Frame& frame);
+
+/// SU2's mesh: quads with straight sides between the nodes of the mesh, N^2 for an element of order N; boundaries as
+/// markers. Any order; the quads must be convex.
+Exported su2_mesh(const QuadMesh& mesh, const Frame& frame);
 
 }  // namespace quadrille::exports

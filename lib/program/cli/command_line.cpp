@@ -205,6 +205,17 @@ void CommandLine::number(const std::string& flag, double& value, double low, dou
   impl_->record.number(flag, value, low, high, unit, help);
 }
 
+void CommandLine::optional_number(const std::string& flag, std::optional<double>& value, double low, double high,
+                                  const std::string& unit, const std::string& help) {
+  const auto set = [=, &value](const CLI::results_t& texts) {
+    value = number_within(flag, texts.back(), low, high);
+    return true;
+  };
+  impl_->add(flag, "X", set,
+             fmt::format("{} (unit: {}; default: none; interval: {})", help, unit, interval_text(low, high)));
+  impl_->record.optional_number(flag, value, low, high, unit, help);
+}
+
 void CommandLine::integer(const std::string& flag, int& value, int low, int high, const std::string& help) {
   const std::string range = interval_text(low, high);
   const auto set = [=, &value](const CLI::results_t& texts) {

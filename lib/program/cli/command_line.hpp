@@ -55,6 +55,8 @@ class CommandLine : public Options {
   void output(std::string& path, const std::string& help) override;
   void number(const std::string& flag, double& value, double low, double high, const std::string& unit,
               const std::string& help) override;
+  void optional_number(const std::string& flag, std::optional<double>& value, double low, double high,
+                       const std::string& unit, const std::string& help) override;
   void integer(const std::string& flag, int& value, int low, int high, const std::string& help) override;
   void text(const std::string& flag, std::string& value, const std::string& placeholder, const std::string& help,
             bool recorded) override;

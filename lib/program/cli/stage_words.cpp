@@ -12,6 +12,10 @@ class NameList : public Options {
   void number(const std::string& flag, double&, double, double, const std::string&, const std::string&) override {
     add(flag);
   }
+  void optional_number(const std::string& flag, std::optional<double>&, double, double, const std::string&,
+                       const std::string&) override {
+    add(flag);
+  }
   void integer(const std::string& flag, int&, int, int, const std::string&) override { add(flag); }
   void text(const std::string& flag, std::string&, const std::string&, const std::string&, bool) override { add(flag); }
   void texts(const std::string& flag, std::vector<std::string>&, const std::string&, const std::string&,

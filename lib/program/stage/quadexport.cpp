@@ -92,8 +92,8 @@ std::vector<std::string> unit_choices() {
 }
 
 exports::ExportOptions parsed(const QuadexportOptions& options) {
-  return {options.length, options.frame == "3d", exports::patch_type_options(options.patch_types),
-          options.block_groups};
+  return {options.length, options.frame == "3d", exports::patch_type_options(options.patch_types), options.block_groups,
+          options.merge_blocks};
 }
 
 // The files beside the main one, and warnings of what is lost.
@@ -127,12 +127,16 @@ void declare(Options& o, QuadexportOptions& quadexport) {
           "or empty decide, and the rest is patch");
   o.choice("--unit", quadexport.length.unit, unit_choices(),
            "length unit of the written coordinates; file: that of the CAD file, whose numbers are kept");
-  o.number("--scale", quadexport.length.scale, 1e-12, 1e12, "factor",
-           "multiply the coordinates by this, after --unit; without --unit, the unit of the result counts as unknown "
-           "(for .step: a larger model in the unit of the CAD file)");
+  o.optional_number(
+      "--scale", quadexport.length.scale, 1e-12, 1e12, "factor",
+      "multiply the coordinates by this, after --unit; without --unit, the unit of the result counts as unknown, "
+      "also with 1 (for .step: a larger model in the unit of the CAD file)");
   o.flag("--block-groups", quadexport.block_groups,
          "write each block that has no name of its own as a region of its own, named by its number; without it all "
          "blocks without a name are one region (for .step: the name of a face is its region)");
+  o.flag("--merge-blocks", quadexport.merge_blocks,
+         "join blocks of one region to the fewest rectangular grids, none of which touches itself: for structured "
+         "solvers (plot3d, cgns-structured)");
   o.flag("--allow-invalid", quadexport.allow_invalid, "export a mesh that is marked as not valid");
 }
 
@@ -145,6 +149,8 @@ std::string format_of(const std::string& output, const QuadexportOptions& option
     exports::require_options(*format, parsed_options);
   } else if (!parsed_options.patch_types.empty()) {
     throw UsageError("--patch-type: a STEP model has no types of boundaries");
+  } else if (options.merge_blocks) {
+    throw UsageError("--merge-blocks: a STEP model is made from the blocks themselves");
   }
   return name;
 }
@@ -188,12 +194,21 @@ std::vector<OutputFile> quadexport(QuadMesh mesh, const std::string& file, const
   if (format == step) throw UsageError("a STEP model is made from blocks, not from a quad mesh");
   check::require_sound(mesh, file);
   require_valid_mesh(mesh, options.allow_invalid, run);
+  if (options.format == "auto" && format == "inp")
+    run.report().warn(warning::ending_of_trixi,
+                      fmt::format("{} is written for Trixi.jl, as --format inp: for Abaqus and CalculiX give --format "
+                                  "abaqus",
+                                  output));
   run.begin_phase("write");
   run.report().set("format", format);
   run.report().set("quads", mesh.num_elems());
   run.report().set("nodes", mesh.nodes.size());
-  exports::Exported exported =
-      exports::export_mesh(std::move(mesh), *exports::find_export_format(format), parsed(options));
+  const exports::ExportFormat& row = *exports::find_export_format(format);
+  exports::Exported exported = exports::export_mesh(std::move(mesh), row, parsed(options));
+  if (!row.program.empty())
+    exported.bytes =
+        run_program(helper_program(std::string(row.program)), exported.bytes,
+                    fmt::format("{}: the file cannot be made: {} crashed or did not end", file, row.program));
   report_length(exported.length, run);
   std::vector<OutputFile> files = side_files(exported, output, run.report());
   files.push_back({output, std::move(exported.bytes), exported.is_binary});

@@ -19,6 +19,7 @@ struct QuadexportOptions {
   std::vector<std::string> patch_types;  ///< NAME=TYPE
   ScaleRequest length;                   ///< unit and factor of the coordinates
   bool block_groups = false;             ///< each block without a name is a region of its own
+  bool merge_blocks = false;             ///< blocks of one region are joined to the fewest grids
   bool allow_invalid = false;            ///< export a mesh that is marked as not valid
 };
 void declare(Options& options, QuadexportOptions& quadexport);

@@ -91,6 +91,18 @@ TEST(OptionRecord, WritesEachKindOfOptionBySortedNames) {
   EXPECT_NE(record.json().find(R"("order":7)"), std::string::npos);
 }
 
+TEST(OptionRecord, ANumberThatIsNotGivenIsNullAndHasNoInterval) {
+  std::optional<double> scale;
+  OptionRecord record;
+  record.optional_number("--scale", scale, 1, 2, "factor", "");
+  EXPECT_EQ(record.json(), R"({"scale":null})");
+  IntervalCheck check;
+  check.optional_number("--scale", scale, 1, 2, "factor", "");
+  scale = 2.5;
+  EXPECT_EQ(record.json(), R"({"scale":2.5})");
+  EXPECT_THROW(check.optional_number("--scale", scale, 1, 2, "factor", ""), UsageError);
+}
+
 TEST(OptionRecord, NumbersReadBackToTheSameBitsAndOthersAreNull) {
   double size = 0.1, limit = std::numeric_limits<double>::infinity();
   OptionRecord record;

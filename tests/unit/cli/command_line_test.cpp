@@ -93,6 +93,7 @@ class CommandLineTest : public testing::Test {
   CommandLineTest() {
     line.choice("--speed", speed, "how fast");
     line.number("--max-deviation", deviation, 0, 45, "degrees", "the greatest deviation");
+    line.optional_number("--scale", scale, 1, 9, "factor", "the factor");
     line.flag("--loud", is_loud, "be loud");
     line.input("IN", input, "what is read", false);
     line.add_common(common);
@@ -109,6 +110,7 @@ class CommandLineTest : public testing::Test {
 
   Speed speed = Speed::slow;
   double deviation = 40;
+  std::optional<double> scale;
   bool is_loud = false;
   std::string input;
   CommonOptions common;
@@ -118,15 +120,24 @@ class CommandLineTest : public testing::Test {
 TEST_F(CommandLineTest, AnEnumIsChosenByName) {
   parse({"--speed", "very-fast"});
   EXPECT_EQ(speed, Speed::fast);
-  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":40,"speed":"very-fast"})");
+  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":40,"scale":null,"speed":"very-fast"})");
 }
 
 TEST_F(CommandLineTest, AnEnumIsRecordedWithItsDefault) {
   parse({});
-  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":40,"speed":"slow"})");
+  EXPECT_EQ(line.options_json(), R"({"loud":false,"max-deviation":40,"scale":null,"speed":"slow"})");
   const std::string help = help_text(line.page());
   EXPECT_NE(help.find("--speed slow|very-fast "), std::string::npos) << help;
   EXPECT_NE(help.find("how fast (default: slow)"), std::string::npos) << help;
+}
+
+TEST_F(CommandLineTest, AnOptionalNumberIsEmptyUnlessGiven) {
+  parse({});
+  EXPECT_EQ(scale, std::nullopt);
+  EXPECT_NE(help_text(line.page()).find("(unit: factor; default: none; interval: 1 to 9)"), std::string::npos);
+  parse({"--scale", "1"});
+  EXPECT_EQ(scale, 1);
+  EXPECT_EQ(error_of({"--scale", "0"}), "--scale: 0 is outside its interval (1 to 9)");
 }
 
 TEST_F(CommandLineTest, AnotherNameIsRefusedWithThoseThatAreAllowed) {
@@ -135,7 +146,8 @@ TEST_F(CommandLineTest, AnotherNameIsRefusedWithThoseThatAreAllowed) {
 }
 
 TEST_F(CommandLineTest, ProgramsGetAListOfOptions) {
-  EXPECT_EQ(line.option_list(), "sample --speed value\nsample --max-deviation value\nsample --loud flag\n");
+  EXPECT_EQ(line.option_list(),
+            "sample --speed value\nsample --max-deviation value\nsample --scale value\nsample --loud flag\n");
 }
 
 TEST_F(CommandLineTest, WhatOnlyBeginsLikeAnOptionIsRefusedAndWhatFollowsDashesIsNone) {

@@ -93,7 +93,16 @@ TEST(PlainNames, WhatReadersPartWordsByIsReplaced) {
 TEST(PlainNames, ALetterOfManyBytesIsOne) { EXPECT_EQ(plain_names({"S\u00fcd"}), (NameList{"S_d"})); }
 
 TEST(PlainNames, NamesDoNotFallTogether) {
-  EXPECT_EQ(plain_names({"a b", "a_b", "a,b", "taken"}, {"taken"}), (NameList{"a_b_2", "a_b", "a_b_3", "taken_2"}));
+  EXPECT_EQ(plain_names({"a b", "a_b", "a,b", "taken"}, {{"taken"}}), (NameList{"a_b_2", "a_b", "a_b_3", "taken_2"}));
+}
+
+TEST(PlainNames, LongNamesAreCutAndStayDifferent) {
+  const NameList names{"abcdefgh", "abcdefgi", "abcd", "ABCD"};
+  EXPECT_EQ(plain_names(names, {{}, 4, false}), (NameList{"ab_2", "ab_3", "abcd", "ABCD"}));
+  EXPECT_EQ(plain_names(names, {{}, 4, true}), (NameList{"ab_2", "ab_3", "abcd", "AB_4"}));
+  EXPECT_EQ(plain_names({"All"}, {{"ALL"}, 0, true}), (NameList{"All_2"}));
+  EXPECT_EQ(renamed_loss({"abcde"}, {"abcd"}, {{}, 4, false}),
+            "1 name is written in at most 4 plain letters: \"abcde\" as abcd");
 }
 
 TEST(PlainNames, LossNamesTheFirstFew) {

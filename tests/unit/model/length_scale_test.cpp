@@ -36,6 +36,7 @@ TEST(LengthScale, AFactorAloneGivesNumbersWithoutAUnitOrALargerShape) {
   EXPECT_EQ(numbers.factor, 3);
   EXPECT_EQ(numbers.unit, "unknown");
   EXPECT_EQ(numbers.metres_per_unit, 0);
+  EXPECT_EQ(length_scale(face_in("inch", 0.0254), {"file", 1}).unit, "unknown") << "1 is a factor as any other";
   const LengthScale larger = length_scale(face_in("inch", 0.0254), {"file", 3, true});
   EXPECT_EQ(larger.factor, 3);
   EXPECT_EQ(larger.unit, "inch");

@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.hpp"
+#include "export/groups.hpp"
+#include "export/renode.hpp"
+#include "export/split_elements.hpp"
+#include "export/writers.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+/// CalculiX reads no more of a number.
+constexpr std::size_t longest_number = 20;
+constexpr int numbers_a_line = 16;
+/// CalculiX' greatest length of the name of a set; upper and lower case are the same.
+const WordRules set_names{{"NALL", "EALL"}, 80, true};
+
+/// The shortest digits that read back to the same bits or, if those are too long, as many as fit.
+std::string short_number(double x) {
+  std::string text = fmt::format("{}", x);
+  for (int digits = 17; text.size() > longest_number; --digits) text = fmt::format("{:.{}g}", x, digits);
+  return text;
+}
+
+class AbaqusWriter : TextWriter {
+ public:
+  AbaqusWriter(const QuadMesh& quads, const Frame& frame, const Groups& lines)
+      : quads_(quads), frame_(frame), lines_(lines) {
+    number_nodes();
+  }
+
+  std::string text(const char* type, const PlainNames& words) {
+    print("*HEADING\nquadrilaterals of order {}\n", quads_.order);
+    write_nodes();
+    write_elements(fmt::format("{}{}", type, quads_.order == 1 ? 4 : 8), words.regions);
+    write_lines(words.boundaries);
+    return std::move(out_);
+  }
+
+ private:
+  /// Corners and middles of sides, in the order of the mesh.
+  void number_nodes() {
+    numbers_.assign(quads_.nodes.size(), 0);
+    for (int elem = 0; elem < quads_.num_elems(); ++elem)
+      for (int side = 0; side < 4; ++side)
+        for (int k = 0; k < quads_.order; ++k) numbers_[side_node(quads_, elem, side, k)] = 1;
+    int count = 0;
+    for (int& number : numbers_)
+      if (number > 0) number = ++count;
+  }
+
+  void write_nodes() {
+    print("*NODE, NSET=NALL\n");
+    for (std::size_t node = 0; node < numbers_.size(); ++node) {
+      if (numbers_[node] == 0) continue;
+      const std::array<double, 3> x = frame_.at(quads_.nodes[node]);
+      print("{}, {}, {}, 0\n", numbers_[node], short_number(x[0]), short_number(x[1]));
+    }
+  }
+
+  /// Corners counter-clockwise, then the middles of the sides after them.
+  void write_element(int elem) {
+    print("{}", elem + 1);
+    for (int k = 0; k < quads_.order; ++k)
+      for (int side = 0; side < 4; ++side) print(", {}", numbers_[side_node(quads_, elem, side, k)]);
+    print("\n");
+  }
+
+  void write_elements(const std::string& type, const NameList& regions) {
+    for (std::size_t region = 0; region < regions.size(); ++region) {
+      print("*ELEMENT, TYPE={}, ELSET={}\n", type, regions[region]);
+      for (int elem = 0; elem < quads_.num_elems(); ++elem)
+        if (lines_.block2region[quads_.elem_block[elem]] == static_cast<int>(region)) write_element(elem);
+    }
+    print("*ELSET, ELSET=EALL\n");
+    for (const std::string& region : regions) print("{}\n", region);
+  }
+
+  void write_lines(const NameList& names) {
+    std::vector<std::vector<QuadBoundaryEdge>> edges(names.size());
+    for (const QuadBoundaryEdge& e : quads_.boundary_edges) edges[lines_.curve2boundary[e.curve]].push_back(e);
+    for (const QuadBoundaryEdge& e : interface_edges_once(quads_)) edges[lines_.curve2boundary[e.curve]].push_back(e);
+    for (std::size_t line = 0; line < names.size(); ++line) {
+      if (edges[line].empty()) continue;
+      write_node_set(names[line], edges[line]);
+      print("*SURFACE, NAME={}, TYPE=ELEMENT\n", names[line]);
+      for (const QuadBoundaryEdge& e : edges[line]) print("{}, S{}\n", e.elem + 1, e.side + 1);
+    }
+  }
+
+  void write_node_set(const std::string& name, const std::vector<QuadBoundaryEdge>& edges) {
+    std::vector<int> nodes;
+    for (const QuadBoundaryEdge& e : edges)
+      for (int k = 0; k <= quads_.order; ++k) nodes.push_back(numbers_[side_node(quads_, e.elem, e.side, k)]);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    print("*NSET, NSET={}\n", name);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      print("{}{}", nodes[k], (k + 1) % numbers_a_line == 0 || k + 1 == nodes.size() ? "\n" : ", ");
+  }
+
+  const QuadMesh& quads_;
+  const Frame& frame_;
+  const Groups& lines_;
+  std::vector<int> numbers_;  ///< by mesh node, from 1; 0: it is not written
+};
+
+void require_radii(const QuadMesh& quads, const Frame& frame) {
+  double least = 0;
+  for (const Vec2 x : quads.nodes) least = std::min(least, frame.at(x)[0]);
+  if (least < -1e-12 * quads.face.diameter)
+    throw ComputeError(
+        fmt::format("x is the radius of axisymmetric elements, and the mesh begins at x = {:g}: move the drawing so "
+                    "that the axis is x = 0 and the mesh on its right",
+                    least));
+}
+
+/// What the elements of 8 nodes lose of those of 9.
+std::string middle_loss(const QuadMesh& quads) {
+  if (quads.order == 1) return {};
+  const double moved = transfinite_loss(quads, RebuiltFrom::sides, "CalculiX").interior;
+  if (moved <= 1e-12 * quads.face.diameter) return {};
+  return fmt::format("nodes in the middle of elements are not stored, which moves these middles by up to {}",
+                     length_text(moved, quads.face.diameter));
+}
+
+Exported abaqus(const QuadMesh& mesh, const Frame& frame, const char* type) {
+  const QuadMesh quads = split_to_quadratic(mesh);
+  require_valid_pieces(quads, "Abaqus elements");
+  const Groups lines = lines_as_boundaries(mesh_groups(mesh));
+  Exported exported;
+  exported.add_loss(split_loss(mesh, quads));
+  exported.add_loss(middle_loss(quads));
+  const PlainNames words = add_plain_names(lines, true, set_names, exported);
+  exported.bytes = AbaqusWriter(quads, frame, lines).text(type, words);
+  return exported;
+}
+
+}  // namespace
+
+Exported abaqus_cps(const QuadMesh& mesh, const Frame& frame) { return abaqus(mesh, frame, "CPS"); }
+Exported abaqus_cpe(const QuadMesh& mesh, const Frame& frame) { return abaqus(mesh, frame, "CPE"); }
+
+Exported abaqus_cax(const QuadMesh& mesh, const Frame& frame) {
+  require_radii(mesh, frame);
+  return abaqus(mesh, frame, "CAX");
+}
+
+}  // namespace quadrille::exports

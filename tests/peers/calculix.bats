@@ -1,0 +1,99 @@
+# CalculiX solves on our meshes: a pipe under inner pressure, whose displacement Lamé gave in 1852.
+load common
+
+setup() {
+  common_setup
+  need calculix-ccx
+}
+
+# job: the file job.inp, for the mesh in pipe.inp.
+job() {
+  cat >job.inp <<'END'
+*INCLUDE, INPUT=pipe.inp
+*MATERIAL, NAME=STEEL
+*ELASTIC
+210000, 0.3
+*SOLID SECTION, ELSET=EALL, MATERIAL=STEEL
+1
+*BOUNDARY
+bottom, 2, 2
+left, 1, 1
+*STEP
+*STATIC
+*DSLOAD
+inner, P, 100
+*NODE PRINT, NSET=NALL
+U
+*END STEP
+END
+}
+
+# error KIND: the greatest error of the radial displacement at a node, relative to the greatest displacement.
+error() {
+  run -0 ccx job
+  refute_output --partial '*ERROR'
+  "$PYTHON" - "$1" <<'END'
+import re, sys
+nodes, moved = {}, {}
+inside = False
+for line in open("pipe.inp"):
+    if line.startswith("*"):
+        inside = line.startswith("*NODE")
+    elif inside:
+        number, x, y, _ = line.split(",")
+        nodes[int(number)] = float(x), float(y)
+for line in open("job.dat"):
+    words = line.split()
+    if len(words) == 4 and words[0].isdigit():
+        moved[int(words[0])] = tuple(map(float, words[1:3]))
+# E, nu of plane strain as those of plane stress; inner and outer radius
+a, b = (f(x * x + y * y for x, y in nodes.values()) ** 0.5 for f in (min, max))
+E, nu, p = 210000.0, 0.3, 100.0
+if sys.argv[1] == "CPE":
+    E, nu = E / (1 - nu * nu), nu / (1 - nu)
+worst = 0.0
+for number, (x, y) in nodes.items():
+    r = (x * x + y * y) ** 0.5
+    u = p * a * a / (E * (b * b - a * a)) * ((1 - nu) * r + (1 + nu) * b * b / r)
+    worst = max(worst, abs(moved[number][0] - u * x / r), abs(moved[number][1] - u * y / r))
+print(worst / (p * a / (E * (b * b - a * a)) * ((1 - nu) * a * a + (1 + nu) * b * b)))
+END
+}
+
+@test "plane stress and plane strain: displacements converge to Lamé's" {
+  local kind format order errors size
+  "$ROOT/pipelines/quadmesh" -q "$DATA/quarter_annulus.step" --name bottom=0 --name outer=1 --name left=2 \
+    --name inner=3 --until blocksplit --workdir .
+  job
+  for kind in CPS:abaqus CPE:abaqus-cpe; do
+    IFS=: read -r kind format <<<"$kind"
+    for order in 1 2; do
+      errors=()
+      for size in 0.2 0.1; do
+        quadrefine -q --order $order --size $size --geometry-tol 1 quarter_annulus.blocks.h5 -o a.quad.h5
+        quadexport -q --format "$format" a.quad.h5 -o pipe.inp
+        errors+=("$(error $kind)")
+      done
+      # Twice as many elements along each side; CalculiX prints six digits.
+      jq -en "${errors[0]} / ${errors[1]} > 0.8 * pow(2; $order + 1) and ${errors[1]} < 3e-3" >/dev/null ||
+        fail "$kind, order $order: ${errors[*]}"
+    done
+  done
+}
+
+@test "CalculiX reads every shape at orders 1, 2 and 4" {
+  local file blocks order
+  while read -r file; do
+    echo "$file"
+    blocks=$(blocks_of "$file")
+    for order in 1 2 4; do
+      quadrefine -q --order $order --geometry-tol 1 "$blocks" -o a.quad.h5
+      quadexport -q --format abaqus a.quad.h5 -o pipe.inp
+      printf '%s\n' '*INCLUDE, INPUT=pipe.inp' '*MATERIAL, NAME=M' '*ELASTIC' '1, 0.3' \
+        '*SOLID SECTION, ELSET=EALL, MATERIAL=M' 1 '*BOUNDARY' 'NALL, 1, 2' '*STEP' '*STATIC' '*END STEP' >job.inp
+      run -0 ccx job
+      refute_output --partial '*ERROR'
+      assert_output --partial 'Job finished'
+    done
+  done < <(shapes)
+}

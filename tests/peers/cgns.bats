@@ -1,0 +1,68 @@
+# CGNS' own checker and VTK read our CGNS files, VTK and the NetCDF library our Exodus files.
+load common
+
+setup() {
+  common_setup
+}
+
+# check FILE: cgnscheck ends with 0 whatever it finds.
+check() {
+  run -0 cgnscheck -v "$1"
+  refute_output --partial ERROR
+  refute_output --regexp '[1-9][0-9]* error'
+  assert_output --partial 'checking complete'
+}
+
+@test "cgnscheck accepts every shape: unstructured of orders 1 to 4, structured, with blocks merged too" {
+  need cgns-convert
+  local file blocks order
+  while read -r file; do
+    echo "$file"
+    blocks=$(blocks_of "$file")
+    for order in 1 2 3 4; do
+      quadrefine -q --order $order --geometry-tol 1 "$blocks" -o a.quad.h5
+      quadexport -q a.quad.h5 -o a.cgns
+      check a.cgns
+    done
+    quadexport -q --format cgns-structured a.quad.h5 -o a.cgns
+    check a.cgns
+    zones=$(grep -c 'reading zone' <<<"$output")
+    quadexport -q --format cgns-structured --merge-blocks a.quad.h5 -o b.cgns
+    check b.cgns
+    ((zones >= $(grep -c 'reading zone' <<<"$output"))) || fail "more grids than blocks"
+  done < <(shapes)
+}
+
+@test "the NetCDF library reads what is on the page of Exodus" {
+  need netcdf-bin
+  quadrefine -q --order 2 "$(blocks_of "$DATA/half_disc.step")" | quadexport -q -o a.exo
+  run -0 ncdump -v ss_names,eb_names a.exo
+  assert_output --partial '"curve_0"'
+  assert_output --partial '"domain"'
+  assert_output --partial 'connect1:elem_type = "QUAD9"'
+}
+
+@test "VTK reads Exodus: cells, points and area" {
+  need python3-vtk9
+  local order
+  for order in 1 2; do
+    quadrefine -q --order $order --size 0.1 --geometry-tol 1 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
+    quadexport -q a.quad.h5 -o a.exo --report a.json
+    run -0 "$PYTHON" - a.exo "$(jq .quads a.json)" "$(jq .nodes a.json)" <<'END'
+import sys
+import vtk
+reader = vtk.vtkExodusIIReader()
+reader.SetFileName(sys.argv[1])
+reader.UpdateInformation()
+reader.Update()
+block = reader.GetOutput().GetBlock(0).GetBlock(0)
+assert block.GetNumberOfCells() == int(sys.argv[2]) and block.GetNumberOfPoints() == int(sys.argv[3])
+sizes = vtk.vtkCellSizeFilter()
+sizes.SetInputData(block)
+sizes.Update()
+areas = sizes.GetOutput().GetCellData().GetArray("Area")
+area = sum(areas.GetValue(k) for k in range(block.GetNumberOfCells()))
+assert abs(area - 3.14159265 / 2) < 0.01, area
+END
+  done
+}

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "cell_masks.hpp"
+#include "export/cgns_request.hpp"
+#include "export/merge_blocks.hpp"
+#include "export/writers.hpp"
+#include "two_quads.hpp"
+
+namespace quadrille::exports {
+namespace {
+
+TEST(CgnsRequest, ReadsBackWhatWasWritten) {
+  const QuadMesh mesh = two_quads();
+  for (auto* write : {cgns_unstructured, cgns_structured}) {
+    const std::string bytes = write(mesh, plane_frame(mesh.face)).bytes;
+    EXPECT_EQ(to_bytes(cgns_request(bytes)), bytes);
+    EXPECT_THROW(cgns_request(bytes.substr(0, bytes.size() - 1)), Defect);
+    EXPECT_THROW(cgns_request(bytes + "x"), Defect);
+  }
+}
+
+TEST(Cgns, SectionsAreRegionsAndBoundaries) {
+  const QuadMesh mesh = two_quads();
+  const CgnsRequest request = cgns_request(cgns_unstructured(mesh, plane_frame(mesh.face)).bytes);
+  ASSERT_EQ(request.zones.size(), 1u);
+  const CgnsZone& zone = request.zones[0];
+  EXPECT_EQ(zone.size, (std::vector<std::int64_t>{15, 2}));
+  EXPECT_EQ(zone.x.size(), 2u);
+  ASSERT_EQ(zone.sections.size(), 5u);
+  EXPECT_EQ(zone.sections[0].name, "left");
+  EXPECT_EQ(zone.sections[0].type, "QUAD_9");
+  EXPECT_EQ(zone.sections[0].nodes, (std::vector<std::int64_t>{1, 3, 13, 11, 2, 8, 12, 6, 7}));
+  EXPECT_EQ(zone.sections[2].name, "wall");
+  EXPECT_EQ(zone.sections[2].type, "BAR_3");
+  EXPECT_EQ(zone.sections[2].first, 3);
+  EXPECT_EQ(zone.sections[2].count, 4);
+  EXPECT_EQ(zone.sections[3].name, "in___out");
+  ASSERT_EQ(zone.boundaries.size(), 3u);
+  EXPECT_EQ(zone.boundaries[0].range, (std::array<std::int64_t, 4>{3, 0, 6, 0}));
+  EXPECT_EQ(request.families[0].boundary, "BCWall");
+  EXPECT_EQ(request.families[1].boundary, "UserDefined");
+}
+
+/// The order of the ring inside, and its middle last.
+TEST(Cgns, NodesOfOrderFourAreRings) {
+  QuadMesh mesh = mesh_of_mask({"#"});
+  mesh.order = 4;
+  mesh.nodes.clear(), mesh.elem_nodes.clear();
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i) {
+      mesh.elem_nodes.push_back(static_cast<int>(mesh.nodes.size()));
+      mesh.nodes.push_back({0.25 * i, 0.25 * j});
+    }
+  const CgnsRequest request = cgns_request(cgns_unstructured(mesh, plane_frame(mesh.face)).bytes);
+  EXPECT_EQ(request.zones[0].sections[0].nodes,
+            (std::vector<std::int64_t>{1,  5,  25, 21, 2, 3, 4,  10, 15, 20, 24, 23, 22,
+                                       16, 11, 6,  7,  8, 9, 14, 19, 18, 17, 12, 13}));
+}
+
+/// Own index of a donor's point by the transform, as the standard defines it.
+TEST(Cgns, TransformsMapRangesOntoThoseOfTheDonor) {
+  for (const QuadMesh& mesh : {mesh_of_mask({"###", "#.#", "###"}), ring_of_cells(8, 3), ring_of_cells(3, 1)})
+    for (const QuadMesh& blocks : {mesh, merge_blocks(mesh)}) {
+      const CgnsRequest request = cgns_request(cgns_structured(blocks, plane_frame(mesh.face)).bytes);
+      int count = 0;
+      for (const CgnsZone& zone : request.zones)
+        for (const CgnsConnection& c : zone.connections) {
+          std::array<std::int64_t, 2> end{c.donor_range[0], c.donor_range[1]};
+          for (int own = 0; own < 2; ++own) {
+            const int donor = static_cast<int>(std::abs(c.transform[own])) - 1;
+            end[donor] += (c.transform[own] > 0 ? 1 : -1) * (c.range[2 + own] - c.range[own]);
+          }
+          EXPECT_EQ(end, (std::array<std::int64_t, 2>{c.donor_range[2], c.donor_range[3]}));
+          const std::array<bool, 2> negative{c.transform[0] < 0, c.transform[1] < 0};
+          const bool is_swapped = std::abs(c.transform[0]) == 2;
+          EXPECT_EQ(is_swapped, negative[0] != negative[1]) << "grids are counter-clockwise";
+          ++count;
+        }
+      EXPECT_GT(count, 0);
+    }
+}
+
+}  // namespace
+}  // namespace quadrille::exports
