@@ -1,4 +1,4 @@
-// Writes a quad mesh, or the blocks it was made from, in the formats of other programs.
+// Writes a quad mesh, the blocks it was made from, or hexahedra, in the formats of other programs.
 
 #include "stage/quadexport.hpp"
 
@@ -29,7 +29,12 @@ std::vector<stage::OutputFile> exported(const std::string& input, const std::str
   s.begin_phase("read");
   const io::InputFile file = io::read_input(input);
   if (is_step) return {stage::quadexport_step({file.bytes, file}, output, options, s)};
-  return stage::quadexport(io::read_stage<QuadMesh>(file), file.name, output, options, s);
+  StageModel model = io::read_any_stage(file);
+  if (auto* hexes = std::get_if<HexMesh>(&model))
+    return stage::quadexport(std::move(*hexes), file.name, output, options, s);
+  if (auto* quads = std::get_if<QuadMesh>(&model))
+    return stage::quadexport(std::move(*quads), file.name, output, options, s);
+  return stage::quadexport(io::read_stage<QuadMesh>(file), file.name, output, options, s);  // which refuses it
 }
 
 }  // namespace
@@ -42,18 +47,19 @@ int main(int argc, char** argv) {
   tool.name = "quadexport";
   tool.summary = "writes a mesh or its blocks for other programs";
   tool.description =
-      "Writes a quad mesh in the format of a solver, with the names of boundaries and blocks and with the nodes that "
+      "Writes a quad mesh, or hexahedra, in the format of a solver, with the names of boundaries and blocks and with "
+      "the nodes that "
       "the format defines. What the format cannot represent is reported on standard error, with the magnitude of the "
       "loss. A block layout is written as a STEP model of faces that share their edges and have the names of their "
       "regions. The format follows from the ending of the output, or from --format; standard output is MSH by default. "
       "Formats: " +
       format_list() + ".";
-  tool.examples = {"quadexport half_disc.quad.h5 -o half_disc.msh",
-                   "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
-                   "quadexport --unit m half_disc.quad.h5 -o half_disc.xml",
-                   "quadexport half_disc.blocks.h5 -o half_disc.blocks.step"};
+  tool.examples = {
+      "quadexport half_disc.quad.h5 -o half_disc.msh", "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
+      "quadexport --unit m half_disc.quad.h5 -o half_disc.xml", "quadexport half_disc.hex.h5 -o half_disc.vtu",
+      "quadexport half_disc.blocks.h5 -o half_disc.blocks.step"};
   tool.options = [&](Options& o) {
-    o.input("INPUT", input, "quad mesh (x.quad.h5); for .step a block layout (x.blocks.h5)");
+    o.input("INPUT", input, "quad mesh (x.quad.h5) or hexahedra (x.hex.h5); for .step a block layout (x.blocks.h5)");
     o.output(output, "file to write");
     declare(o, options);
   };

@@ -97,8 +97,13 @@ class HexNumbers {
     const int number = faces_.number(key);
     if (number == result_.num_faces())
       result_.faces.push_back({elem, face});
+    else if (NumberedHexFace& first = result_.faces[number]; first.other_elem < 0)
+      first.other_elem = elem, first.other_face = face;
     else
-      result_.faces[number].other_elem = elem, result_.faces[number].other_face = face;
+      throw ComputeError(
+          fmt::format("two faces at {} join the same vertices and cannot be distinguished: refine the "
+                      "mesh, or give it order 2",
+                      position_text(mesh_.nodes[elem_nodes_[local[0]]])));
     result_.elem2faces[6 * elem + face] = number;
   }
 

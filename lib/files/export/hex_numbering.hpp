@@ -27,6 +27,10 @@ inline constexpr std::array<std::array<int, 2>, 12> hex_edge_corners{
 inline constexpr std::array<std::array<int, 4>, 6> hex_face_corners{
     {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {3, 2, 1, 0}, {4, 5, 6, 7}}};
 
+/// The same from the corner where both coordinates begin, the first of them first.
+inline constexpr std::array<std::array<int, 4>, 6> directed_hex_face_corners{
+    {{0, 1, 5, 4}, {1, 2, 6, 5}, {3, 2, 6, 7}, {0, 3, 7, 4}, {0, 1, 2, 3}, {4, 5, 6, 7}}};
+
 /// Faces in the order in which they are numbered.
 inline constexpr std::array<int, 6> hex_face_order{4, 0, 1, 2, 3, 5};
 

@@ -175,19 +175,15 @@ class IsmWriter : TextWriter {
   const HohqmeshModel& model_;
 };
 
-/// Trixi.jl compares the second line, its leading blank included, and finds the order as the sixth word of its line.
-constexpr const char* heading = "*Heading\n File created by HOHQMesh\n";
-constexpr const char* second_part = "** ***** HOHQMesh boundary information ***** **\n** mesh polynomial degree = {}\n";
-
 class InpWriter : TextWriter {
  public:
   InpWriter(const QuadMesh& mesh, const HohqmeshModel& model, const PeriodicVertices& periodic)
       : mesh_(mesh), model_(model), periodic_(periodic) {}
 
   std::string text() {
-    print(heading);
+    print(inp_heading);
     write_straight_quads();
-    print(second_part, mesh_.order);
+    print(inp_second_part, mesh_.order);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) write_sides(elem);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) write_names(elem);
     return std::move(out_);

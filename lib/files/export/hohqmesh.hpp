@@ -49,6 +49,12 @@ void join_periodic_edges(const QuadMesh& mesh, HohqmeshModel& model);
 /// A sentence about the other periodic pairs; empty if there are none.
 std::string rotation_loss(const CadFace& face);
 
+/// Trixi.jl compares the second line of an .inp, its leading blank included, and finds the order as the sixth word of
+/// its line.
+inline constexpr const char* inp_heading = "*Heading\n File created by HOHQMesh\n";
+inline constexpr const char* inp_second_part =
+    "** ***** HOHQMesh boundary information ***** **\n** mesh polynomial degree = {}\n";
+
 /// The mesh nodes of a side in its local direction, both ends included.
 std::vector<int> hohqmesh_side(const QuadMesh& mesh, int elem, int side);
 

@@ -12,10 +12,6 @@
 namespace quadrille::exports {
 namespace {
 
-/// The corners of the faces of HexMesh from that on where both directions begin, so that edges run along them.
-constexpr std::array<std::array<int, 4>, 6> directed_face_corners{
-    {{0, 1, 5, 4}, {1, 2, 6, 5}, {3, 2, 6, 7}, {0, 3, 7, 4}, {0, 1, 2, 3}, {4, 5, 6, 7}}};
-
 int edge_between(int from, int to) {
   return static_cast<int>(std::find(hex_edge_corners.begin(), hex_edge_corners.end(), std::array<int, 2>{from, to}) -
                           hex_edge_corners.begin());
@@ -53,7 +49,7 @@ class NektarHexWriter : NektarText {
 
   /// Along the first direction, opposite to the second, and so on: the sides of a quad of Nektar++.
   std::array<int, 4> edges_of_face(const NumberedHexFace& face) const {
-    const std::array<int, 4>& c = directed_face_corners[face.face];
+    const std::array<int, 4>& c = directed_hex_face_corners[face.face];
     const std::array<int, 4> local{edge_between(c[0], c[1]), edge_between(c[1], c[2]), edge_between(c[3], c[2]),
                                    edge_between(c[0], c[3])};
     std::array<int, 4> edges{};
@@ -90,7 +86,7 @@ class NektarHexWriter : NektarText {
     for (std::size_t e = 0; e < edges.size(); ++e) is_curved[e] = !is_blend(mesh_, edges[e]);
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const NumberedHexFace& face = numbering_.faces[f];
-      faces[f] = face_nodes(mesh_, face.elem, directed_face_corners[face.face]);
+      faces[f] = face_nodes(mesh_, face.elem, directed_hex_face_corners[face.face]);
       if (is_blend(mesh_, faces[f]))
         faces[f].clear();
       else

@@ -70,6 +70,7 @@ Exported hohqmesh_ism_mm(const QuadMesh& mesh, const Frame& frame);
 /// p4est reads, then curved sides at Chebyshev-Lobatto points and names of sides in comments. Any order; elements as
 /// for ISM, edges as for MFEM.
 Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame);
+Exported abaqus_inp(const HexMesh& mesh);  ///< curved faces at Chebyshev-Lobatto points; nodes inside are lost
 
 /// Nek5000 .re2: corners, quadratic sides, numbers of boundaries; beside it the geometry of full order as a field file
 /// NAME0.f00000 to start from (.par: startFrom = "NAME0.f00000 X") and the table of names. Any order; elements as for

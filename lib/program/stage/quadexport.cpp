@@ -78,7 +78,8 @@ void report_length(const LengthScale& length, Run& run) {
 }
 
 /// Refuses a mesh that is marked as not valid, unless --allow-invalid is given.
-void require_valid_mesh(const QuadMesh& mesh, bool allow_invalid, Run& run) {
+template <typename Mesh>
+void require_valid_mesh(const Mesh& mesh, bool allow_invalid, Run& run) {
   const std::string warning_text = check::validity_warning(mesh);
   if (warning_text.empty()) return;
   if (!allow_invalid) throw ComputeError(warning_text + ": give --allow-invalid to export it");
@@ -109,6 +110,40 @@ std::vector<OutputFile> side_files(exports::Exported& exported, const std::strin
                               output == "-" ? "standard output" : output));
     else
       files.push_back({path_of(side.name, output), std::move(side.bytes), side.is_binary});
+  return files;
+}
+
+void warn_of_trixi(const std::string& output, const std::string& format, const QuadexportOptions& options, Run& run) {
+  if (options.format == "auto" && format == "inp")
+    run.report().warn(warning::ending_of_trixi,
+                      fmt::format("{} is written for Trixi.jl, as --format inp: for Abaqus and CalculiX give --format "
+                                  "abaqus",
+                                  output));
+}
+
+/// `elements`: what its elements are called in the report.
+template <typename Mesh>
+std::vector<OutputFile> exported_files(Mesh mesh, const char* elements, const std::string& file,
+                                       const std::string& output, const QuadexportOptions& options, Run& run) {
+  require_intervals(options);
+  const std::string format = format_of(output, options);
+  if (format == step) throw UsageError("a STEP model is made from blocks, not from a mesh");
+  check::require_sound(mesh, file);
+  require_valid_mesh(mesh, options.allow_invalid, run);
+  warn_of_trixi(output, format, options, run);
+  run.begin_phase("write");
+  run.report().set("format", format);
+  run.report().set(elements, mesh.num_elems());
+  run.report().set("nodes", mesh.nodes.size());
+  const exports::ExportFormat& row = *exports::find_export_format(format);
+  exports::Exported exported = exports::export_mesh(std::move(mesh), row, parsed(options));
+  if (!row.program.empty())
+    exported.bytes =
+        run_program(helper_program(std::string(row.program)), exported.bytes,
+                    fmt::format("{}: the file cannot be made: {} crashed or did not end", file, row.program));
+  report_length(exported.length, run);
+  std::vector<OutputFile> files = side_files(exported, output, run.report());
+  files.push_back({output, std::move(exported.bytes), exported.is_binary});
   return files;
 }
 
@@ -189,30 +224,12 @@ void require_quadexport_of(const CadFace& face, const std::string& output, const
 
 std::vector<OutputFile> quadexport(QuadMesh mesh, const std::string& file, const std::string& output,
                                    const QuadexportOptions& options, Run& run) {
-  require_intervals(options);
-  const std::string format = format_of(output, options);
-  if (format == step) throw UsageError("a STEP model is made from blocks, not from a quad mesh");
-  check::require_sound(mesh, file);
-  require_valid_mesh(mesh, options.allow_invalid, run);
-  if (options.format == "auto" && format == "inp")
-    run.report().warn(warning::ending_of_trixi,
-                      fmt::format("{} is written for Trixi.jl, as --format inp: for Abaqus and CalculiX give --format "
-                                  "abaqus",
-                                  output));
-  run.begin_phase("write");
-  run.report().set("format", format);
-  run.report().set("quads", mesh.num_elems());
-  run.report().set("nodes", mesh.nodes.size());
-  const exports::ExportFormat& row = *exports::find_export_format(format);
-  exports::Exported exported = exports::export_mesh(std::move(mesh), row, parsed(options));
-  if (!row.program.empty())
-    exported.bytes =
-        run_program(helper_program(std::string(row.program)), exported.bytes,
-                    fmt::format("{}: the file cannot be made: {} crashed or did not end", file, row.program));
-  report_length(exported.length, run);
-  std::vector<OutputFile> files = side_files(exported, output, run.report());
-  files.push_back({output, std::move(exported.bytes), exported.is_binary});
-  return files;
+  return exported_files(std::move(mesh), "quads", file, output, options, run);
+}
+
+std::vector<OutputFile> quadexport(HexMesh mesh, const std::string& file, const std::string& output,
+                                   const QuadexportOptions& options, Run& run) {
+  return exported_files(std::move(mesh), "hexahedra", file, output, options, run);
 }
 
 OutputFile quadexport_step(const Input<std::string>& blocks, const std::string& output,

@@ -1,5 +1,5 @@
 #pragma once
-// The stage quadexport: a quad mesh, or the blocks it was made from, in the formats of other programs.
+// The stage quadexport: a quad mesh, the blocks it was made from, or hexahedra, in the formats of other programs.
 
 #include <string>
 #include <vector>
@@ -7,6 +7,7 @@
 #include "base/options.hpp"
 #include "base/run.hpp"
 #include "model/cad_face.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/length_scale.hpp"
 #include "model/quad_mesh.hpp"
 #include "stage/stage_input.hpp"
@@ -55,6 +56,10 @@ struct OutputFile {
 /// messages. Throws FormatError if the mesh breaks a rule, ComputeError if it is marked as not valid or the format does
 /// not support its order, UsageError as above. The phase `write` goes on, for the caller who writes the files.
 std::vector<OutputFile> quadexport(QuadMesh mesh, const std::string& file, const std::string& output,
+                                   const QuadexportOptions& options, Run& run);
+
+/// The same of a hexahedral mesh; UsageError also for a format without hexahedra, and for options of quads.
+std::vector<OutputFile> quadexport(HexMesh mesh, const std::string& file, const std::string& output,
                                    const QuadexportOptions& options, Run& run);
 
 /// The blocks of a block layout, given as the bytes of its file, as a STEP model: made by a program with the CAD kernel
