@@ -27,6 +27,7 @@ struct Samples {
   std::vector<curve::FitPoint> points;
   Vec2 start_derivative, end_derivative;
   Vec3 start_normal;
+  Vec2 start_uv;
 };
 
 /// Different knots inside (t0, t1).
@@ -74,8 +75,10 @@ class ImageSampler {
       const double speed = norm(surface::derivatives(length.curve(), at_end ? edge.t1 : edge.t0, at_end)[1]);
       return image_slope(*mesh_, edge, at_end) * (speed / (s1 - s0));
     };
-    if (is_first)
-      samples.start_derivative = derivative(false), samples.start_normal = mesh_->normals[first + edge.edge];
+    if (is_first) {
+      samples.start_derivative = derivative(false);
+      samples.start_normal = mesh_->normals[first + edge.edge], samples.start_uv = mesh_->uv[first + edge.edge];
+    }
     samples.end_derivative = derivative(true);
   }
 
@@ -204,9 +207,24 @@ Vec3 end_direction(const SpaceCurve& curve, bool at_end) {
 
 Vec2 rotated(Vec2 a, double angle) { return a.x * unit(angle) + a.y * left_of(unit(angle)); }
 
+/// Whether a curve starts at a tip, as that of a cone, where the surface has no normal: its normals beside the tip, on
+/// both curves, differ. `uv`: parameters of the joint.
+bool starts_at_tip(const SpaceFace& face, int curve, Vec2 uv) {
+  constexpr double beside = 1e-4, same_normal = 1e-2;  // parts of the curve, and radians
+  if (norm2(face_normal(face, uv)) > 0) return false;
+  const SpaceCurve &before = face.curves[face.face.previous_in_loop(curve)], &after = face.curves[curve];
+  const auto normal_at = [&](const SpaceCurve& c, double part) {
+    const Vec3 x = surface::point(c, c.begin() + part * (c.end() - c.begin()));
+    return face_normal(face, surface::project(face.surface, x, uv).uv);
+  };
+  return norm(normal_at(before, 1 - beside) - normal_at(after, beside)) > same_normal;
+}
+
+double image_angle(Vec2 in, Vec2 out) { return pi - wrap_pi(angle_of(out) - angle_of(in)); }
+
 /// Turns the derivatives on both sides of a joint, by the same angle, so that it has the angle of space.
 void keep_angle(double interior_angle, Vec2& in, Vec2& out) {
-  const double missing = wrap_pi(interior_angle - (pi - wrap_pi(angle_of(out) - angle_of(in))));
+  const double missing = wrap_pi(interior_angle - image_angle(in, out));
   in = rotated(in, missing / 2), out = rotated(out, -missing / 2);
 }
 
@@ -249,8 +267,10 @@ CadFace outline_of_image(const SpaceFace& space_face, const std::vector<SpaceLen
   CadFace face = space_face.face;
   std::vector<double> angles;
   for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
-    angles.push_back(space_angle(space_face, i, samples[i].start_normal));
-    keep_angle(angles[i], samples[face.previous_in_loop(i)].end_derivative, samples[i].start_derivative);
+    Vec2 &in = samples[face.previous_in_loop(i)].end_derivative, &out = samples[i].start_derivative;
+    const bool is_tip = starts_at_tip(space_face, i, samples[i].start_uv);
+    angles.push_back(is_tip ? image_angle(in, out) : space_angle(space_face, i, samples[i].start_normal));
+    keep_angle(angles[i], in, out);
   }
   double size = 0;
   for (const curve::FitPoint& p : samples[0].points)
