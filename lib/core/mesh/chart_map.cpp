@@ -202,9 +202,14 @@ double ChartMap::log_scale(Vec2 x, Vec2& gradient) const {
   return space_z_scale_[at.elem].position(at.xi).y;
 }
 
+// In the tiny triangles at a tip lambda has an error that does not become smaller with them, and so has any gradient.
 double ChartMap::greatest_gradient() const {
+  constexpr double least_variation = 0.01;  // of lambda in a triangle: what is less changes no size
   double greatest = 0;
-  for (int e = 0; e < chart_.num_elems(); ++e)
+  for (int e = 0; e < chart_.num_elems(); ++e) {
+    const auto first = chart_.log_scale.begin() + e * chart_.nodes_per_elem();
+    const auto [least, most] = std::minmax_element(first, first + chart_.nodes_per_elem());
+    if (*most - *least < least_variation) continue;
     for (const Vec2 xi : spectral::tri_nodes(chart_.order)) {
       const Tangents at = tangents({e, xi});
       // |grad lambda|^2 by the metric J^T J.
@@ -213,6 +218,7 @@ double ChartMap::greatest_gradient() const {
       const double square = (g22 * d.x * d.x - 2 * g12 * d.x * d.y + g11 * d.y * d.y) / (g11 * g22 - g12 * g12);
       greatest = std::max(greatest, std::sqrt(std::max(0.0, square)));
     }
+  }
   return greatest;
 }
 
