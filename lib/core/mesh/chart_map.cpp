@@ -202,17 +202,25 @@ double ChartMap::log_scale(Vec2 x, Vec2& gradient) const {
   return space_z_scale_[at.elem].position(at.xi).y;
 }
 
+// In the tiny triangles at a tip lambda has an error that does not become smaller with them, and so has any gradient:
+// there it is the variation over a length below all sizes.
 double ChartMap::greatest_gradient() const {
+  constexpr double least_length = 1e-3;  // diameters
   double greatest = 0;
-  for (int e = 0; e < chart_.num_elems(); ++e)
+  for (int e = 0; e < chart_.num_elems(); ++e) {
+    double in_triangle = 0;
     for (const Vec2 xi : spectral::tri_nodes(chart_.order)) {
       const Tangents at = tangents({e, xi});
       // |grad lambda|^2 by the metric J^T J.
       const double g11 = norm2(at.first), g12 = dot(at.first, at.second), g22 = norm2(at.second);
       const Vec2 d = at.log_scale;
       const double square = (g22 * d.x * d.x - 2 * g12 * d.x * d.y + g11 * d.y * d.y) / (g11 * g22 - g12 * g12);
-      greatest = std::max(greatest, std::sqrt(std::max(0.0, square)));
+      in_triangle = std::max(in_triangle, std::sqrt(std::max(0.0, square)));
     }
+    const auto first = chart_.log_scale.begin() + e * chart_.nodes_per_elem();
+    const auto [least, most] = std::minmax_element(first, first + chart_.nodes_per_elem());
+    greatest = std::max(greatest, std::min(in_triangle, (*most - *least) / (least_length * face_.diameter)));
+  }
   return greatest;
 }
 

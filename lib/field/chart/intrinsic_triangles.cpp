@@ -41,11 +41,13 @@ class Builder {
     measure();
   }
 
+  // Triangles of the kernel with a corner at a pole may have all corners on one line of the surface. A side of these
+  // would be halved at a point where a vertex is already: they are flipped before.
   IntrinsicTriangles made() {
+    flip_sides();
+    measure();
     while (result_.triangles.size() < most_triangles && split_sides()) continue;
-    suspects_.clear();
-    for (int side = 0; side < num_sides(); ++side) suspects_.push_back(side);
-    flip_suspects();
+    flip_sides();
     return std::move(result_);
   }
 
@@ -63,12 +65,13 @@ class Builder {
 
   void glue();
   void measure();
-  void flip_suspects();
+  void flip_sides();
   void flip_if_better(int side);
   bool split_sides();
   void split(int side);
   double turn(int side) const;
   bool is_to_be_split(int side) const;
+  Vec2 middle_uv(int side) const;
   std::pair<Vec3, Vec2> middle(int side) const;
   void set(int t, const std::array<int, 3>& vertices, const std::array<Vec2, 3>& uv,
            const std::array<double, 3>& lengths, const std::array<int, 3>& across);
@@ -111,7 +114,9 @@ void Builder::measure() {
 
 // Of two diagonals of a convex quadrangle, the Delaunay one has the greater least angle; angles only grow, so that this
 // comes to an end.
-void Builder::flip_suspects() {
+void Builder::flip_sides() {
+  suspects_.clear();
+  for (int side = 0; side < num_sides(); ++side) suspects_.push_back(side);
   for (std::size_t i = 0; i < suspects_.size(); ++i)
     if (across(suspects_[i]) >= 0) flip_if_better(suspects_[i]);
   suspects_.clear();
@@ -143,7 +148,8 @@ void Builder::flip_if_better(int side) {
   const double cd = std::sqrt(std::max(l_ca * l_ca + l_ad * l_ad - 2 * l_ca * l_ad * std::cos(at_a), 0.0));
   const double before = std::min(least_angle(ab, l_bc, l_ca), least_angle(ab, l_ad, l_db));
   if (!(std::min(least_angle(l_ad, cd, l_ca), least_angle(l_db, l_bc, cd)) > before + least_gain)) return;
-  const Vec2 uv_d = uv(db) + whole_periods(uv(bc) - uv(other));
+  const bool is_b_a_pole = norm2(face_normal(face_, uv(bc))) == 0;  // whose parameters differ from triangle to triangle
+  const Vec2 uv_d = uv(db) + whole_periods(is_b_a_pole ? uv(side) - uv(ad) : uv(bc) - uv(other));
   const std::array uv_one{uv(side), uv_d, uv(ca)}, uv_two{uv_d, uv(bc), uv(ca)};
   const int one = side / 3, two = other / 3;
   const std::array across_one{across(ad), 3 * two + 2, across(ca)}, across_two{across(db), across(bc), 3 * one + 1};
@@ -174,10 +180,16 @@ bool Builder::split_sides() {
   return has_split;
 }
 
+/// The mean of the parameters of both ends.
+Vec2 Builder::middle_uv(int side) const {
+  const CornerParameters a = corner_parameters(face_, uv(side)), b = corner_parameters(face_, uv(next(side)));
+  return blended_parameters(face_, {0.5, 0.5, 0}, {a, b, b});
+}
+
 /// The point of the surface, or of the curve, in the middle of a side, with its parameters. Those in the middle say
 /// nothing where a triangle has a pole inside.
 std::pair<Vec3, Vec2> Builder::middle(int side) const {
-  const Vec2 uv_middle = (uv(side) + uv(next(side))) / 2;
+  const Vec2 uv_middle = middle_uv(side);
   if (across(side) >= 0) {
     const Vec3 chord = (result_.vertices[vertex(side)] + result_.vertices[vertex(next(side))]) / 2;
     const Vec3 x = surface::point(face_.surface, uv_middle);
@@ -221,7 +233,7 @@ void Builder::split(int side) {
     result_.boundary_edges.push_back(end);
     return;
   }
-  const Vec2 uv_other = uv_m + whole_periods((uv(other) + uv(next(other))) / 2 - uv_m);
+  const Vec2 uv_other = uv_m + whole_periods(middle_uv(other) - uv_m);
   const int second = num_sides();  // m b
   halve(side, uv_m, other, other);
   halve(other, uv_other, second, 3 * (side / 3));

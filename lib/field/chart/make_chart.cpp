@@ -25,6 +25,7 @@ namespace {
 struct ChartConstants {
   int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
   int most_meshes = 8, most_elements = 5000, most_refinements = 3;
+  double most_folded = 0.1;      ///< part of the elements
   int dear_elements = 1500;      ///< from which meeting the goal is enough
   double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
@@ -85,17 +86,15 @@ void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, doubl
   }
 }
 
-/// Half the size where elements are folded; returns whether there are any.
-bool add_sizes_of_folded(const SurfaceMesh& mesh, std::vector<SizePoint>& sizes) {
-  const std::vector<int> folded = folded_elements(mesh);
-  for (const int e : folded) {
+/// A third of the size of these elements.
+void add_third_sizes(const SurfaceMesh& mesh, const std::vector<int>& elems, std::vector<SizePoint>& sizes) {
+  for (const int e : elems) {
     const std::array<int, 3>& v = mesh.plane.elem2vertices[e];
     double longest = 0;
     for (int k = 0; k < 3; ++k)
       longest = std::max(longest, distance(mesh.plane.vertices[v[k]], mesh.plane.vertices[v[(k + 1) % 3]]));
     for (const int k : v) sizes.push_back({mesh.plane.vertices[k], longest / 3, 0});
   }
-  return !folded.empty();
 }
 
 /// Moves the image: the longest curve runs to the right (the first of equal ones), from its start to its end or, if it
@@ -194,17 +193,31 @@ class Judge {
       made.fit.closedness, worst_closedness, position_text(at)));
 }
 
+[[noreturn]] void refuse_folded(const SurfaceMesh& mesh, int elem) {
+  const Vec3* const corners = &mesh.nodes[static_cast<std::size_t>(mesh.nodes_per_elem()) * elem];
+  throw ComputeError(
+      fmt::format("the face has no chart: its elements turn over near {}, where two edges lie upon each other, or the "
+                  "surface bends too sharply or has no normal; remove such edges, or cut the face there, in the CAD "
+                  "system",
+                  position_text((corners[0] + corners[1] + corners[2]) / 3)));
+}
+
 /// Where elements have no size or no normal, the chart has no numbers.
 void require_finite(const MadeChart& made) {
   if (std::isfinite(made.fit.closedness)) return;
   const auto broken = std::find_if(made.fit.elem_squares.begin(), made.fit.elem_squares.end(),
                                    [](double part) { return !std::isfinite(part); });
-  const Vec3 at = place_of(made.mesh, static_cast<int>(broken - made.fit.elem_squares.begin())).middle;
-  throw ComputeError(
-      fmt::format("the face has no chart: its elements turn over near {}, where two edges lie upon each other, or the "
-                  "surface bends too sharply or has no normal; remove such edges, or cut the face there, in the CAD "
-                  "system",
-                  position_text(at)));
+  refuse_folded(made.mesh, static_cast<int>(broken - made.fit.elem_squares.begin()));
+}
+
+/// Smaller sizes where elements are folded; returns whether there are any. Throws ComputeError where many are folded
+/// although they are small: then the surface itself turns over.
+bool add_sizes_of_folded(const SurfaceMesh& mesh, std::vector<SizePoint>& sizes) {
+  const std::vector<int> folded = folded_elements(mesh);
+  const bool are_many = static_cast<double>(folded.size()) > constants.most_folded * mesh.num_elems();
+  if (are_many && mesh.num_elems() > constants.most_elements) refuse_folded(mesh, folded.front());
+  add_third_sizes(mesh, folded, sizes);
+  return !folded.empty();
 }
 
 /// Meshes the outline of the last image and makes a new one, until it is closed or no longer becomes better.

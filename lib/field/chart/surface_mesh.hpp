@@ -1,6 +1,7 @@
 #pragma once
 // Triangles of order P on a curved face: nodes on the surface, exact on the boundary curves.
 
+#include <array>
 #include <vector>
 
 #include "chart/space_length.hpp"
@@ -31,6 +32,20 @@ std::vector<int> folded_elements(const SurfaceMesh& mesh);
 
 /// The unit normal of the face; zero where the parametrisation of the surface degenerates.
 Vec3 face_normal(const SpaceFace& face, Vec2 uv);
+
+/// Parameters of a corner of a triangle. At a pole, a side of the domain that is one point, all values of the parameter
+/// along the side are right, so that none counts.
+struct CornerParameters {
+  Vec2 uv;
+  bool has_u = true, has_v = true;
+};
+
+CornerParameters corner_parameters(const SpaceFace& face, Vec2 uv);
+
+/// The parameters of a point of a triangle, in the middle of those of its corners with these weights: in the period of
+/// the greatest weight, and without those that do not count.
+Vec2 blended_parameters(const SpaceFace& face, const std::array<double, 3>& weights,
+                        const std::array<CornerParameters, 3>& corners);
 
 /// Makes nodes of `order` for the triangles of `plane`, a mesh of the image of `last`: vertices are lifted by `last`,
 /// inner nodes lie on the surface nearest to the blended triangle. `lengths`: of the curves. Throws ComputeError,

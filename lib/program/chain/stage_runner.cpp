@@ -83,6 +83,15 @@ void limit_own_memory(const Budget& budget, int num_threads) {
   limit_data(most - std::min<std::size_t>(most, of_files) + num_stacks * stack);
 }
 
+/// What the chart of a curved face took in the run of its triangles.
+Used used_for_chart(const io::StageReport& report) {
+  const auto seconds = [&](const std::string& clock) {
+    const std::optional<std::string> text = io::value_of(report, "timings.chart." + clock);
+    return text ? std::stod(*text) : 0.0;
+  };
+  return {seconds("cpu_seconds"), seconds("wall_seconds")};
+}
+
 }  // namespace
 
 std::vector<std::string> command_words(const StageTask& task, const ChainOptions& options) {
@@ -179,6 +188,7 @@ StageEnd StageRunner::run_in_child(const StageTask& task, Share share) {
     return {ExitCode::no_result, *child.stopped, {}, true, {task.name, report_of_stopped(tool, *child.stopped, child)}};
   end.code = static_cast<ExitCode>(child.code);
   end.report = {task.name, report_in(report)};
+  budget_.move_to_helper(used_for_chart(end.report));
   end.message = io::value_of(end.report, "error").value_or("");
   if (child.code > of_signal) end.message = fmt::format("ended by signal {}", child.code - of_signal);
   if (child.code != 0 && !io::value_of(end.report, "tool")) {

@@ -84,6 +84,19 @@ TEST(Budget, counts_helpers_but_not_as_the_triangles) {
             "not started after 8.10 s of CPU time of all stages: --max-seconds is 8");
 }
 
+// Nine seconds for a chart and its triangles, eight of them for the chart.
+TEST(Budget, keeps_no_more_for_a_slow_chart) {
+  Budget budget({.seconds = 80});
+  budget.add_run({9, 9});
+  EXPECT_EQ(budget.limits_of(Share::most).cpu_seconds, 35.0);
+  budget.move_to_helper({8, 8});
+  EXPECT_EQ(budget.limits_of(Share::most).cpu_seconds, 60.0);
+  EXPECT_EQ(budget.limits_of(Share::most).wall_seconds, 60.0);
+  budget.add_run({71.5, 0});
+  EXPECT_EQ(budget.reason_to_stop(Share::all, nullptr),
+            "not started after 80.50 s of CPU time of all stages: --max-seconds is 80");
+}
+
 TEST(Budget, is_limited_by_seconds_or_memory) {
   EXPECT_FALSE(Budget().is_limited());
   EXPECT_TRUE(Budget({.seconds = 1}).is_limited());

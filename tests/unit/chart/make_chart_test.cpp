@@ -7,11 +7,13 @@
 #include <complex>
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "check/check.hpp"
 #include "curve/nurbs.hpp"
+#include "mesh/chart_map.hpp"
 #include "space_faces.hpp"
 
 namespace quadrille {
@@ -67,6 +69,33 @@ TEST(MakeChart, DevelopableFacesAreUnrolled) {
   const auto unrolled = [](Vec3 x) { return std::polar(norm(x), -std::atan2(x.y, x.x) / std::sqrt(2)); };
   EXPECT_LT(misfit(*cone.chart, unrolled), 1e-9);
   for (const double scale : cone.chart->log_scale) EXPECT_NEAR(scale, 0, 1e-9);
+}
+
+TEST(MakeChart, ATipHasTheAngleOfTheUnrolledCone) {
+  const double angle = 2.5;
+  const CadFace cone = chart_of(tests::cone_with_apex(angle));
+  const auto unrolled = [](Vec3 x) { return std::polar(norm(x), -std::atan2(x.y, x.x) / std::sqrt(2)); };
+  EXPECT_LT(misfit(*cone.chart, unrolled), 1e-6);
+  const auto tip = std::ranges::find_if(
+      cone.joints, [](const Joint& joint) { return std::abs(joint.interior_angle - half_pi) > 0.1; });
+  ASSERT_NE(tip, cone.joints.end());
+  EXPECT_NEAR(tip->interior_angle, angle / std::sqrt(2), 1e-6);
+  // lambda is 0; its error in the tiny triangles at the tip must not look like a gradient.
+  EXPECT_LT(mesh::ChartMap(cone).greatest_gradient(), 100);
+}
+
+// The face turns over at a cusp, z^2 = x^3, however small its elements are.
+TEST(MakeChart, RefusesASurfaceThatTurnsOver) {
+  NurbsSurface cusp{3, 1, {-1, -1, -1, -1, 1, 1, 1, 1}, {0, 0, 1, 1}, {}, {}};
+  for (const Vec2 p : {Vec2{1, -1}, Vec2{-1.0 / 3, 1}, Vec2{-1.0 / 3, -1}, Vec2{1, 1}})
+    for (const double y : {0.0, 1.0}) cusp.poles.push_back({p.x, y, p.y}), cusp.weights.push_back(1);
+  Report report;
+  try {
+    chart::make_chart(face_of(cusp, {{0, 1, 2, 3}}, 20, 8), {}, report);
+    ADD_FAILURE() << "has a chart";
+  } catch (const ComputeError& e) {
+    EXPECT_NE(std::string(e.what()).find("turn over near"), std::string::npos) << e.what();
+  }
 }
 
 TEST(MakeChart, CapsAreStereographicWithThePoleInside) {

@@ -1,6 +1,7 @@
 #pragma once
 // Faces that are the whole domain of a surface of revolution, with fine triangles of a grid in its parameters.
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -84,6 +85,35 @@ inline SpaceFace face_of(const NurbsSurface& s, const std::vector<std::vector<in
   }
   std::stable_sort(f.boundary_edges.begin(), f.boundary_edges.end(),
                    [](const auto& a, const auto& b) { return a.curve != b.curve ? a.curve < b.curve : a.t0 < b.t0; });
+  return f;
+}
+
+/// A part of the cone x^2 + y^2 = z^2, z <= 1, from its apex, `angle` about z (radians), as a CAD kernel has it: the
+/// apex has the same parameters in all triangles, and one triangle has its corners on one line.
+inline SpaceFace cone_with_apex(double angle) {
+  const NurbsSurface s = revolved(line({0, 0, 0}, {1, 0, 1}), 0, angle);
+  SpaceFace f = face_of(s, {{1, 2, 3}}, 12, 5);
+  const auto number = [&](int i, int j) {
+    const Vec3 x = surface::point(s, {angle * i / 12, j / 5.0});
+    return static_cast<int>(std::min_element(f.vertices.begin(), f.vertices.end(),
+                                             [&](Vec3 a, Vec3 b) { return distance(a, x) < distance(b, x); }) -
+                            f.vertices.begin());
+  };
+  const int apex = number(0, 0), a = number(5, 1), b = number(6, 1), c = number(6, 2);
+  for (std::size_t t = 0; t < f.triangles.size(); ++t) {
+    auto& corners = f.triangles[t];
+    const auto has = [&](int v) { return std::count(corners.begin(), corners.end(), v) > 0; };
+    for (int k = 0; k < 3 && has(a) && has(b); ++k) {  // the diagonal a b of a, b, c and the apex becomes apex c
+      const bool is_inner = has(apex);
+      if (corners[k] == (is_inner ? b : a)) {
+        corners[k] = is_inner ? c : apex;
+        f.triangle_uv[t][k] = is_inner ? Vec2{angle / 2, 0.4} : Vec2{};
+        break;
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+      if (corners[k] == apex) f.triangle_uv[t][k] = {0, 0};
+  }
   return f;
 }
 
