@@ -1,5 +1,6 @@
 """What the readers of hexahedra return, with its measures. No code is shared with the writers."""
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy
 
@@ -42,19 +43,24 @@ def lagrange(points, at):
     return values, slopes
 
 
+@cache
+def tables(order, count):
+    """Values and derivatives at Gauss points, and their weights."""
+    at, weights = numpy.polynomial.legendre.leggauss(count)
+    return *lagrange(gll_points(order), at), weights
+
+
 def dets(mesh):
     """det J [element, point] at Gauss points of [-1, 1]^3, and their weights."""
-    at, weights = numpy.polynomial.legendre.leggauss(mesh.order * 2 + 1)
-    value, slope = lagrange(gll_points(mesh.order), at)
-    columns = [numpy.einsum("gk,hj,fi,ekjia->eghfa", *tables, mesh.nodes, optimize=True)
-               for tables in ((value, value, slope), (value, slope, value), (slope, value, value))]
+    value, slope, weights = tables(mesh.order, 2 * mesh.order + 1)
+    columns = [numpy.einsum("gk,hj,fi,ekjia->eghfa", *three, mesh.nodes, optimize=True)
+               for three in ((value, value, slope), (value, slope, value), (slope, value, value))]
     found = numpy.linalg.det(numpy.stack(columns, axis=-1))
     return found.reshape(len(found), -1), numpy.einsum("i,j,k->ijk", weights, weights, weights).ravel()
 
 
 def area(mesh, elem, face):
-    at, weights = numpy.polynomial.legendre.leggauss(24)
-    value, slope = lagrange(gll_points(mesh.order), at)
+    value, slope, weights = tables(mesh.order, 24)
     x = mesh.face_nodes(elem, face)
     u, v = numpy.einsum("gb,ha,bac->ghc", value, slope, x), numpy.einsum("gb,ha,bac->ghc", slope, value, x)
     return float(weights @ numpy.linalg.norm(numpy.cross(u, v), axis=2) @ weights)
