@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "export/abaqus_text.hpp"
 #include "export/groups.hpp"
 #include "export/renode.hpp"
 #include "export/split_elements.hpp"
@@ -12,20 +13,7 @@
 namespace quadrille::exports {
 namespace {
 
-/// CalculiX reads no more of a number.
-constexpr std::size_t longest_number = 20;
-constexpr int numbers_a_line = 16;
-/// CalculiX' greatest length of the name of a set; upper and lower case are the same.
-const WordRules set_names{{"NALL", "EALL"}, 80, true};
-
-/// The shortest digits that read back to the same bits or, if those are too long, as many as fit.
-std::string short_number(double x) {
-  std::string text = fmt::format("{}", x);
-  for (int digits = 17; text.size() > longest_number; --digits) text = fmt::format("{:.{}g}", x, digits);
-  return text;
-}
-
-class AbaqusWriter : TextWriter {
+class AbaqusWriter : AbaqusText {
  public:
   AbaqusWriter(const QuadMesh& quads, const Frame& frame, const Groups& lines)
       : quads_(quads), frame_(frame), lines_(lines) {
@@ -57,7 +45,7 @@ class AbaqusWriter : TextWriter {
     for (std::size_t node = 0; node < numbers_.size(); ++node) {
       if (numbers_[node] == 0) continue;
       const std::array<double, 3> x = frame_.at(quads_.nodes[node]);
-      print("{}, {}, {}, 0\n", numbers_[node], short_number(x[0]), short_number(x[1]));
+      print_node(numbers_[node], {x[0], x[1], 0});
     }
   }
 
@@ -75,8 +63,7 @@ class AbaqusWriter : TextWriter {
       for (int elem = 0; elem < quads_.num_elems(); ++elem)
         if (lines_.block2region[quads_.elem_block[elem]] == static_cast<int>(region)) write_element(elem);
     }
-    print("*ELSET, ELSET=EALL\n");
-    for (const std::string& region : regions) print("{}\n", region);
+    print_all_elements(regions);
   }
 
   void write_lines(const NameList& names) {
@@ -95,11 +82,7 @@ class AbaqusWriter : TextWriter {
     std::vector<int> nodes;
     for (const QuadBoundaryEdge& e : edges)
       for (int k = 0; k <= quads_.order; ++k) nodes.push_back(numbers_[side_node(quads_, e.elem, e.side, k)]);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    print("*NSET, NSET={}\n", name);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      print("{}{}", nodes[k], (k + 1) % numbers_a_line == 0 || k + 1 == nodes.size() ? "\n" : ", ");
+    print_node_set(name, std::move(nodes));
   }
 
   const QuadMesh& quads_;
@@ -134,7 +117,7 @@ Exported abaqus(const QuadMesh& mesh, const Frame& frame, const char* type) {
   Exported exported;
   exported.add_loss(split_loss(mesh, quads));
   exported.add_loss(middle_loss(quads));
-  const PlainNames words = add_plain_names(lines, true, set_names, exported);
+  const PlainNames words = add_plain_names(lines, true, abaqus_set_names, exported);
   exported.bytes = AbaqusWriter(quads, frame, lines).text(type, words);
   return exported;
 }

@@ -94,6 +94,7 @@ Exported poly_mesh(const HexMesh& mesh, const std::vector<PatchType>& types = {}
 Exported abaqus_cps(const QuadMesh& mesh, const Frame& frame);
 Exported abaqus_cpe(const QuadMesh& mesh, const Frame& frame);
 Exported abaqus_cax(const QuadMesh& mesh, const Frame& frame);
+Exported abaqus_c3d(const HexMesh& mesh);  ///< C3D8 and C3D20, orders 1 and 2
 
 /// PLOT3D, multi-grid, ASCII: a grid of points for each block, its boundaries and neighbours in a neutral map beside
 /// it. Any order; cells must be convex.
@@ -108,6 +109,7 @@ Exported cgns_structured(const QuadMesh& mesh, const Frame& frame);
 /// Exodus II in a NetCDF file: QUAD4 for order 1, QUAD9 for order 2; higher orders are split into elements of order 2.
 /// Regions are blocks, boundaries and interfaces side sets. No element may be folded.
 Exported exodus(const QuadMesh& mesh, const Frame& frame);
+Exported exodus(const HexMesh& mesh);  ///< HEX8 and HEX27, orders 1 and 2
 
 /// SPECFEM2D's text files: elements of 4 nodes for order 1, of 9 for order 2; higher orders are split into elements of
 /// order 2. Nodes, numbers of materials, and the free and absorbing sides in files beside them. No element may be

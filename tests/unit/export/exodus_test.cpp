@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "export/netcdf.hpp"
 #include "export/writers.hpp"
+#include "two_hexes.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -45,6 +46,17 @@ TEST(Exodus, BlocksAreRegionsAndSideSetsBoundaries) {
   ASSERT_EQ(exported.losses.size(), 1u);
   EXPECT_EQ(exported.losses[0], "1 name is written in at most 32 plain letters: \"in & out\" as in___out");
   EXPECT_NE(exodus(two_straight_quads(), plane_frame(mesh.face)).bytes.find("QUAD4"), std::string::npos);
+}
+
+TEST(Exodus, HexahedraHaveBlocksAndSideSets) {
+  const std::string bytes = exodus(two_hexes({.order = 2, .map = bent})).bytes;
+  for (const char* word : {"HEX27", "fluid", "solid", "outlet", "between", "coordz", "num_side_ss5", "connect2"})
+    EXPECT_NE(bytes.find(word), std::string::npos) << word;
+  // Sides 1, 3 and 4 of the first element, 1 and 3 of the second, as big-endian integers one after another.
+  const std::string elems("\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0\2\0\0\0\2", 20);
+  const std::string sides("\0\0\0\1\0\0\0\3\0\0\0\4\0\0\0\1\0\0\0\3", 20);
+  EXPECT_NE(bytes.find(elems + sides), std::string::npos);
+  EXPECT_NE(exodus(two_hexes({})).bytes.find("HEX8"), std::string::npos);
 }
 
 }  // namespace
