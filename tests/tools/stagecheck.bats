@@ -66,7 +66,7 @@ setup() {
 @test "--list-formats prints the table of formats for scripts" {
   run -0 --separate-stderr stagecheck --list-formats
   assert_equal "$(jq -r '[.formats[].name] | join(" ")' <<<"$output")" \
-    "chart tri-mesh field critical-points separatrix-graph block-layout quad-mesh"
+    "chart tri-mesh field critical-points separatrix-graph block-layout quad-mesh hex-mesh"
   assert_equal "$(jq -c '.tools[] | select(.after == "padapt")' <<<"$output")" \
     '{"name":"critpoints","after":"padapt","writes":"critical-points","ending":"crit.json"}'
   assert_equal "$(jq -r '.optional_inputs[] | select(.format == "size-field") | .tool + " " + .option' <<<"$output")" \

@@ -60,6 +60,7 @@ inline constexpr const char* end_growth_missed = "W-SIZ-003";
 
 // hexsweep
 inline constexpr const char* periodicity_lost = "W-HEX-001";  ///< of sides of the face
+inline constexpr const char* motion_missed = "W-HEX-002";     ///< too few layers
 
 // quadexport
 inline constexpr const char* format_loss = "W-EXP-001";

@@ -21,7 +21,8 @@ namespace quadrille::stage {
 
 namespace {
 
-constexpr double usual_turn = 15;  ///< degrees of a layer at most, where the number of layers is free
+constexpr double usual_turn = 15;        ///< degrees of a layer at most, where the number of layers is free
+constexpr double greatest_error = 1e-2;  ///< diameters of the body from the motion, beyond which there is a warning
 
 /// Numbers with commas between them; empty unless there are as many as one of `counts`.
 std::vector<double> numbers_of(const std::string& option, const std::string& text, const std::vector<int>& counts,
@@ -156,7 +157,10 @@ sweep::SweepShape shape_of(const HexsweepInput& input, const HexsweepOptions& op
 std::vector<double> ends_of(const HexsweepOptions& options, const sweep::SweepMotion& motion,
                             const std::vector<Vec3>& nodes, double usual) {
   sweep::LayerPlan plan = parsed_layers(options);
-  if (!motion.shape().axis) return sweep::layer_ends(plan, motion.length(), usual);
+  if (!motion.shape().axis) {
+    const double length = motion.length(), turns = degrees(std::abs(motion.shape().twist)) / usual_turn;
+    return sweep::layer_ends(plan, length, turns > 0 ? std::min(usual, length / turns) : usual);
+  }
   double sum = 0;
   const sweep::Axis& axis = *motion.shape().axis;
   for (const Vec3 x : nodes) sum += norm(cross(axis.direction, x - axis.point));
@@ -210,7 +214,7 @@ void declare_layers(Options& o, HexsweepOptions& options) {
   o.integer(
       "--layers", options.layers, 0, 100000,
       "layers of hexahedra, beside those of --bottom-layers and --top-layers; 0: so many that they are as high as "
-      "the quads are long, of at most 15 degrees");
+      "the quads are long, and turn by at most 15 degrees");
   o.number("--layer-growth", options.layer_growth, 0.01, 100, "1", "height of a layer over that of the one below");
   o.text(
       "--bottom-layers", options.bottom_layers, "first=H,growth=R,layers=N",
@@ -272,12 +276,20 @@ HexMesh hexsweep(const HexsweepInput& input, const HexsweepOptions& options, Run
         fmt::format("periodic sides are not periodic after this sweep, which no one motion maps onto each "
                     "other: {}",
                     fmt::join(lost, ", ")));
+  const double error = sweep::motion_error(quads, motion, plan.ends) / mesh.diameter;
+  run.report().set("motion_error", error);
+  if (error > greatest_error)
+    run.report().warn(
+        warning::motion_missed,
+        fmt::format("the body deviates by up to {:.2g} of its diameter from the motion, which turns too far "
+                    "within a layer: raise --layers, or the order of the quads",
+                    error));
   sweep::report_mesh(mesh, run.report());
   if (!options.allow_invalid) sweep::require_valid_elements(mesh);
   if (!mesh.is_valid) run.report().warn(warning::mesh_not_valid, check::validity_warning(mesh));
   mesh.provenance = with_step(quads.provenance, "hexsweep", options, std::move(inputs));
-  run.info(fmt::format("{} of order {} in {}", counted(mesh.num_elems(), "hexahedron"), mesh.order,
-                       counted(mesh.num_layers(), "layer")));
+  run.info(
+      fmt::format("{} hexahedra of order {} in {}", mesh.num_elems(), mesh.order, counted(mesh.num_layers(), "layer")));
   run.end_phase();
   return mesh;
 }

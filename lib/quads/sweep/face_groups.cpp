@@ -13,7 +13,9 @@ namespace quadrille::sweep {
 
 namespace {
 
-std::string name_of(const CadFace& face, int curve) {
+/// Of an interface that is not open, that of its curve with the lower number, from both sides.
+std::string name_of(const CadFace& face, int curve, bool is_interface) {
+  if (is_interface && face.is_interface(curve)) curve = std::min(curve, face.partners[curve]);
   return face.curve_names[curve].empty() ? fmt::format("curve_{}", curve) : face.curve_names[curve];
 }
 
@@ -30,7 +32,7 @@ std::vector<Side> sides_of(const QuadMesh& quads) {
   for (const bool is_interface : {false, true}) {
     const auto& edges = is_interface ? quads.interface_edges : quads.boundary_edges;
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
-      const std::string name = name_of(quads.face, edges[e].curve);
+      const std::string name = name_of(quads.face, edges[e].curve, is_interface);
       const auto [entry, is_new] = known.try_emplace({is_interface, name}, sides.size());
       if (is_new) sides.push_back({name, is_interface, {}});
       sides[entry->second].edges.push_back(e);

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <string>
@@ -10,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "model/block_regions.hpp"
+#include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 #include "sweep/swept_quads.hpp"
 
@@ -98,13 +101,21 @@ void add_regions(const QuadMesh& quads, HexMesh& mesh) {
   }
 }
 
-double diameter_of(const std::vector<Vec3>& nodes) {
-  Vec3 low = nodes.front(), high = low;
-  for (const Vec3 x : nodes) {
+std::array<Vec3, 8> box_corners(const std::vector<Vec3>& points) {
+  Vec3 low = points.front(), high = low;
+  for (const Vec3 x : points) {
     low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
     high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
   }
-  return distance(low, high);
+  std::array<Vec3, 8> corners;
+  for (int k = 0; k < 8; ++k)
+    corners[k] = {((k & 1) != 0 ? high : low).x, ((k & 2) != 0 ? high : low).y, ((k & 4) != 0 ? high : low).z};
+  return corners;
+}
+
+double diameter_of(const std::vector<Vec3>& nodes) {
+  const std::array<Vec3, 8> corners = box_corners(nodes);
+  return distance(corners.front(), corners.back());
 }
 
 std::vector<int> unproved(const HexMesh& mesh) {
@@ -167,6 +178,30 @@ HexMesh sweep(const QuadMesh& quads, const SweepMotion& motion, const SweepPlan&
     throw UsageError("the ends of this sweep cannot be periodic: no rigid motion maps the bottom onto the top");
   measure(swept, motion, plan.ends, !plan.bottom_heights.empty(), threads, progress, mesh);
   return mesh;
+}
+
+double motion_error(const QuadMesh& quads, const SweepMotion& motion, const std::vector<double>& ends) {
+  const std::vector<double>& xi = spectral::gll_points(quads.order);
+  std::vector<double> middles;
+  for (int k = 0; k < quads.order; ++k) middles.push_back((xi[k] + xi[k + 1]) / 2);
+  const Eigen::MatrixXd values = spectral::interpolation_matrix(xi, middles);
+  const std::array<Vec3, 8> corners =
+      box_corners(nodes_in_model(quads));  // differences of affine maps are greatest there
+  double greatest = 0;
+  for (std::size_t l = 0; l + 1 < ends.size(); ++l) {
+    const auto at = [&](double x) { return motion.at(ends[l] + (ends[l + 1] - ends[l]) * (1 + x) / 2); };
+    std::vector<SpaceMotion> levels;
+    for (const double x : xi) levels.push_back(at(x));
+    for (int m = 0; m < quads.order; ++m) {
+      const SpaceMotion exact = at(middles[m]);
+      for (const Vec3 x : corners) {
+        Vec3 between;
+        for (int k = 0; k <= quads.order; ++k) between += values(m, k) * image(levels[k], x);
+        greatest = std::max(greatest, distance(between, image(exact, x)));
+      }
+    }
+  }
+  return greatest;
 }
 
 void require_valid_elements(const HexMesh& mesh) {

@@ -33,6 +33,10 @@ Vec3 in_model(const CadFace& face, Vec2 x);  ///< x relative to face.origin
 HexMesh sweep(const QuadMesh& quads, const SweepMotion& motion, const SweepPlan& plan, int threads, Progress* progress,
               std::vector<std::string>& lost);
 
+/// The greatest distance of the body from the exact motion, where it is sampled: in the middles between the levels of
+/// nodes, for the corners of the box of the face. A length.
+double motion_error(const QuadMesh& quads, const SweepMotion& motion, const std::vector<double>& ends);
+
 /// Throws ComputeError, with the position of the worst element and a remedy, unless every element is proved valid.
 void require_valid_elements(const HexMesh& mesh);
 

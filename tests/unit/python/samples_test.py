@@ -41,6 +41,18 @@ class FilesTest(unittest.TestCase):
             quadrille.read(pathlib.Path(folder) / "absent")
 
 
+class HexTest(unittest.TestCase):
+    def test_the_layer_has_its_groups_and_motion(self):
+        mesh = sample("hex_mesh/passed/square.hex.h5")
+        self.assertEqual((mesh.num_elements, mesh.num_layers, mesh.order), (2, 1, 1))
+        bottom = mesh.face_groups[4]
+        self.assertEqual((bottom["name"], bottom["periodic_with"], bottom["is_interface"]), ("bottom", 5, False))
+        np.testing.assert_array_equal(bottom["elems"], [0, 1])
+        corners = mesh.nodes[mesh.elem_nodes[1]]
+        np.testing.assert_array_equal(corners[:4] @ bottom["motion"][:, :3].T + bottom["motion"][:, 3], corners[4:])
+        self.assertEqual([mesh.region_names[r] for r in mesh.elem_region], ["domain", "domain"])
+
+
 class ChartTest(unittest.TestCase):
     def test_the_cap_is_on_the_unit_sphere(self):
         chart = sample("chart/passed/cap.chart.h5")

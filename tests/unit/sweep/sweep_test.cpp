@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../region_layout_samples.hpp"
 #include "../samples.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -167,6 +168,28 @@ TEST(Sweep, AnElementThatCannotBeProvedIsNamed) {
   const HexMesh mesh = swept(quads(2), shape, {0, 1});
   EXPECT_FALSE(mesh.is_valid);
   EXPECT_THROW(require_valid_elements(mesh), ComputeError);
+}
+
+TEST(Sweep, TheErrorOfTheMotionIsTheSagOfItsArcs) {
+  const SweepMotion quarter(revolved(pi / 2, {-1, 0, 0}, {0, 1, 0}));
+  EXPECT_NEAR(motion_error(quads(1), quarter, {0, 1}), 2 * (1 - std::cos(pi / 4)), 1e-12);
+  EXPECT_NEAR(motion_error(quads(1), quarter, {0, 0.5, 1}), 2 * (1 - std::cos(pi / 8)), 1e-12);
+  EXPECT_LT(motion_error(quads(5), quarter, {0, 0.5, 1}), 1e-6);
+  EXPECT_LT(motion_error(quads(2), SweepMotion(straight({1, 2, 3})), {0, 1}), 1e-14);
+}
+
+TEST(Sweep, InterfacesAreNamedFromBothSides) {
+  SweepPlan plan;  // sides of the face are called bottom and top
+  plan.bottom_name = "low", plan.top_name = "high";
+  const HexMesh mesh = swept(samples::two_regions_quads(), straight({0, 0, 1}), {0, 1}, plan);
+  EXPECT_EQ(mesh.region_names.size(), 2u);
+  int interfaces = 0;
+  for (const HexFaceGroup& group : mesh.face_groups) {
+    if (!group.is_interface) continue;
+    ++interfaces;
+    EXPECT_EQ(group.elems.size() % 2, 0u);
+  }
+  EXPECT_EQ(interfaces, 1);
 }
 
 TEST(Sweep, ACurveCarriesTheFaceWithoutTurningItAboutTheTangent) {
