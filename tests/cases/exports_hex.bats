@@ -1,5 +1,5 @@
-# Hexahedra in the formats of solvers: parsers of their own (tests/exports) compare volumes of regions and areas of named
-# groups to the stage file, and programs that are installed read them.
+# Hexahedra in the formats of solvers: parsers of their own (tests/exports) compare volumes of regions and areas of
+# named groups to the stage file, and programs that are installed read them.
 load ../tools/common
 
 setup_file() {

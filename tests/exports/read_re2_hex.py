@@ -17,7 +17,7 @@ FACE_OF = [FACES.index(face) for face in ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 
 
 
 def quadratic(corners, middles):
-    """[k, j, i, axis], 3 x 3 x 3: corners, straight edges or their middles, faces and inside extended from the edges."""
+    """[k, j, i, axis], 3 x 3 x 3: corners, straight edges or their middles, the rest extended from the edges."""
     s = numpy.array([0, 0.5, 1])
     shape = numpy.zeros((3, 3, 3, 3))
     for at, x in zip(CORNERS, corners):

@@ -53,6 +53,29 @@ builds() {
   done < <(shapes)
 }
 
+# poly_mesh FILE: writes its polyMesh, and checkMesh finds nothing wrong.
+poly_mesh() {
+  new_case
+  mkdir -p case/constant/polyMesh
+  quadexport -q "$1" -o case/constant/polyMesh/points
+  run checkMesh -case case -allGeometry -allTopology
+  assert_output --partial 'Number of regions: 1'
+  assert_output --partial 'Mesh OK.'
+}
+
+@test "checkMesh accepts a polyMesh of quads, of sweeps and of periodic ends" {
+  cp "$(blocks_of "$DATA/half_disc.step")" half_disc.blocks.h5
+  quadrefine -q --order 2 half_disc.blocks.h5 -o a.quad.h5
+  poly_mesh a.quad.h5
+  assert_output --partial '2 geometric (non-empty/wedge) directions (1 1 0)'
+  hexsweep -q a.quad.h5 --height 2 --layers 4 --twist 40 -o a.hex.h5
+  poly_mesh a.hex.h5
+  hexsweep -q a.quad.h5 --one-layer -o a.hex.h5
+  poly_mesh a.hex.h5
+  run -0 grep -c 'type cyclic;' case/constant/polyMesh/boundary
+  assert_output 2
+}
+
 @test "thin layers along a curved wall have straight sides that do not cross them" {
   quadmesh -q "$DATA/naca0012.step" --wall curve_4:first=7e-5,growth=1.3,layers=15 --order 2 --workdir . \
     -o blockMeshDict

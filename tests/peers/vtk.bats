@@ -32,6 +32,17 @@ judge() {
   done
 }
 
+@test "VTK finds the volumes and areas of hexahedra, whose nodes are in its order" {
+  local order format
+  for order in 1 2 3 4; do
+    quadrefine -q --order "$order" --size 0.5 --geometry-tol 1 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
+    hexsweep -q a.quad.h5 --height 1 --twist 20 --layers 2 -o a.hex.h5
+    for format in vtu vtu-bezier; do quadexport -q --format "$format" a.hex.h5 -o "$format.vtu"; done
+    run "$PYTHON" "$ROOT/tests/peers/judge_vtk_hex.py" a.hex.h5 vtu.vtu vtu-bezier.vtu
+    assert_success
+  done
+}
+
 @test "the commands of the page work" {
   quadrefine "$(blocks_of "$DATA/half_disc.step")" | quadexport --format vtu -o x.vtu
   example 1 python vtu >commands.py
