@@ -73,7 +73,7 @@ END
       for size in 0.2 0.1; do
         quadrefine -q --order $order --size $size --geometry-tol 1 quarter_annulus.blocks.h5 -o a.quad.h5
         quadexport -q --format "$format" a.quad.h5 -o pipe.inp
-        errors+=("$(error $kind)")
+        errors+=("$(error "$kind")")
       done
       # Twice as many elements along each side; CalculiX prints six digits.
       jq -en "${errors[0]} / ${errors[1]} > 0.8 * pow(2; $order + 1) and ${errors[1]} < 3e-3" >/dev/null ||

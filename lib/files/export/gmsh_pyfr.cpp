@@ -37,7 +37,7 @@ struct PyfrNames {
 PyfrNames pyfr_names(const Groups& groups, const std::vector<CyclicPatch>& patches, Exported& exported) {
   NameList names = groups.boundary_names, taken{all_elements};
   for (std::string& name : names)
-    if (begins_as_periodic(name)) name = '_' + name;
+    if (begins_as_periodic(name)) name.insert(0, 1, '_');
   PyfrNames result{plain_names(names, {taken, 0, true}), {}};
   NameList of_others = result.words;
   int count = 0;
