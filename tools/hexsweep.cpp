@@ -22,10 +22,8 @@ struct Points {
 
 std::optional<Points> read_points(const std::string& path) {
   if (path.empty()) return std::nullopt;
-  Points read{io::read_input(path), {}};
-  for (const io::TableRow& row : io::table_rows(read.file, {{"x", "points:0"}, {"y", "points:1"}, {"z", "points:2"}}))
-    read.points.push_back({row.values[0], row.values[1], row.values[2]});
-  return read;
+  const io::InputFile file = io::read_input(path);
+  return Points{file, io::space_points(file)};
 }
 
 }  // namespace

@@ -210,6 +210,7 @@ Json composed(const std::vector<StageReport>& stages, const ChainFacts& facts) {
   root["remedy"] = facts.remedy.empty() ? Json() : Json(facts.remedy);
   root["trials"] = trials_of(facts);
   root["estimated_quads"] = at(refine, "estimated_quads");
+  root["hexahedra"] = at(report_of(runs, "hexsweep"), "hexahedra");
   root["quads"] = at(refine, "quads").is_null() ? at(exported, "quads") : at(refine, "quads");
   for (const char* key : mesh_keys) root[key] = at(refine, key);
   root["unit"] = at(exported, "unit");
@@ -283,6 +284,7 @@ std::string ChainReport::summary() const {
       "{}, {}, {}, worst scaled Jacobian {}, greatest edge ratio {}", counted_at(root, "blocks", "block"),
       counted_at(root, "irregular_nodes", "irregular node"), counted_at(root, "quads", "quad"),
       rounded(number_at(root, "least_scaled_jacobian"), 2), rounded(number_at(root, "greatest_edge_ratio.value"), 1));
+  if (!root["hexahedra"].is_null()) line += fmt::format(", {} hexahedra", number_at(root, "hexahedra"));
   if (at(root, "certificate.method") == "midpoint") line += ", by midpoint division of triangles";
   const Json& scale = root["scale"];
   if (scale.is_null() || scale == 1) return line;

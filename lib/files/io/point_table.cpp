@@ -131,4 +131,11 @@ std::vector<TableRow> table_rows(const InputFile& file, const std::vector<std::v
   return TableReader(file, columns).read();
 }
 
+std::vector<Vec3> space_points(const InputFile& file) {
+  std::vector<Vec3> points;
+  for (const TableRow& row : table_rows(file, {{"x", "points:0"}, {"y", "points:1"}, {"z", "points:2"}}))
+    points.push_back({row.values[0], row.values[1], row.values[2]});
+  return points;
+}
+
 }  // namespace quadrille::io

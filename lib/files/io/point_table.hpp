@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/vec3.hpp"
 #include "io/whole_file.hpp"
 
 namespace quadrille::io {
@@ -24,5 +25,8 @@ struct TableRow {
 /// `columns`: the names that each may have, in small letters; without a heading they are in this order. Throws
 /// FormatError, with the line, for anything else, and if there are no points.
 std::vector<TableRow> table_rows(const InputFile& file, const std::vector<std::vector<std::string>>& columns);
+
+/// Points x, y, z.
+std::vector<Vec3> space_points(const InputFile& file);
 
 }  // namespace quadrille::io

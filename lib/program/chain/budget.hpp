@@ -49,7 +49,8 @@ class Budget {
   void add_run(Used run) { runs_.push_back(run); }
   /// Of a command beside the stages, such as points2step: it counts, but is not that of the triangles.
   void add_helper(Used run) { helper_cpu_seconds_ += run.cpu_seconds; }
-  /// What the last run used for other work, as a helper's: the chart of a curved face, which comes before its triangles.
+  /// What the last run used for other work, as a helper's: the chart of a curved face, which comes before its
+  /// triangles.
   void move_to_helper(Used part) {
     Used& run = runs_.back();
     run.cpu_seconds -= part.cpu_seconds, run.wall_seconds -= part.wall_seconds;

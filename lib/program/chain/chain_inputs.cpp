@@ -14,6 +14,7 @@
 #include "cli/outcome.hpp"
 #include "io/alignment_io.hpp"
 #include "io/name_rules_io.hpp"
+#include "io/point_table.hpp"
 #include "io/size_field_io.hpp"
 #include "io/whole_file.hpp"
 
@@ -223,6 +224,12 @@ PrescribedSizes prescribed_sizes(const ChainState& chain) {
   if (chain.values.quadrefine.size_field_file.empty()) return {};
   const io::InputFile file = read_input(chain, chain.values.quadrefine.size_field_file);
   return {io::read_size_field(file), file};
+}
+
+SpacePoints space_points(const ChainState& chain, const std::string& path) {
+  if (path.empty()) return {};
+  const io::InputFile file = read_input(chain, path);
+  return {io::space_points(file), file};
 }
 
 PrescribedMetric prescribed_metric(const ChainState& chain, const CadFace& face) {

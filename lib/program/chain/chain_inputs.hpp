@@ -28,6 +28,7 @@ struct Prescribed {
 using Names = Prescribed<std::vector<NameRule>>;
 using PrescribedSizes = Prescribed<SizeSources>;
 using PrescribedMetric = Prescribed<GivenMetric>;
+using SpacePoints = Prescribed<stage::PointList>;
 using Directions = Prescribed<GivenAlignment>;
 
 /// The files that the options name, "-" standard input. All throw FormatError.
@@ -36,6 +37,7 @@ Names block_names(const ChainState& chain);
 PrescribedSizes prescribed_sizes(const ChainState& chain);
 /// With positions relative to face.origin.
 PrescribedMetric prescribed_metric(const ChainState& chain, const CadFace& face);
+SpacePoints space_points(const ChainState& chain, const std::string& path);
 Directions directions_to_align_with(const ChainState& chain, const CadFace& face);
 
 /// A file, or what was read from standard input before.

@@ -15,6 +15,7 @@
 #include "stage/cad2tri.hpp"
 #include "stage/critpoints.hpp"
 #include "stage/fieldsolve.hpp"
+#include "stage/hexsweep.hpp"
 #include "stage/padapt.hpp"
 #include "stage/quadexport.hpp"
 #include "stage/quadrefine.hpp"
@@ -22,12 +23,22 @@
 
 namespace quadrille::chain {
 
-enum class ChainStage { cad2tri, fieldsolve, padapt, critpoints, separatrix, blocksplit, quadrefine, quadexport };
+enum class ChainStage {
+  cad2tri,
+  fieldsolve,
+  padapt,
+  critpoints,
+  separatrix,
+  blocksplit,
+  quadrefine,
+  hexsweep,
+  quadexport
+};
 constexpr auto enum_names(ChainStage) {
-  return std::to_array(
-      {"cad2tri", "fieldsolve", "padapt", "critpoints", "separatrix", "blocksplit", "quadrefine", "quadexport"});
+  return std::to_array({"cad2tri", "fieldsolve", "padapt", "critpoints", "separatrix", "blocksplit", "quadrefine",
+                        "hexsweep", "quadexport"});
 }
-constexpr int num_stages = 8;
+constexpr int num_stages = 9;
 
 /// Whether a stage comes before another one in the chain.
 constexpr bool is_before(ChainStage stage, ChainStage other) {
@@ -46,6 +57,7 @@ struct StageOptions {
   stage::SeparatrixOptions separatrix;
   stage::BlocksplitOptions blocksplit;
   stage::QuadrefineOptions quadrefine;
+  stage::HexsweepOptions hexsweep;
   stage::QuadexportOptions quadexport;
 };
 
@@ -68,11 +80,15 @@ struct ChainOptions {
   std::string point_option;  ///< an option of points2step that was given
   std::string cad_option;    ///< an option of cad2tri that was given
   bool is_verbose = false, is_quiet = false, is_dry_run = false;
+  bool is_swept = false;                       ///< hexsweep runs
   std::map<ChainStage, std::string> programs;  ///< external programs in place of stages, commands for a shell
   Words words;                                 ///< of each stage and of points2step, as given
   std::string typed;                           ///< the command, for the page: files without folders
 
   bool has(const std::string& tool, const std::string& flag) const;  ///< whether the words of the tool hold the flag
+  bool runs(ChainStage stage) const {
+    return !is_before(stage, first) && !is_before(last, stage) && (stage != ChainStage::hexsweep || is_swept);
+  }
 };
 
 /// Where the mesh is written; "-": standard output.

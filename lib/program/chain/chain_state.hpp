@@ -100,13 +100,15 @@ struct ChainFiles {
         solve(stem + ".solve.h5"),
         field(stem + ".field.h5"),
         of_nodes(stem),
-        quads(stem + ".quad.h5") {}
+        quads(stem + ".quad.h5"),
+        hexes(stem + ".hex.h5") {}
 
   std::string stem;
   StageFile<TriMesh> triangles;
   StageFile<Field> solve, field;
   NodeFiles of_nodes;
   StageFile<QuadMesh> quads;
+  StageFile<HexMesh> hexes;
 };
 
 /// A failure that ends the run.
@@ -144,7 +146,7 @@ struct ChainState {
   std::vector<io::LayoutTrial> trials;     ///< meshes that were compared, in the order of their runs
   std::optional<StageEnd> given_up;        ///< the stage without a valid result after which the run went on
 
-  bool is_due(ChainStage stage) const { return !is_before(stage, options.first) && !is_before(options.last, stage); }
+  bool is_due(ChainStage stage) const { return options.runs(stage); }
 };
 
 /// A sentence of quadmesh itself on standard error, but not with -q.

@@ -25,6 +25,12 @@ void check_range(const ChainOptions& options) {
   if (options.first != ChainStage::cad2tri && options.workdir.empty())
     throw UsageError(
         fmt::format("--from {} needs --workdir, the folder with the files of the stages before", options.from));
+  if ((options.first == ChainStage::hexsweep || options.last == ChainStage::hexsweep) && !options.is_swept)
+    throw UsageError("the stage hexsweep runs with --sweep only");
+  if (const auto words = options.words.find("hexsweep"); words != options.words.end() && !options.is_swept)
+    for (const std::string& word : words->second)
+      if (word.starts_with("--") && word != "--allow-invalid")
+        throw UsageError(fmt::format("{} is an option of hexsweep: give --sweep too", word));
   if (options.last != ChainStage::quadexport && options.workdir.empty())
     throw UsageError(
         fmt::format("--until {} needs --workdir, the folder in which the files of the stages are kept", options.until));
@@ -46,8 +52,8 @@ void check_skipped_options(const ChainOptions& options) {
   if (!options.point_option.empty())
     throw UsageError(fmt::format("{} makes a CAD file of points, which --from {} does not read: leave one of them out",
                                  options.point_option, options.from));
-  for (const ChainStage stage :
-       {ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit, ChainStage::quadrefine}) {
+  for (const ChainStage stage : {ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
+                                 ChainStage::quadrefine, ChainStage::hexsweep}) {
     const auto words = options.words.find(enum_name(stage));
     if (!is_before(stage, options.first) || words == options.words.end()) continue;
     for (const std::string& word : words->second)
@@ -64,11 +70,16 @@ void check_stage_options(const StageOptions& values) {
   values.critpoints.validate();
   values.separatrix.validate();
   values.quadrefine.validate();
+  values.hexsweep.validate();
 }
 
 void check_output_format(const ChainOptions& options, const StageOptions& values) {
   const std::string format = stage::format_of(output_of(options), values.quadexport);
-  if (options.last == ChainStage::quadexport) stage::require_order(format, values.quadrefine.refine.order);
+  if (options.last != ChainStage::quadexport) return;
+  if (options.is_swept)
+    stage::require_hexahedra(format, values.quadrefine.refine.order, values.quadexport);
+  else
+    stage::require_order(format, values.quadrefine.refine.order);
 }
 
 void check_nodes_option(const ChainOptions& options, const StageOptions& values) {
@@ -108,6 +119,8 @@ std::vector<std::string> needed_endings(const ChainOptions& options, const Stage
       return {"sep.json"};
     case ChainStage::quadrefine:
       return {"blocks.h5"};
+    case ChainStage::hexsweep:
+      return {"quad.h5"};
     case ChainStage::quadexport:
       return {exported_ending(options, values)};
   }
@@ -154,13 +167,16 @@ void check_inputs(const ChainState& chain) {
     throw FormatError(
         fmt::format("--nodes {}: no such file; the rules are none, fewest, field and auto", options.nodes_file));
   for (const std::string& path : {values.cad2tri.names_file, values.fieldsolve.align_file, values.blocksplit.names_file,
-                                  options.nodes_file, values.quadrefine.size_field_file, values.quadrefine.metric_file})
+                                  options.nodes_file, values.quadrefine.size_field_file, values.quadrefine.metric_file,
+                                  values.hexsweep.curve_file, values.hexsweep.terrain_file})
     require_input(path);
   if (is_file(values.cad2tri.names_file)) boundary_names(chain);
   if (is_file(values.fieldsolve.align_file)) io::read_alignment(io::read_input(values.fieldsolve.align_file), {}, 1);
   if (is_file(values.blocksplit.names_file)) block_names(chain);
   if (is_file(values.quadrefine.size_field_file)) prescribed_sizes(chain);
   if (is_file(values.quadrefine.metric_file)) prescribed_metric(chain, {});
+  for (const std::string& path : {values.hexsweep.curve_file, values.hexsweep.terrain_file})
+    if (is_file(path)) space_points(chain, path);
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
 }
 
@@ -237,9 +253,11 @@ std::optional<CadFace> known_face(ChainState& chain) {
   std::string ending = "tri.h5";
   if (chain.options.first == ChainStage::blocksplit) ending = "sep.json";
   if (chain.options.first == ChainStage::quadrefine) ending = "blocks.h5";
+  if (chain.options.first == ChainStage::hexsweep) ending = "quad.h5";
   if (chain.options.first == ChainStage::quadexport) ending = exported_ending(chain.options, chain.values);
   const std::string path = chain.files.stem + '.' + ending;
-  if (!is_file(path)) return std::nullopt;  // with --dry-run
+  if (!is_file(path)) return std::nullopt;      // with --dry-run
+  if (ending == "hex.h5") return std::nullopt;  // hexahedra have none
   return io::read_face(io::read_input(path));
 }
 
@@ -251,7 +269,7 @@ void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
       stage::require_quadrefine_of(face, prescribed_sizes(chain).content, prescribed_metric(chain, face).content,
                                    chain.values.quadrefine);
     }
-    if (stage == ChainStage::quadexport)
+    if (stage == ChainStage::quadexport && !chain.options.is_swept)
       stage::require_quadexport_of(face, output_of(chain.options), chain.values.quadexport);
   });
   if (outcome.code != ExitCode::usage && outcome.code != ExitCode::no_result) return;  // the stage says the rest
@@ -281,7 +299,8 @@ std::string stem_of(const std::string& shape) {
 
 std::string exported_ending(const ChainOptions& options, const StageOptions& values) {
   const bool is_step = stage::format_of(output_of(options), values.quadexport) == "step";
-  return is_step ? "blocks.h5" : "quad.h5";
+  if (is_step) return "blocks.h5";
+  return options.is_swept ? "hex.h5" : "quad.h5";
 }
 
 std::string shape_of(const ChainOptions& options, const StageOptions& values) {

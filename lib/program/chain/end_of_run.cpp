@@ -33,7 +33,7 @@ void write_page(ChainState& chain, const io::ChainReport& report) {
   std::vector<std::string> words{command_path("stageview"), "-q", triangles};
   const fs::file_time_type begin = fs::last_write_time(triangles);
   std::error_code error;
-  for (const char* ending : {"field.h5", "crit.json", "phase.h5", "sep.json", "blocks.h5", "quad.h5"}) {
+  for (const char* ending : {"field.h5", "crit.json", "phase.h5", "sep.json", "blocks.h5", "quad.h5", "hex.h5"}) {
     const std::string path = chain.files.stem + '.' + ending;
     const fs::file_time_type time = fs::last_write_time(path, error);
     if (!error && time > begin) words.push_back(path);

@@ -19,8 +19,8 @@ namespace quadrille::chain {
 
 namespace {
 
-const std::vector<std::string> own_flags{"--help",    "--verbose",  "--quiet",      "--version",
-                                         "--dry-run", "--straight", "--keep-joints"};
+const std::vector<std::string> own_flags{"--help",    "--verbose",  "--quiet",       "--version",
+                                         "--dry-run", "--straight", "--keep-joints", "--sweep"};
 const std::vector<std::string> own_values{"--output",      "--workdir",    "--html",    "--report",
                                           "--max-seconds", "--max-memory", "--threads", "--nodes",
                                           "--from",        "--until",      "--stage"};
@@ -33,7 +33,7 @@ const std::set<std::string> of_points{"--farfield",         "--wake",          "
 
 /// The stages whose options are options of quadmesh.
 constexpr std::array open_stages{ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
-                                 ChainStage::quadrefine, ChainStage::quadexport};
+                                 ChainStage::quadrefine, ChainStage::hexsweep,   ChainStage::quadexport};
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -141,6 +141,7 @@ class Reader {
     if (flag == "--verbose") options_.is_verbose = true;
     if (flag == "--quiet") options_.is_quiet = true;
     if (flag == "--dry-run") options_.is_dry_run = true;
+    if (flag == "--sweep") options_.is_swept = true;
     if (flag == "--straight") {
       options_.point_option = flag;
       choose({"points2step"}, {flag});
@@ -260,6 +261,8 @@ void declare(Options& options, ChainStage stage, StageOptions& values) {
     case ChainStage::quadrefine:
       values.quadrefine.join_points = triangulate::add_size_triangles;
       return declare(options, values.quadrefine);
+    case ChainStage::hexsweep:
+      return declare(options, values.hexsweep);
     case ChainStage::quadexport:
       return declare(options, values.quadexport);
   }

@@ -108,27 +108,46 @@ void make_folder(const ChainOptions& options) {
   if (error) throw OutputError(fmt::format("{}: cannot be written: {}", options.workdir, error.message()));
 }
 
+void sweep_quads(ChainState& chain) {
+  if (!chain.options.is_swept) return;
+  StageFile<QuadMesh>& quads = chain.files.quads;
+  const auto hexes = [&](Run& run) {
+    const stage::HexsweepOptions& options = chain.values.hexsweep;
+    const SpacePoints curve = space_points(chain, options.curve_file),
+                      terrain = space_points(chain, options.terrain_file);
+    return stage::hexsweep({quads.input(), curve.input(), terrain.input()}, options, run);
+  };
+  make_file(chain, {ChainStage::hexsweep}, chain.files.hexes, hexes, quads);
+}
+
 void export_mesh(ChainState& chain) {
   ChainFiles& files = chain.files;
   const std::string ending = exported_ending(chain.options, chain.values);
-  const bool is_step = ending == "blocks.h5";
+  const bool is_step = ending == "blocks.h5", is_swept = ending == "hex.h5";
   StageTask task;
   task.stage = ChainStage::quadexport;
   task.output = output_of(chain.options);
   task.words = {files.stem + '.' + ending};
-  task.compute = [&, is_step](Run& run) {
+  task.compute = [&, is_step, is_swept](Run& run) {
     const std::string output = output_of(chain.options);
     std::vector<stage::OutputFile> written;
     if (is_step) {
       const std::string bytes = io::stage_bytes(files.of_nodes.blocks.model());
       written = {stage::quadexport_step({bytes, io::identity_of(files.of_nodes.blocks.path(), bytes)}, output,
                                         chain.values.quadexport, run)};
+    } else if (is_swept) {
+      written = stage::quadexport(files.hexes.release(), files.hexes.path(), output, chain.values.quadexport, run);
     } else {
       written = stage::quadexport(files.quads.release(), files.quads.path(), output, chain.values.quadexport, run);
     }
     for (const stage::OutputFile& file : written) io::write_output(file.path, file.bytes, file.is_binary);
   };
-  task.write_inputs = [&, is_step] { is_step ? files.of_nodes.blocks.write() : files.quads.write(); };
+  task.write_inputs = [&, is_step, is_swept] {
+    if (is_step)
+      files.of_nodes.blocks.write();
+    else
+      is_swept ? files.hexes.write() : files.quads.write();
+  };
   run_stage(chain, task);
 }
 
@@ -173,6 +192,7 @@ void run_stages(ChainState& chain) {
   check_face(chain);
   add_clearances(chain);
   make_quads(chain);
+  sweep_quads(chain);
   export_mesh(chain);
   if (!chain.options.is_dry_run) end_run(chain);
 }

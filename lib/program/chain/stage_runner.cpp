@@ -36,10 +36,11 @@ std::string cause_of_kill() {
 
 /// How many stages follow a run, if nothing unforeseen happens.
 int stages_after(const StageTask& task, const ChainOptions& options) {
-  constexpr std::array after{7, 6, 5, 4, 3, 2, 1, 0}, after_phase{0, 5, 4, 0, 0, 0, 0, 0};
-  const auto position = static_cast<std::size_t>(task.stage);
-  const int left_out = num_stages - 1 - static_cast<int>(options.last);
-  return std::max(0, (task.is_of_phase ? after_phase.at(position) : after.at(position)) - left_out);
+  // fieldsolve and padapt of a phase run before separatrix.
+  const auto position = static_cast<int>(task.is_of_phase ? ChainStage::critpoints : task.stage);
+  int count = task.is_of_phase && task.stage == ChainStage::fieldsolve ? 1 : 0;
+  for (int i = position + 1; i < num_stages; ++i) count += options.runs(static_cast<ChainStage>(i));
+  return count;
 }
 
 /// What a stage did not report itself. `warnings`: JSON objects, joined by commas.

@@ -210,6 +210,15 @@ void require_order(const std::string& format, int order) {
         fmt::format("--order {}: the format {} supports quads up to order {}", order, format, row->max_order));
 }
 
+void require_hexahedra(const std::string& format, int order, const QuadexportOptions& options) {
+  const exports::ExportFormat* row = exports::find_export_format(format);
+  if (row == nullptr) throw UsageError("--sweep: a STEP model is made from blocks, not from hexahedra");
+  exports::require_hex_options(*row, parsed(options));
+  if (order > row->max_hex_order)
+    throw UsageError(
+        fmt::format("--order {}: the format {} supports hexahedra up to order {}", order, format, row->max_hex_order));
+}
+
 void require_format_in_space(const std::string& format) {
   const exports::ExportFormat* row = exports::find_export_format(format);
   if (row != nullptr && !row->holds_space) throw UsageError(exports::planar_format_text(*row));

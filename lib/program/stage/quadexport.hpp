@@ -38,6 +38,9 @@ bool has_straight_sides(const std::string& format);
 /// Throws UsageError if the format `name` does not support quads of this order, before there is a mesh.
 void require_order(const std::string& format, int order);
 
+/// The same for hexahedra; also for formats without hexahedra, and for options that do not apply to them.
+void require_hexahedra(const std::string& format, int order, const QuadexportOptions& options);
+
 /// Throws UsageError if the format `name` supports meshes of the plane only, for a curved face, before there is a
 /// chart.
 void require_format_in_space(const std::string& format);
