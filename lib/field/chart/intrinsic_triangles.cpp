@@ -113,7 +113,7 @@ void Builder::measure() {
   }
 }
 
-// Where one of two triangles has an angle up to `most_angle`.
+// Only where one of the two triangles has an angle up to `most_angle`.
 // Of two diagonals of a convex quadrangle, the Delaunay one has the greater least angle; angles only grow, so that this
 // comes to an end.
 void Builder::flip_sides(double most_angle) {
