@@ -18,7 +18,8 @@ namespace {
 
 constexpr double longest_side = 0.04, shortest_half = 1e-4;  // of the size of the face
 constexpr double most_turn = 0.3;                            // of the normal along a side, radians
-constexpr double least_gain = 1e-9;                          // radians: rounding errors flip nothing
+constexpr double flat_angle = 1e-6;  // the least angle of a triangle with its corners on one line, radians
+constexpr double least_gain = 1e-9;  // radians: rounding errors flip nothing
 constexpr std::size_t most_triangles = 40000;
 
 /// The angle opposite to side a, in [0, pi].
@@ -44,10 +45,9 @@ class Builder {
   // Triangles of the kernel with a corner at a pole may have all corners on one line of the surface. A side of these
   // would be halved at a point where a vertex is already: they are flipped before.
   IntrinsicTriangles made() {
-    flip_sides();
-    measure();
+    if (has_pole()) flip_sides(flat_angle);
     while (result_.triangles.size() < most_triangles && split_sides()) continue;
-    flip_sides();
+    flip_sides(pi);
     return std::move(result_);
   }
 
@@ -65,13 +65,14 @@ class Builder {
 
   void glue();
   void measure();
-  void flip_sides();
-  void flip_if_better(int side);
+  void flip_sides(double most_angle);
+  void flip_if_better(int side, double most_angle);
   bool split_sides();
   void split(int side);
   double turn(int side) const;
   bool is_to_be_split(int side) const;
   Vec2 middle_uv(int side) const;
+  bool has_pole() const;
   std::pair<Vec3, Vec2> middle(int side) const;
   void set(int t, const std::array<int, 3>& vertices, const std::array<Vec2, 3>& uv,
            const std::array<double, 3>& lengths, const std::array<int, 3>& across);
@@ -112,13 +113,14 @@ void Builder::measure() {
   }
 }
 
+// Only where one of the two triangles has an angle up to `most_angle`.
 // Of two diagonals of a convex quadrangle, the Delaunay one has the greater least angle; angles only grow, so that this
 // comes to an end.
-void Builder::flip_sides() {
+void Builder::flip_sides(double most_angle) {
   suspects_.clear();
   for (int side = 0; side < num_sides(); ++side) suspects_.push_back(side);
   for (std::size_t i = 0; i < suspects_.size(); ++i)
-    if (across(suspects_[i]) >= 0) flip_if_better(suspects_[i]);
+    if (across(suspects_[i]) >= 0) flip_if_better(suspects_[i], most_angle);
   suspects_.clear();
 }
 
@@ -138,7 +140,7 @@ Vec2 Builder::whole_periods(Vec2 difference) const {
 }
 
 // The side a b, with c on its left and d on its right, becomes d c.
-void Builder::flip_if_better(int side) {
+void Builder::flip_if_better(int side, double most_angle) {
   const int other = across(side), bc = next(side), ca = last(side), ad = next(other), db = last(other);
   const int a = vertex(side), b = vertex(bc), c = vertex(ca), d = vertex(db);
   const double ab = length(side), l_bc = length(bc), l_ca = length(ca), l_ad = length(ad), l_db = length(db);
@@ -147,6 +149,7 @@ void Builder::flip_if_better(int side) {
   if (c == d || std::max(at_a, at_b) >= pi) return;
   const double cd = std::sqrt(std::max(l_ca * l_ca + l_ad * l_ad - 2 * l_ca * l_ad * std::cos(at_a), 0.0));
   const double before = std::min(least_angle(ab, l_bc, l_ca), least_angle(ab, l_ad, l_db));
+  if (before > most_angle) return;
   if (!(std::min(least_angle(l_ad, cd, l_ca), least_angle(l_db, l_bc, cd)) > before + least_gain)) return;
   const bool is_b_a_pole = norm2(face_normal(face_, uv(bc))) == 0;  // whose parameters differ from triangle to triangle
   const Vec2 uv_d = uv(db) + whole_periods(is_b_a_pole ? uv(side) - uv(ad) : uv(bc) - uv(other));
@@ -180,10 +183,20 @@ bool Builder::split_sides() {
   return has_split;
 }
 
-/// The mean of the parameters of both ends.
+/// Whether a triangle has a corner where the parametrisation degenerates.
+bool Builder::has_pole() const {
+  return std::ranges::any_of(result_.triangles, [&](const IntrinsicTriangle& t) {
+    return std::ranges::any_of(t.uv, [&](Vec2 at) { return norm2(face_normal(face_, at)) == 0; });
+  });
+}
+
+/// The mean of the parameters of both ends that count, which are continuous along the side.
 Vec2 Builder::middle_uv(int side) const {
   const CornerParameters a = corner_parameters(face_, uv(side)), b = corner_parameters(face_, uv(next(side)));
-  return blended_parameters(face_, {0.5, 0.5, 0}, {a, b, b});
+  const auto mean = [](double of_a, bool counts_a, double of_b, bool counts_b) {
+    return counts_a == counts_b ? (of_a + of_b) / 2 : counts_a ? of_a : of_b;
+  };
+  return {mean(a.uv.x, a.has_u, b.uv.x, b.has_u), mean(a.uv.y, a.has_v, b.uv.y, b.has_v)};
 }
 
 /// The point of the surface, or of the curve, in the middle of a side, with its parameters. Those in the middle say

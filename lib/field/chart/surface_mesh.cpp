@@ -41,7 +41,7 @@ double nearest_turn(double value, double to, double period) {
 class Lift {
  public:
   Lift(const SpaceFace& face, const std::vector<SpaceLength>& lengths, const SurfaceMesh& last)
-      : face_(&face), lengths_(&lengths), last_(&last) {
+      : face_(&face), lengths_(&lengths), last_(&last), period_(periods(face.surface)) {
     const int n = last.nodes_per_elem();
     maps_.reserve(last.num_elems());
     for (int e = 0; e < last.num_elems(); ++e) {
@@ -56,10 +56,8 @@ class Lift {
   SurfaceMesh lifted(TriMesh plane, int order) const;
 
  private:
-  using Corners = std::array<CornerParameters, 3>;
-  Corners corners_of(const std::array<Vec2, 3>& uv) const;
-  Corners corners_of_last(int elem) const;
-  Foot project(Vec3 x, const std::array<double, 3>& weights, const Corners& corners, double size) const;
+  Vec2 blend(const std::array<double, 3>& weights, const std::array<Vec2, 3>& uv) const;
+  Foot project(Vec3 x, Vec2 first, const std::array<Vec2, 3>& others, double size) const;
   mesh::Location locate(const mesh::Locator& locator, Vec2 x) const;
   void lift_inner_vertices(const TriMesh& plane, std::vector<Foot>& vertices) const;
   void lift_boundary_vertices(const TriMesh& plane, std::vector<Foot>& vertices) const;
@@ -71,27 +69,27 @@ class Lift {
   const std::vector<SpaceLength>* lengths_;
   const SurfaceMesh* last_;
   std::vector<spectral::TriMap> maps_;
+  Vec2 period_;
 };
 
-Lift::Corners Lift::corners_of(const std::array<Vec2, 3>& uv) const {
-  return {corner_parameters(*face_, uv[0]), corner_parameters(*face_, uv[1]), corner_parameters(*face_, uv[2])};
+// The corner of the greatest weight decides in which period.
+Vec2 Lift::blend(const std::array<double, 3>& weights, const std::array<Vec2, 3>& uv) const {
+  const Vec2 main = uv[std::max_element(weights.begin(), weights.end()) - weights.begin()];
+  Vec2 sum;
+  for (int i = 0; i < 3; ++i)
+    sum += weights[i] * Vec2{nearest_turn(uv[i].x, main.x, period_.x), nearest_turn(uv[i].y, main.y, period_.y)};
+  return sum;
 }
 
-Lift::Corners Lift::corners_of_last(int elem) const {
-  const Vec2* const uv = &last_->uv[static_cast<std::size_t>(last_->nodes_per_elem()) * elem];
-  return corners_of({uv[0], uv[1], uv[2]});
-}
-
-// In a triangle around a pole blended parameters say nothing: the nearest of the corners is taken where they are far
-// off.
-Foot Lift::project(Vec3 x, const std::array<double, 3>& weights, const Corners& corners, double size) const {
+// Near a pole blended parameters say nothing: the nearest of the other guesses is taken where they are far off.
+Foot Lift::project(Vec3 x, Vec2 first, const std::array<Vec2, 3>& others, double size) const {
   constexpr double rounding = 1e-12;
   const auto off = [&](Vec2 uv) { return distance(surface::point(face_->surface, uv), x); };
-  Vec2 guess = blended_parameters(*face_, weights, corners);
+  Vec2 guess = first;
   double least = off(guess);
   if (least > 0.1 * size)
-    for (const CornerParameters& corner : corners)
-      if (const double d = off(corner.uv); d < least) guess = corner.uv, least = d;
+    for (const Vec2 uv : others)
+      if (const double d = off(uv); d < least) guess = uv, least = d;
   const surface::SurfaceProjection found = surface::project(face_->surface, x, guess);
   if (!(found.distance <= least + rounding * (norm(x) + size)))
     throw ComputeError("the surface has no point near " + position_text(x));
@@ -121,8 +119,8 @@ void Lift::lift_inner_vertices(const TriMesh& plane, std::vector<Foot>& vertices
     const Eigen::RowVectorXd values = node_functions(tables, at.xi);
     Vec3 x;
     for (Eigen::Index i = 0; i < values.size(); ++i) x += values[i] * last_->nodes[first + i];
-    vertices[v] = project(x, barycentric(at.xi), corners_of_last(at.elem),
-                          distance(last_->nodes[first], last_->nodes[first + 1]));
+    const std::array<Vec2, 3> uv{last_->uv[first], last_->uv[first + 1], last_->uv[first + 2]};
+    vertices[v] = project(x, blend(barycentric(at.xi), uv), uv, distance(last_->nodes[first], last_->nodes[first + 1]));
   }
 }
 
@@ -139,9 +137,10 @@ void Lift::lift_boundary_vertices(const TriMesh& plane, std::vector<Foot>& verti
     const double part = std::clamp((b.t0 - near.t0) / (near.t1 - near.t0), 0.0, 1.0);
     std::array<double, 3> weights{};
     weights[near.edge] = 1 - part, weights[(near.edge + 1) % 3] = part;
+    const std::array<Vec2, 3> uv{last_->uv[first], last_->uv[first + 1], last_->uv[first + 2]};
     const Vec3 x = surface::point(curve, b.t0);
     const double size = distance(last_->nodes[first + near.edge], last_->nodes[first + (near.edge + 1) % 3]);
-    vertices[plane.elem2vertices[b.elem][b.edge]] = {x, project(x, weights, corners_of_last(near.elem), size).uv};
+    vertices[plane.elem2vertices[b.elem][b.edge]] = {x, project(x, blend(weights, uv), uv, size).uv};
   }
 }
 
@@ -181,12 +180,11 @@ void Lift::project_nodes(const std::vector<Foot>& vertices, SurfaceMesh& mesh) c
   for (int e = 0; e < mesh.num_elems(); ++e) {
     std::array<Vec2, 3> uv;
     for (int k = 0; k < 3; ++k) uv[k] = vertices[mesh.plane.elem2vertices[e][k]].uv;
-    const Corners corners = corners_of(uv);
     const std::size_t first = static_cast<std::size_t>(n) * e;
     const double size = distance(mesh.nodes[first], mesh.nodes[first + 1]);
     for (int i = 0; i < n; ++i) {
       Foot foot{mesh.nodes[first + i], uv[i % 3]};
-      if (i >= 3) foot = project(foot.x, barycentric(xi[i]), corners, size);
+      if (i >= 3) foot = project(foot.x, blend(barycentric(xi[i]), uv), uv, size);
       if (i >= 3 && !is_exact[first + i]) mesh.nodes[first + i] = foot.x;
       mesh.uv[first + i] = foot.uv;
     }
@@ -278,21 +276,6 @@ CornerParameters corner_parameters(const SpaceFace& face, Vec2 uv) {
   const surface::SurfacePoint p = surface::evaluate(face.surface, uv);
   const bool is_u = norm2(p.xu) < norm2(p.xv);
   return {uv, !is_u, is_u};
-}
-
-Vec2 blended_parameters(const SpaceFace& face, const std::array<double, 3>& weights,
-                        const std::array<CornerParameters, 3>& corners) {
-  const auto blend = [&](double Vec2::*part, bool CornerParameters::*counts, double period) {
-    const auto weight = [&](int i) { return corners[i].*counts ? weights[i] : 0; };
-    const int main = weight(0) >= std::max(weight(1), weight(2)) ? 0 : weight(1) >= weight(2) ? 1 : 2;
-    const double of_main = corners[main].uv.*part;
-    double sum = 0, whole = 0;
-    for (int i = 0; i < 3; ++i)
-      sum += weight(i) * nearest_turn(corners[i].uv.*part, of_main, period), whole += weight(i);
-    return whole > 0 ? sum / whole : of_main;
-  };
-  const Vec2 period = periods(face.surface);
-  return {blend(&Vec2::x, &CornerParameters::has_u, period.x), blend(&Vec2::y, &CornerParameters::has_v, period.y)};
 }
 
 SurfaceMesh lifted_mesh(const SpaceFace& face, const std::vector<SpaceLength>& lengths, const SurfaceMesh& last,

@@ -42,11 +42,6 @@ struct CornerParameters {
 
 CornerParameters corner_parameters(const SpaceFace& face, Vec2 uv);
 
-/// The parameters of a point of a triangle, in the middle of those of its corners with these weights: in the period of
-/// the greatest weight, and without those that do not count.
-Vec2 blended_parameters(const SpaceFace& face, const std::array<double, 3>& weights,
-                        const std::array<CornerParameters, 3>& corners);
-
 /// Makes nodes of `order` for the triangles of `plane`, a mesh of the image of `last`: vertices are lifted by `last`,
 /// inner nodes lie on the surface nearest to the blended triangle. `lengths`: of the curves. Throws ComputeError,
 /// with the place, where no point of the surface is near.
