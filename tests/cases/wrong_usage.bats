@@ -73,7 +73,7 @@ table() {
 3 | quadrefine w/half_disc.quad.h5 | expected a block-layout file
 2 | quadexport --formt msh w/half_disc.quad.h5 | unknown option --formt: did you mean --format?
 2 | quadexport w/half_disc.quad.h5 -o out.unknown | out.unknown does not determine the format: end it in one of
-2 | quadexport w/half_disc.quad.h5 --format exodus -o out.exo | 'exodus' is not one of
+2 | quadexport w/half_disc.quad.h5 --format unv -o out.unv | 'unv' is not one of
 3 | quadexport w/half_disc.blocks.h5 -o out.msh | expected a quad-mesh file
 2 | stageview --feild w/half_disc.field.h5 w/half_disc.crit.json | did you mean --field?
 2 | stageview w/half_disc.quad.h5 --field w/half_disc.field.h5 -o out.svg | --field needs a critical-points file

@@ -267,6 +267,7 @@ writers() {
 
 @test "the examples of --help run" {
   cp "$BATS_FILE_TMPDIR"/half_disc.* .
+  cp "$DATA/bad/solid.step" bracket_solid.step
   printf 'x,y,h1,h2,angle\n0,0.5,0.2,0.1,0\n' >metric.csv
   for tool in $TOOLS; do
     "$tool" --help | sed -n '/^EXAMPLES$/,$p' | sed 1d > examples
