@@ -66,7 +66,8 @@ here() {
     for stem in d x shape; do cp "$file" "$stem.${file##*/half_disc.}"; done
   done
   cp "$DATA/curved/filleted_box.step" part.step
-  mkdir meshes system
+  hexsweep x.quad.h5 --one-layer -o x.hex.h5
+  mkdir -p meshes system constant/polyMesh
   run -0 bash -euo pipefail commands
   for file in DIR/gallery.html shape.msh x.msh x.svg; do assert_file_exists "$file"; done
 }
