@@ -80,3 +80,39 @@ deviation() {
   run -2 hexsweep saddle.quad.h5 --height 1 -o c.hex.h5
   assert_output --partial "give --along X,Y,Z"
 }
+
+@test "quadmesh --sweep gives the bytes of the single commands, from a file of --workdir too, and a page" {
+  quadmesh=$ROOT/pipelines/quadmesh
+  options="--height 0.5 --layers 2 --twist 20"
+  run -0 "$quadmesh" "$DATA/half_disc.step" --size 0.4 --sweep $options --workdir stages --html page.html --report r.json \
+    -o out.msh
+  assert_output --regexp '^4 blocks, .* [0-9]+ hexahedra, worst scaled Jacobian 0\.[0-9]+$'
+  hexsweep $options stages/half_disc.quad.h5 -o half_disc.hex.h5
+  cmp half_disc.hex.h5 stages/half_disc.hex.h5
+  quadexport half_disc.hex.h5 -o again.msh
+  cmp out.msh again.msh
+  assert_equal "$(jq .sweep.hexahedra r.json)" $((2 * $(jq .quads r.json)))
+  grep -qF 'half_disc.hex.h5' page.html
+  "$quadmesh" -q "$DATA/half_disc.step" --size 0.4 --sweep $options -o memory.msh
+  cmp out.msh memory.msh
+  "$quadmesh" -q --from hexsweep --workdir stages --sweep $options -o from.msh
+  cmp out.msh from.msh
+  "$quadmesh" "$DATA/half_disc.step" --size 0.4 --sweep $options --dry-run --workdir stages -o dry.msh >commands
+  grep -qxF "hexsweep stages/half_disc.quad.h5 $options -o stages/half_disc.hex.h5" commands
+}
+
+@test "quadmesh --sweep: what cannot be swept, or is not, is refused before any work" {
+  quadmesh=$ROOT/pipelines/quadmesh
+  refused() {
+    run "$quadmesh" "$DATA/half_disc.step" "${@:2}"
+    assert_failure 2
+    assert_output --partial "$1"
+  }
+  refused '--twist is an option of hexsweep: give --sweep too' --twist 20 -o out.msh
+  refused 'the format su2 has no hexahedra: choose one of msh' --sweep -o out.su2
+  refused '--sweep: a STEP model is made from blocks' --sweep -o out.step
+  refused 'supports hexahedra up to order 9' --sweep --order 10 -o out.msh
+  refused 'the stage hexsweep runs with --sweep only' --until hexsweep --workdir . -o out.msh
+  refused '--revolve' --sweep --revolve 90 --height 1 -o out.msh
+  assert_nothing_left
+}

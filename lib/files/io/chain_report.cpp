@@ -195,6 +195,16 @@ Json trials_of(const ChainFacts& facts) {
   return trials;
 }
 
+/// Of the hexahedra; null if there are none.
+Json sweep_of(const Json& report) {
+  if (at(report, "hexahedra").is_null()) return nullptr;
+  Json sweep;
+  for (const char* key :
+       {"hexahedra", "layers", "valid", "least_jacobian_bound", "least_scaled_jacobian", "motion_error"})
+    sweep[key] = at(report, key);
+  return sweep;
+}
+
 Json composed(const std::vector<StageReport>& stages, const ChainFacts& facts) {
   const std::vector<StageRun> runs = runs_of(stages);
   const Json refine = report_of(runs, "quadrefine"), exported = report_of(runs, "quadexport");
@@ -210,7 +220,7 @@ Json composed(const std::vector<StageReport>& stages, const ChainFacts& facts) {
   root["remedy"] = facts.remedy.empty() ? Json() : Json(facts.remedy);
   root["trials"] = trials_of(facts);
   root["estimated_quads"] = at(refine, "estimated_quads");
-  root["hexahedra"] = at(report_of(runs, "hexsweep"), "hexahedra");
+  root["sweep"] = sweep_of(report_of(runs, "hexsweep"));
   root["quads"] = at(refine, "quads").is_null() ? at(exported, "quads") : at(refine, "quads");
   for (const char* key : mesh_keys) root[key] = at(refine, key);
   root["unit"] = at(exported, "unit");
@@ -284,7 +294,9 @@ std::string ChainReport::summary() const {
       "{}, {}, {}, worst scaled Jacobian {}, greatest edge ratio {}", counted_at(root, "blocks", "block"),
       counted_at(root, "irregular_nodes", "irregular node"), counted_at(root, "quads", "quad"),
       rounded(number_at(root, "least_scaled_jacobian"), 2), rounded(number_at(root, "greatest_edge_ratio.value"), 1));
-  if (!root["hexahedra"].is_null()) line += fmt::format(", {} hexahedra", number_at(root, "hexahedra"));
+  if (!root["sweep"].is_null())
+    line += fmt::format("; {} hexahedra, worst scaled Jacobian {}", number_at(root, "sweep.hexahedra"),
+                        rounded(number_at(root, "sweep.least_scaled_jacobian"), 2));
   if (at(root, "certificate.method") == "midpoint") line += ", by midpoint division of triangles";
   const Json& scale = root["scale"];
   if (scale.is_null() || scale == 1) return line;
