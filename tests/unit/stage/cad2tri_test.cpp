@@ -86,7 +86,7 @@ TEST_F(Cad2tri, TheFaceIsWrittenInTheFormatOfTheEnding) {
 }
 
 TEST_F(Cad2tri, TheFacesOfAFileAreListedAndReported) {
-  expect_contains(list_faces(input_of("half_disc.step").cad, run), "plane");
+  expect_contains(list_faces(input_of("half_disc.step").cad, {}, run), "plane");
   EXPECT_FALSE(run.report().entries().empty());
 }
 
