@@ -165,10 +165,11 @@ const std::vector<ExportFormat>& export_formats() {
        .side_names = {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name}},
       {.name = "su2",
        .ending = ".su2",
-       .summary = "SU2 mesh of straight quads",
+       .summary = "SU2 mesh of straight quads or hexahedra",
        .write = su2_mesh,
        .loses_periodic_sides = true,
-       .side_names = {names_table_name}},
+       .side_names = {names_table_name},
+       .write_hex = su2_mesh},
   };
   return formats;
 }

@@ -119,5 +119,6 @@ Exported specfem2d(const QuadMesh& mesh, const Frame& frame);
 /// SU2's mesh: quads with straight sides between the nodes of the mesh, N^2 for an element of order N; boundaries as
 /// markers. Any order; the quads must be convex.
 Exported su2_mesh(const QuadMesh& mesh, const Frame& frame);
+Exported su2_mesh(const HexMesh& mesh);  ///< N^3 hexahedra with straight edges, each proved not to be folded
 
 }  // namespace quadrille::exports
