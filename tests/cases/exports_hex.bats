@@ -33,7 +33,7 @@ reads() {
     "--revolve 60 --axis -3,0,-3,1 --layers 4" "--revolve 360 --axis -3,0,-3,1 --layers 12"; do
     # shellcheck disable=SC2086
     hexsweep -q "$quads" $motion -o a.hex.h5
-    reads a nektar mfem mfem13 re2 inp su2
+    reads a nektar mfem mfem13 re2 inp su2 cgns
   done
 }
 
@@ -42,10 +42,10 @@ reads() {
   for order in 1 2 3; do
     quadrefine -q --order "$order" --geometry-tol 1 "$BATS_FILE_TMPDIR/half_disc.blocks.h5" -o b.quad.h5
     hexsweep -q b.quad.h5 --height 0.5 --layers 3 -o b.hex.h5
-    reads b nektar mfem mfem13 re2 inp su2
+    reads b nektar mfem mfem13 re2 inp su2 cgns
   done
   hexsweep -q b.quad.h5 --one-layer -o b.hex.h5
-  reads b nektar mfem re2 inp su2
+  reads b nektar mfem re2 inp su2 cgns
 }
 
 @test "Gmsh reads every order that it knows, with positive Jacobians" {

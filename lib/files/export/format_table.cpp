@@ -135,6 +135,8 @@ const std::vector<ExportFormat>& export_formats() {
        .write = cgns_unstructured,
        .loses_periodic_sides = true,
        .side_names = {names_table_name},
+       .write_hex = cgns_unstructured,
+       .max_hex_order = 4,
        .program = "quadexport-cgns"},
       {.name = "cgns-structured",
        .summary = "CGNS, structured zones",

@@ -105,6 +105,7 @@ Exported plot3d(const QuadMesh& mesh, const Frame& frame);
 /// boundaries and neighbours, of any order; cells must be convex then. Boundaries and regions are families.
 Exported cgns_unstructured(const QuadMesh& mesh, const Frame& frame);
 Exported cgns_structured(const QuadMesh& mesh, const Frame& frame);
+Exported cgns_unstructured(const HexMesh& mesh);
 
 /// Exodus II in a NetCDF file: QUAD4 for order 1, QUAD9 for order 2; higher orders are split into elements of order 2.
 /// Regions are blocks, boundaries and interfaces side sets. No element may be folded.
