@@ -33,7 +33,7 @@ reads() {
     "--revolve 60 --axis -3,0,-3,1 --layers 4" "--revolve 360 --axis -3,0,-3,1 --layers 12"; do
     # shellcheck disable=SC2086
     hexsweep -q "$quads" $motion -o a.hex.h5
-    reads a nektar mfem mfem13 re2 inp
+    reads a nektar mfem mfem13 re2 inp su2 cgns
   done
 }
 
@@ -42,10 +42,10 @@ reads() {
   for order in 1 2 3; do
     quadrefine -q --order "$order" --geometry-tol 1 "$BATS_FILE_TMPDIR/half_disc.blocks.h5" -o b.quad.h5
     hexsweep -q b.quad.h5 --height 0.5 --layers 3 -o b.hex.h5
-    reads b nektar mfem mfem13 re2 inp
+    reads b nektar mfem mfem13 re2 inp su2 cgns
   done
   hexsweep -q b.quad.h5 --one-layer -o b.hex.h5
-  reads b nektar mfem re2 inp
+  reads b nektar mfem re2 inp su2 cgns
 }
 
 @test "Gmsh reads every order that it knows, with positive Jacobians" {
@@ -76,4 +76,19 @@ reads() {
   run -2 quadexport --frame 3d a.hex.h5 -o a.msh
   assert_output --partial 'omit it'
   assert_file_not_exist a.ism
+}
+
+@test "the readers see what is wrong" {
+  hexsweep -q "$quads" --height 0.5 --layers 2 -o a.hex.h5
+  reads a su2
+  # spoilt SED: a change that the reader must notice
+  spoilt() {
+    sed -E "$1" a.su2.su2 >b.su2
+    run ! cmp -s a.su2.su2 b.su2
+    run -1 "$compare" su2 b.su2 a.hex.h5
+  }
+  spoilt '0,/^12 (\S+) (\S+) / s/^12 (\S+) (\S+) /12 \2 \1 /'
+  spoilt '0,/^9 (\S+) (\S+) / s/^9 (\S+) (\S+) /9 \2 \1 /'
+  spoilt 's/^MARKER_TAG= curve_1/MARKER_TAG= curve_0/'
+  spoilt '0,/^-1 /s/^-1 /-1.01 /'
 }

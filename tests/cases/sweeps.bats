@@ -109,7 +109,7 @@ deviation() {
     assert_output --partial "$1"
   }
   refused '--twist is an option of hexsweep: give --sweep too' --twist 20 -o out.msh
-  refused 'the format su2 has no hexahedra: choose one of msh' --sweep -o out.su2
+  refused 'the format ism-v2 has no hexahedra: choose one of msh' --sweep -o out.ism
   refused '--sweep: a STEP model is made from blocks' --sweep -o out.step
   refused 'supports hexahedra up to order 9' --sweep --order 10 -o out.msh
   refused 'the stage hexsweep runs with --sweep only' --until hexsweep --workdir . -o out.msh

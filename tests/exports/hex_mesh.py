@@ -34,6 +34,26 @@ class HexElements:
                             for b in range(self.order + 1)])
 
 
+def cut_at_nodes(mesh):
+    """The elements of order 1 between the nodes of each element."""
+    n, nodes, regions, faces = mesh.order, [], [], []
+    cells = [(k, j, i) for k in range(n) for j in range(n) for i in range(n)]
+    for elem, x in enumerate(mesh.nodes):
+        nodes += [x[k:k + 2, j:j + 2, i:i + 2] for k, j, i in cells]
+        regions += [mesh.regions[elem]] * len(cells)
+    for elem, face, name in mesh.faces:
+        at = [CORNERS[c] for c in FACES[face]]
+        axis = [len({index[d] for index in at}) for d in range(3)].index(1)
+        wanted = (n - 1) * at[0][axis]
+        faces += [(elem * len(cells) + number, face, name) for number, cell in enumerate(cells)
+                  if cell[2 - axis] == wanted]
+    return HexElements(1, numpy.array(nodes), regions, faces)
+
+
+def sorted_nodes(mesh):
+    return sorted(map(tuple, mesh.nodes.reshape(len(mesh.nodes), -1)))
+
+
 def lagrange(points, at):
     """Values and derivatives [at, point] of the Lagrange polynomials."""
     points = numpy.asarray(points)

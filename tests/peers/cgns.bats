@@ -33,6 +33,33 @@ check() {
   done < <(shapes)
 }
 
+# hexes ORDER: a.hex.h5 and a.cgns of twisted layers.
+hexes() {
+  quadrefine -q --order "$1" --geometry-tol 1 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
+  hexsweep -q a.quad.h5 --height 1 --twist 40 --layers 3 -o a.hex.h5
+  quadexport -q a.hex.h5 -o a.cgns
+}
+
+@test "cgnscheck accepts hexahedra of orders 1 to 4" {
+  need cgns-convert
+  local order
+  for order in 1 2 3 4; do
+    hexes $order
+    check a.cgns
+    assert_output --partial 'Cell Dimension=3'
+  done
+}
+
+# VTK 9.1 exchanges two upright edges of HEXA_64 and does not know HEXA_125.
+@test "VTK reads hexahedra: positive Jacobians, and the volume of the stage file" {
+  need python3-vtk9
+  local order
+  for order in 1 2; do
+    hexes $order
+    run -0 "$PYTHON" "$ROOT/tests/peers/judge_vtk_cgns_hex.py" a.hex.h5 a.cgns
+  done
+}
+
 @test "the NetCDF library reads what is on the page of Exodus" {
   need netcdf-bin
   quadrefine -q --order 2 "$(blocks_of "$DATA/half_disc.step")" | quadexport -q -o a.exo

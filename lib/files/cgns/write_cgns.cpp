@@ -83,7 +83,8 @@ class CgnsFile {
 
   std::string written(const exports::CgnsRequest& request) {
     const int dimension = static_cast<int>(request.zones.front().x.size());
-    require(cg_base_write(file_, "base", 2, dimension, &base_));
+    require(cg_base_write(file_, "base", request.cell_dimension, dimension, &base_));
+    side_location_ = request.cell_dimension == 3 ? CGNS_ENUMV(FaceCenter) : CGNS_ENUMV(EdgeCenter);
     for (const exports::CgnsFamily& family : request.families) write_family(family);
     for (const exports::CgnsZone& zone : request.zones) write_zone(zone, request.is_structured);
     require(cg_close(file_));
@@ -136,7 +137,7 @@ class CgnsFile {
     if (!is_structured) range = {range[0], range[2]};
     require(cg_boco_write(file_, base_, zone, boundary.name.c_str(), CGNS_ENUMV(FamilySpecified),
                           CGNS_ENUMV(PointRange), 2, range.data(), &number));
-    if (!is_structured) require(cg_boco_gridlocation_write(file_, base_, zone, number, CGNS_ENUMV(EdgeCenter)));
+    if (!is_structured) require(cg_boco_gridlocation_write(file_, base_, zone, number, side_location_));
     require(cg_goto(file_, base_, "Zone_t", zone, "ZoneBC_t", 1, "BC_t", number, "end"));
     require(cg_famname_write(boundary.family.c_str()));
   }
@@ -152,6 +153,7 @@ class CgnsFile {
 
   std::string path_;
   int file_ = 0, base_ = 0;
+  CGNS_ENUMT(GridLocation_t) side_location_ = CGNS_ENUMV(EdgeCenter);
 };
 
 }  // namespace

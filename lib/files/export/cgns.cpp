@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "export/cgns_request.hpp"
+#include "export/cgns_words.hpp"
 #include "export/groups.hpp"
 #include "export/multi_block.hpp"
 #include "export/renode.hpp"
@@ -14,48 +14,6 @@
 
 namespace quadrille::exports {
 namespace {
-
-/// Names in a CGNS file have at most 32 characters; elements and boundaries of one zone share none.
-constexpr std::size_t longest_name = 32;
-
-constexpr std::array<const char*, 5> bar_types{"", "BAR_2", "BAR_3", "BAR_4", "BAR_5"};
-constexpr std::array<const char*, 5> cgns_quad_types{"", "QUAD_4", "QUAD_9", "QUAD_16", "QUAD_25"};
-
-/// The type of a boundary by the beginning of its name, in upper or lower case.
-const char* boundary_type(std::string name) {
-  constexpr std::array<std::pair<const char*, const char*>, 7> types{{{"wall", "BCWall"},
-                                                                      {"symmetry", "BCSymmetryPlane"},
-                                                                      {"farfield", "BCFarfield"},
-                                                                      {"inlet", "BCInflow"},
-                                                                      {"inflow", "BCInflow"},
-                                                                      {"outlet", "BCOutflow"},
-                                                                      {"outflow", "BCOutflow"}}};
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const auto& [beginning, type] : types)
-    if (name.starts_with(beginning)) return type;
-  return "UserDefined";
-}
-
-/// Words for boundaries, then for regions: all different, because families of both stand side by side.
-PlainNames family_names(const Groups& groups, Exported& exported) {
-  NameList all = groups.boundary_names;
-  all.insert(all.end(), groups.region_names.begin(), groups.region_names.end());
-  const WordRules rules{{}, longest_name, false};
-  const NameList words = plain_names(all, rules);
-  const auto middle = words.begin() + groups.num_boundaries();
-  PlainNames names{{words.begin(), middle}, {middle, words.end()}};
-  exported.add_loss(renamed_loss(all, words, rules));
-  if (words != all) exported.side_files.push_back(names_table(groups, names.boundaries, names.regions));
-  return names;
-}
-
-std::vector<CgnsFamily> families(const Groups& groups, const PlainNames& words) {
-  std::vector<CgnsFamily> all;
-  for (std::size_t b = 0; b < words.boundaries.size(); ++b)
-    all.push_back({words.boundaries[b], boundary_type(groups.boundary_names[b])});
-  for (const std::string& region : words.regions) all.push_back({region, ""});
-  return all;
-}
 
 std::vector<std::vector<double>> coordinates(const QuadMesh& mesh, const Frame& frame, const std::vector<int>& nodes,
                                              const std::vector<std::array<double, 3>>& positions) {
@@ -126,24 +84,6 @@ std::vector<CgnsZone> structured_zones(const MultiBlock& blocks, const Groups& g
 }
 
 // The unstructured zone.
-
-/// Corners, then sides counter-clockwise, then the rings inside in the same way, corner first.
-std::vector<int> cgns_quad_order(int order) {
-  std::vector<int> nodes;
-  for (int side = 0; side < 4; ++side) nodes.push_back(local_side_node(order, side, 0));
-  for (int side = 0; side < 4; ++side)
-    for (int k = 1; k < order; ++k) nodes.push_back(local_side_node(order, side, k));
-  for (int low = 1; 2 * low <= order; ++low) {
-    const int size = order - 2 * low, shift = low * (order + 2);
-    if (size == 0) nodes.push_back(shift);
-    for (int side = 0; side < 4 && size > 0; ++side)
-      for (int k = 0; k < size; ++k) {
-        const int local = local_side_node(size, side, k);
-        nodes.push_back(shift + local / (size + 1) * (order + 1) + local % (size + 1));
-      }
-  }
-  return nodes;
-}
 
 class UnstructuredZone {
  public:
@@ -217,8 +157,8 @@ Exported cgns_structured(const QuadMesh& mesh, const Frame& frame) {
   exported.add_loss(interface_loss(groups));
   const PlainNames words = family_names(groups, exported);
   // Blocks may have been divided further; regions are those of the mesh.
-  exported.bytes =
-      to_bytes({true, families(groups, words), structured_zones(blocks, mesh_groups(blocks.quads), words, frame)});
+  exported.bytes = to_bytes({true, 2, families(groups, words, groups.num_boundaries()),
+                             structured_zones(blocks, mesh_groups(blocks.quads), words, frame)});
   return exported;
 }
 
@@ -227,9 +167,7 @@ Exported cgns_unstructured(const QuadMesh& mesh, const Frame& frame) {
   Exported exported;
   exported.is_binary = true;
   const PlainNames words = family_names(lines, exported);
-  CgnsRequest request{false, families(lines, words), {}};
-  request.families.erase(request.families.begin() + groups.num_boundaries(),
-                         request.families.begin() + lines.num_boundaries());
+  CgnsRequest request{false, 2, families(lines, words, groups.num_boundaries()), {}};
   request.zones.push_back(UnstructuredZone(mesh, lines, words).zone(frame, groups.num_boundaries()));
   exported.bytes = to_bytes(request);
   return exported;

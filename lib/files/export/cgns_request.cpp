@@ -126,7 +126,7 @@ void visit(Archive& archive, Same<CgnsZone> auto& z) {
 }
 template <typename Archive>
 void visit(Archive& archive, Same<CgnsRequest> auto& r) {
-  visit_all(archive, r.is_structured, r.families, r.zones);
+  visit_all(archive, r.is_structured, r.cell_dimension, r.families, r.zones);
 }
 
 }  // namespace

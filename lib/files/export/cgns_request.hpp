@@ -23,7 +23,7 @@ struct CgnsSection {
 };
 
 /// Of a structured zone a range of points (i, j) to (i, j); of an unstructured one a range of elements, in the first
-/// and third number.
+/// and third number: bars, or faces of hexahedra.
 struct CgnsBoundary {
   std::string name, family;
   std::array<std::int64_t, 4> range{};
@@ -48,6 +48,7 @@ struct CgnsZone {
 
 struct CgnsRequest {
   bool is_structured = false;
+  std::int32_t cell_dimension = 2;
   std::vector<CgnsFamily> families;
   std::vector<CgnsZone> zones;
 };

@@ -135,6 +135,8 @@ const std::vector<ExportFormat>& export_formats() {
        .write = cgns_unstructured,
        .loses_periodic_sides = true,
        .side_names = {names_table_name},
+       .write_hex = cgns_unstructured,
+       .max_hex_order = 4,
        .program = "quadexport-cgns"},
       {.name = "cgns-structured",
        .summary = "CGNS, structured zones",
@@ -165,10 +167,11 @@ const std::vector<ExportFormat>& export_formats() {
        .side_names = {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name}},
       {.name = "su2",
        .ending = ".su2",
-       .summary = "SU2 mesh of straight quads",
+       .summary = "SU2 mesh of straight quads or hexahedra",
        .write = su2_mesh,
        .loses_periodic_sides = true,
-       .side_names = {names_table_name}},
+       .side_names = {names_table_name},
+       .write_hex = su2_mesh},
   };
   return formats;
 }

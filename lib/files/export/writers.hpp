@@ -105,6 +105,7 @@ Exported plot3d(const QuadMesh& mesh, const Frame& frame);
 /// boundaries and neighbours, of any order; cells must be convex then. Boundaries and regions are families.
 Exported cgns_unstructured(const QuadMesh& mesh, const Frame& frame);
 Exported cgns_structured(const QuadMesh& mesh, const Frame& frame);
+Exported cgns_unstructured(const HexMesh& mesh);
 
 /// Exodus II in a NetCDF file: QUAD4 for order 1, QUAD9 for order 2; higher orders are split into elements of order 2.
 /// Regions are blocks, boundaries and interfaces side sets. No element may be folded.
@@ -119,5 +120,6 @@ Exported specfem2d(const QuadMesh& mesh, const Frame& frame);
 /// SU2's mesh: quads with straight sides between the nodes of the mesh, N^2 for an element of order N; boundaries as
 /// markers. Any order; the quads must be convex.
 Exported su2_mesh(const QuadMesh& mesh, const Frame& frame);
+Exported su2_mesh(const HexMesh& mesh);  ///< N^3 hexahedra with straight edges, each proved not to be folded
 
 }  // namespace quadrille::exports

@@ -18,7 +18,7 @@ exports::CgnsRequest one_zone() {
   zone.size = {2, 2};
   zone.x = {{0, 1, 0, 1}, {0, 0, 1, 1}};
   zone.boundaries = {{"side_1", "wall", {1, 1, 2, 1}}};
-  return {true, {{"wall", "BCWall"}}, {zone}};
+  return {true, 2, {{"wall", "BCWall"}}, {zone}};
 }
 
 TEST(WriteCgns, TheFileIsHdf5TheSameEachTimeAndRemoved) {
