@@ -51,12 +51,12 @@ TEST(Su2Hex, FacesOfPiecesLieOnTheFacesOfTheirElement) {
   }
 }
 
-/// z = 1 becomes the parabola 1 + x (4 - x) / 8 of x alone, over two elements of length 2 and order 2: between its
-/// nodes, at distances of 1, it is 1/32 above the straight lines, along z; the slope of the first line is 3/8.
+/// z = 1 becomes the parabola 1 + x (4 - x) / 2, over two elements of length 2 and order 2: in the middle between its
+/// nodes, at distances of 1, it is 1/8 above the straight lines, along z; the slopes of the lines are 3/2 and 1/2.
 TEST(Su2Hex, TheLossIsTheDistanceFromTheCurvedFace) {
-  HexMesh mesh = two_hexes({.order = 2, .map = [](Vec3 x) { return Vec3{x.x, x.y, x.z * (1 + x.x * (4 - x.x) / 8)}; }});
+  HexMesh mesh = two_hexes({.order = 2, .map = [](Vec3 x) { return Vec3{x.x, x.y, x.z * (1 + x.x * (4 - x.x) / 2)}; }});
   mesh.diameter = 1;
-  const double largest = 1.0 / 32 / std::hypot(1, 1.0 / 8);
+  const double largest = 1.0 / 8 / std::hypot(1, 0.5);
   EXPECT_EQ(split_loss(mesh),
             fmt::format("elements have straight edges, which moves the boundary by up to {:.2g} ({:.2g} of the "
                         "diameter)",
