@@ -92,6 +92,12 @@ heights_of() {
   assert_output 'curve_0 curve_1 bottom top'
 }
 
+@test "a sweep that is too long for layers like the quads is refused at once" {
+  run -2 hexsweep "$quads" --height 1e160 -o a.hex.h5
+  assert_output --partial "give --layers or a shorter sweep"
+  assert_nothing_left
+}
+
 @test "a curve that turns back is refused" {
   printf '0,0,0\n0,0,1\n0,0,0\n' >back.csv
   run -1 hexsweep "$quads" --curve back.csv -o a.hex.h5
