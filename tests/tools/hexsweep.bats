@@ -86,6 +86,25 @@ heights_of() {
   h5dump -d /face_groups/periodic_with a.hex.h5 | grep -qE '\(0\): -1, -1, 3, -1|-1, [1-9]'
 }
 
+@test "a full turn that narrows does not close" {
+  hexsweep "$quads" --revolve 360 --axis -3,0,-3,1 --taper 0.5 --layers 8 -o a.hex.h5
+  run -0 names_of a.hex.h5
+  assert_output 'curve_0 curve_1 bottom top'
+}
+
+@test "a sweep that is too long for layers like the quads is refused at once" {
+  run -2 hexsweep "$quads" --height 1e160 -o a.hex.h5
+  assert_output --partial "give --layers or a shorter sweep"
+  assert_nothing_left
+}
+
+@test "a curve that turns back is refused" {
+  printf '0,0,0\n0,0,1\n0,0,0\n' >back.csv
+  run -1 hexsweep "$quads" --curve back.csv -o a.hex.h5
+  assert_output --partial "--curve must not turn back on itself"
+  assert_nothing_left back.csv
+}
+
 @test "a face that touches or crosses the axis is refused with a remedy" {
   for axis in 0,0,0,1 0,0,1,0; do
     run -2 hexsweep "$quads" --revolve 90 --axis $axis -o a.hex.h5

@@ -28,8 +28,14 @@ std::vector<double> geometric_ends(int count, double growth) {
   return ends;
 }
 
+/// Throws UsageError above most_layers.
 int least_count(double length, double usual) {
-  return static_cast<int>(std::clamp(std::ceil(length / usual * (1 - tolerance::tied)), 1.0, 1.0 * most_layers));
+  const double count = std::max(1.0, std::ceil(length / usual * (1 - tolerance::tied)));
+  if (!(count <= most_layers))
+    throw UsageError(fmt::format(
+        "layers as high as the quads are long would be {:.3g}, more than {}: give --layers or a shorter sweep", count,
+        most_layers));
+  return static_cast<int>(count);
 }
 
 std::vector<double> heights_of(const std::optional<layers::WallSpec>& spec) {
@@ -75,7 +81,7 @@ std::vector<double> layer_ends(const LayerPlan& plan, double length, double usua
   const double growth = std::max(bottom.empty() ? 0 : layers::growth_beyond(*plan.bottom),
                                  top.empty() ? 0 : layers::growth_beyond(*plan.top));
   int count = plan.layers;
-  for (int n = least_count(room, usual); count == 0; n += 1 + n / 50)
+  for (int n = count > 0 ? 0 : least_count(room, usual); count == 0; n += 1 + n / 50)
     if (n >= most_layers || is_smooth(middle_ends(n, room, first, last), usual, growth)) count = n;
   std::vector<double> ends{0};
   for (const double height : bottom) ends.push_back(height / length);

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <string>
@@ -77,6 +78,18 @@ void add_nodes(const SweptQuads& swept, const SweepMotion& motion, const SweepPl
     for (std::size_t q = 0; q < swept.nodes.size(); ++q)
       level[q] += (1 - s) * plan.bottom_heights[q] * motion.shape().normal;
   }
+}
+
+/// A curve that turns back has no tangent there, and lengths near the limit of numbers overflow.
+void require_finite(const HexMesh& mesh, const std::vector<double>& levels) {
+  const auto is_finite = [](Vec3 x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); };
+  const auto bad = std::ranges::find_if_not(mesh.nodes, is_finite);
+  if (bad == mesh.nodes.end()) return;
+  const std::size_t level = (bad - mesh.nodes.begin()) / (mesh.nodes.size() / levels.size());
+  throw ComputeError(
+      fmt::format("the sweep has no position at {:.3g} of its length: --curve must not turn back on itself, and "
+                  "lengths must not overflow: move points of the curve, or shorten the sweep",
+                  levels[level]));
 }
 
 void add_elements(const SweptQuads& swept, std::size_t layers, std::size_t levels, HexMesh& mesh) {
@@ -167,6 +180,7 @@ HexMesh sweep(const QuadMesh& quads, const SweepMotion& motion, const SweepPlan&
   mesh.num_quads = quads.num_elems();
   const std::vector<double> levels = levels_of(plan.ends, quads.order, motion.is_closed());
   add_nodes(swept, motion, plan, levels, mesh);
+  require_finite(mesh, levels);
   add_elements(swept, layers, levels.size(), mesh);
   add_regions(quads, mesh);
   mesh.diameter = diameter_of(mesh.nodes);

@@ -109,7 +109,7 @@ double SweepMotion::length() const {
 }
 
 bool SweepMotion::is_closed() const {
-  return shape_.axis && shape_.twist == 0 && std::abs(std::abs(shape_.angle) - 2 * pi) <= 1e-12;
+  return shape_.axis && shape_.twist == 0 && shape_.taper == 1 && std::abs(std::abs(shape_.angle) - 2 * pi) <= 1e-12;
 }
 
 SpaceMotion SweepMotion::in_plane(double s) const {
