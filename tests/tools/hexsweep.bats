@@ -86,10 +86,22 @@ heights_of() {
   h5dump -d /face_groups/periodic_with a.hex.h5 | grep -qE '\(0\): -1, -1, 3, -1|-1, [1-9]'
 }
 
-@test "a full turn that narrows does not close" {
-  hexsweep "$quads" --revolve 360 --axis -3,0,-3,1 --taper 0.5 --layers 8 -o a.hex.h5
-  run -0 names_of a.hex.h5
-  assert_output 'curve_0 curve_1 bottom top'
+@test "a full turn whose end is not its beginning, or that shall have ends, is refused" {
+  for options in "--taper 0.5" "--twist 180"; do
+    run -2 hexsweep "$quads" --revolve 360 --axis -3,0,-3,1 $options --layers 8 -o a.hex.h5
+    assert_output --partial "its end is not its beginning"
+  done
+  run -2 hexsweep "$quads" --revolve -360 --axis -3,0,-3,1 --one-layer -o a.hex.h5
+  assert_output --partial "has no ends"
+  assert_nothing_left
+}
+
+@test "a sweep that is a rounding error is refused" {
+  run -2 hexsweep "$quads" --height 1e-300 -o a.hex.h5
+  assert_output --partial "diameters of the face long"
+  run -2 hexsweep "$quads" --revolve 1e-200 --axis -3,0,-3,1 -o a.hex.h5
+  assert_output --partial "radians long"
+  assert_nothing_left
 }
 
 @test "a sweep that is too long for layers like the quads is refused at once" {

@@ -58,6 +58,25 @@ void require_one_motion(const HexsweepOptions& options) {
   if ((options.revolve != 0) == options.axis.empty()) throw UsageError("--revolve and --axis need each other");
 }
 
+/// The end of a full turn is the beginning.
+void require_closed_turn(const HexsweepOptions& options) {
+  constexpr double full_turn = 360;
+  if (std::abs(options.revolve) != full_turn) return;
+  if (options.twist != 0 || options.taper != 1)
+    throw UsageError("--revolve 360 closes, and with --twist or --taper its end is not its beginning: turn by less");
+  if (options.is_one_layer || options.has_periodic_ends)
+    throw UsageError("--revolve 360 has no ends: leave out --one-layer and --periodic-ends");
+}
+
+/// Shorter sweeps have heights of layers that are rounding errors.
+void require_length(const QuadMesh& quads, const sweep::SweepMotion& motion) {
+  constexpr double least = 1e-12;  // diameters, or radians
+  const double length = motion.shape().axis ? std::abs(motion.shape().angle) : motion.length() / quads.face.diameter;
+  if (!(length >= least))
+    throw UsageError(fmt::format("the sweep is only {:.3g} {} long: make it longer", length,
+                                 motion.shape().axis ? "radians" : "diameters of the face"));
+}
+
 sweep::LayerPlan parsed_layers(const HexsweepOptions& options) {
   sweep::LayerPlan plan{options.is_one_layer ? 1 : options.layers, options.layer_growth, {}, {}};
   if (!options.bottom_layers.empty()) plan.bottom = layers::parse_layer_spec("--bottom-layers", options.bottom_layers);
@@ -234,6 +253,7 @@ void declare_layers(Options& o, HexsweepOptions& options) {
 void HexsweepOptions::validate() const {
   require_intervals(*this);
   require_one_motion(*this);
+  require_closed_turn(*this);
   if (!along.empty()) parsed_along(along);
   if (!axis.empty()) parsed_axis(axis);
   if (!centre.empty()) numbers_of("--centre", centre, {2}, "X,Y");
@@ -264,6 +284,7 @@ HexMesh hexsweep(const HexsweepInput& input, const HexsweepOptions& options, Run
   const std::vector<Vec3> nodes = sweep::nodes_in_model(quads);
   const double usual = usual_size(quads, nodes);
   const sweep::SweepMotion motion(shape_of(input, options, usual));
+  require_length(quads, motion);
   if (motion.shape().axis) require_off_axis(quads, nodes, *motion.shape().axis);
   sweep::SweepPlan plan{ends_of(options, motion, nodes, usual), heights_of(input, options),
                         options.is_one_layer || options.has_periodic_ends, options.bottom_name, options.top_name};
