@@ -12,8 +12,11 @@
 
 namespace quadrille::exports {
 
-const std::vector<ExportFormat>& export_formats() {
-  static const std::vector<ExportFormat> formats{
+namespace {
+
+/// Of many programs.
+std::vector<ExportFormat> general_formats() {
+  return {
       {.name = "msh",
        .ending = ".msh",
        .summary = "Gmsh MSH 4.1, ASCII",
@@ -53,6 +56,12 @@ const std::vector<ExportFormat>& export_formats() {
        .side_names = {vtu_curves_name, vtu_faces_name},
        .write_hex = vtu_bezier,
        .max_hex_order = 10},
+  };
+}
+
+/// Of solvers with elements of a high order.
+std::vector<ExportFormat> high_order_formats() {
+  return {
       {.name = "nektar",
        .ending = ".xml",
        .summary = "Nektar++ XML",
@@ -93,6 +102,12 @@ const std::vector<ExportFormat>& export_formats() {
        .write = nek_re2,
        .side_names = {names_table_name, nek_field_name},
        .write_hex = nek_re2},
+  };
+}
+
+/// Of finite volumes, with straight sides.
+std::vector<ExportFormat> volume_formats() {
+  return {
       {.name = "blockmesh",
        .ending = "blockMeshDict",
        .summary = "OpenFOAM blockMeshDict",
@@ -110,6 +125,19 @@ const std::vector<ExportFormat>& export_formats() {
        .has_straight_sides = true,
        .write_hex = [](const HexMesh& mesh) { return poly_mesh(mesh, {}); },
        .write_hex_with_types = poly_mesh},
+      {.name = "su2",
+       .ending = ".su2",
+       .summary = "SU2 mesh of straight quads or hexahedra",
+       .write = su2_mesh,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name},
+       .write_hex = su2_mesh},
+  };
+}
+
+/// Of finite elements of order 1 or 2.
+std::vector<ExportFormat> low_order_formats() {
+  return {
       {.name = "abaqus",
        .summary = "Abaqus and CalculiX, plane stress or hexahedra",
        .write = abaqus_cps,
@@ -127,6 +155,25 @@ const std::vector<ExportFormat>& export_formats() {
        .write = abaqus_cax,
        .loses_periodic_sides = true,
        .side_names = {names_table_name}},
+      {.name = "exodus",
+       .ending = ".exo",
+       .summary = "Exodus II",
+       .write = exodus,
+       .loses_periodic_sides = true,
+       .side_names = {names_table_name},
+       .write_hex = exodus,
+       .max_hex_order = 2},
+      {.name = "specfem2d",
+       .summary = "text files of SPECFEM2D",
+       .write = specfem2d,
+       .loses_periodic_sides = true,
+       .side_names = {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name}},
+  };
+}
+
+/// Of structured solvers.
+std::vector<ExportFormat> structured_formats() {
+  return {
       {.name = "cgns",
        .ending = ".cgns",
        .summary = "CGNS, unstructured",
@@ -145,14 +192,6 @@ const std::vector<ExportFormat>& export_formats() {
        .loses_periodic_sides = true,
        .side_names = {names_table_name},
        .program = "quadexport-cgns"},
-      {.name = "exodus",
-       .ending = ".exo",
-       .summary = "Exodus II",
-       .write = exodus,
-       .loses_periodic_sides = true,
-       .side_names = {names_table_name},
-       .write_hex = exodus,
-       .max_hex_order = 2},
       {.name = "plot3d",
        .ending = ".xyz",
        .summary = "PLOT3D grids, with a neutral map",
@@ -160,19 +199,18 @@ const std::vector<ExportFormat>& export_formats() {
        .write = plot3d,
        .loses_periodic_sides = true,
        .side_names = {neutral_map_name, names_table_name}},
-      {.name = "specfem2d",
-       .summary = "text files of SPECFEM2D",
-       .write = specfem2d,
-       .loses_periodic_sides = true,
-       .side_names = {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name}},
-      {.name = "su2",
-       .ending = ".su2",
-       .summary = "SU2 mesh of straight quads or hexahedra",
-       .write = su2_mesh,
-       .loses_periodic_sides = true,
-       .side_names = {names_table_name},
-       .write_hex = su2_mesh},
   };
+}
+
+}  // namespace
+
+const std::vector<ExportFormat>& export_formats() {
+  static const std::vector<ExportFormat> formats = [] {
+    std::vector<ExportFormat> all = general_formats();
+    for (const auto& more : {high_order_formats(), volume_formats(), low_order_formats(), structured_formats()})
+      all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
   return formats;
 }
 

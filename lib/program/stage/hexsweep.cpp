@@ -184,7 +184,7 @@ std::vector<double> ends_of(const HexsweepOptions& options, const sweep::SweepMo
   const sweep::Axis& axis = *motion.shape().axis;
   for (const Vec3 x : nodes) sum += norm(cross(axis.direction, x - axis.point));
   const double angle = std::abs(motion.shape().angle);
-  const std::vector<double> ends =
+  std::vector<double> ends =
       sweep::layer_ends(plan, angle, std::min(radians(usual_turn), usual * static_cast<double>(nodes.size()) / sum));
   constexpr std::size_t least_closed = 3;
   if (motion.is_closed() && ends.size() <= least_closed)

@@ -249,7 +249,7 @@ std::vector<LayeredEnd> WallSides::layered_ends() const {
 }
 
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
-                          const std::vector<WallSpec>& specs, std::shared_ptr<const sizing::ChartScale> scale) {
+                          const std::vector<WallSpec>& specs, const std::shared_ptr<const sizing::ChartScale>& scale) {
   const mesh::ArcSides arc_sides = mesh::sides_of_arcs(layout);
   FinestSpec choice{specs};
   WallSides walls;

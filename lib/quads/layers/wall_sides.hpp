@@ -90,7 +90,8 @@ struct WallSides {
 
 /// `curve_spec` as from curve_walls. `scale`: of a curved face.
 WallSides find_wall_sides(const BlockLayout& layout, const curve::CurveTable& table, const std::vector<int>& curve_spec,
-                          const std::vector<WallSpec>& specs, std::shared_ptr<const sizing::ChartScale> scale = {});
+                          const std::vector<WallSpec>& specs,
+                          const std::shared_ptr<const sizing::ChartScale>& scale = {});
 
 /// The greatest curvature (1 / length, of a curved face in space) with which the side bends towards its block; 0: it
 /// bends nowhere towards it.

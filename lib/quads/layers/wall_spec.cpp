@@ -144,7 +144,7 @@ std::vector<double> gll_heights(double first, int layers) {
 WallSpec parse_wall_spec(const std::string& text, double yplus) { return Parser("--wall", text).parse(yplus); }
 
 WallSpec parse_layer_spec(const std::string& option, const std::string& text) {
-  const WallSpec spec = Parser(option, text).parse_keys(text, 0);
+  WallSpec spec = Parser(option, text).parse_keys(text, 0);
   if (spec.yplus > 0 || spec.as_many_as_fit || spec.own_blocks)
     throw UsageError(fmt::format("{} {}: yplus, layers=fit and blocks are for --wall of quadrefine", option, text));
   return spec;
