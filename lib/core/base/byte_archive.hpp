@@ -89,8 +89,9 @@ class ByteReader {
       copy(&value, sizeof value);
   }
   void read(std::string& text) {
-    text.assign(bytes_, at_, count(1));
-    at_ += text.size();
+    const std::uint64_t size = count(1);  // moves at_
+    text.assign(bytes_, at_, size);
+    at_ += size;
   }
   template <class T>
   void read(std::vector<T>& values) {

@@ -29,11 +29,11 @@ Where the field gives no valid mesh, the face is meshed without it, by triangles
 warning (--layout midpoint; with --layout traced or quantized the exit code is 1 instead).
 
 The stages are cad2tri, fieldsolve, padapt, critpoints, separatrix, blocksplit, quadrefine, with --sweep hexsweep, and
-quadexport. --until and --from run some of them. In between, files of --workdir may be edited: --from STAGE reads the files of the stages
-before it and writes those from it on. --from separatrix (or --nodes) uses an edited x.crit.json. --from critpoints
-finds the nodes again and uses an x.crit.json that differs from them in its content alone, because it was edited; one
-with another provenance was made with other options and is replaced, but never nodes that were set by hand (exit
-code 2). Results are those of the single commands, byte for byte.
+quadexport. --until and --from run some of them. In between, files of --workdir may be edited: --from STAGE reads the
+files of the stages before it and writes those from it on. --from separatrix (or --nodes) uses an edited x.crit.json.
+--from critpoints finds the nodes again and uses an x.crit.json that differs from them in its content alone, because it
+was edited; one with another provenance was made with other options and is replaced, but never nodes that were set by
+hand (exit code 2). Results are those of the single commands, byte for byte.
 
 OPTIONS
   -o, --output FILE         mesh to write, in the format of its ending or of --format (default: -, standard output);
@@ -52,8 +52,8 @@ OPTIONS
   --face-name NAME          points: name of the face, from which blocks get theirs (see points2step --help for these)
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them); a curved one
                             is meshed in its chart (SHAPE.chart.h5 in --workdir; see cad2chart --help)
-  --sweep                   sweep the quads into hexahedra, by the options of hexsweep (--height, --revolve, ...; without
-                            them one as high as the quads are long), and write those
+  --sweep                   sweep the quads into hexahedra, by the options of hexsweep (--height, --revolve, ...;
+                            without them one layer as high as the quads are long), and write those
   --section PLANE           cut the solids of SHAPE by a plane, z=0.5 or NX,NY,NZ@X,Y,Z (its normal and a point), and
                             mesh the faces of the cut (see cad2tri --help)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), or

@@ -28,6 +28,14 @@ double shortened(double distance, double tolerance, int power) {
   return std::max(least_factor, shorter_yet * std::pow(distance / tolerance, -1.0 / power));
 }
 
+/// The longer diagonal of the element that is farthest from the surface.
+double size_of_worst(const LiftedMesh& lifted) {
+  const auto corner = [&](int side) {
+    return lifted.mesh.space_nodes[side_start(lifted.mesh, lifted.distance.worst_elem, side)];
+  };
+  return std::max(distance(corner(0), corner(2)), distance(corner(1), corner(3)));
+}
+
 Vec2 middle(const QuadMesh& mesh, int elem) {
   Vec2 sum;
   for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
@@ -69,7 +77,10 @@ bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double toleranc
   };
   if (num_unproved(last) > 0 || num_unproved(next) > 0) return num_unproved(next) >= num_unproved(last);
   const double before = last.distance.worst(), after = next.distance.worst();
-  return after > tolerance && after > std::pow(shortened(before, tolerance, power), slow_power) * before;
+  if (after <= tolerance) return false;
+  // Counts are integers: elements may be longer than asked for.
+  const double factor = std::max(shortened(before, tolerance, power), size_of_worst(next) / size_of_worst(last));
+  return after > std::pow(factor, slow_power) * before;
 }
 
 void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const CadFace& face, double tolerance,

@@ -120,7 +120,7 @@ TEST(ReadCommandLine, stages_have_names) {
   EXPECT_EQ(options.from + options.until, "padaptseparatrix");
   EXPECT_EQ(refusal({"--from", "critpoint"}),
             "--from: 'critpoint' is no stage (did you mean critpoints?): the stages are cad2tri fieldsolve padapt "
-            "critpoints separatrix blocksplit quadrefine quadexport");
+            "critpoints separatrix blocksplit quadrefine hexsweep quadexport");
 }
 
 TEST(ReadCommandLine, programs_take_the_place_of_stages) {
@@ -180,7 +180,8 @@ TEST(HelpText, each_of_its_options_is_known) {
   int num_options = 0;
   std::smatch match;
   for (std::string line; std::getline(lines, line);) {
-    EXPECT_LE(line.size(), 120U) << line;
+    // A list of words, which completions read, cannot be broken.
+    if (!std::regex_match(line, std::regex("^  --[a-z-]+ [^ ]*\\|[^ ]*$"))) EXPECT_LE(line.size(), 120U) << line;
     if (!std::regex_match(line, match, row)) continue;
     ++num_options;
     EXPECT_FALSE(refusal({match[1], "1"}).starts_with("unknown option")) << line;
@@ -189,7 +190,7 @@ TEST(HelpText, each_of_its_options_is_known) {
 }
 
 TEST(HelpText, has_the_options_of_the_stages) {
-  expect_counts(help_text(), {{"\nOPTIONS OF ", 5}, {"\nOPTIONS OF CRITPOINTS\n", 1}, {"\n  --max-valence ", 1}});
+  expect_counts(help_text(), {{"\nOPTIONS OF ", 6}, {"\nOPTIONS OF CRITPOINTS\n", 1}, {"\n  --max-valence ", 1}});
 }
 
 }  // namespace

@@ -120,9 +120,11 @@ TEST(LiftedSplit, PlanarFacesHaveNoNodesInSpace) {
 // Edges of 0.4 times the length are 0.4^(N + 1) times as far from a smooth surface, 0.4^2 times where curvatures jump,
 // and 0.4 times at a tip.
 TEST(LiftedSplit, DistancesFallSlowlyAtATip) {
-  const auto at_distance = [](double distance, double bound) {
+  const auto at_distance = [](double distance, double bound, double size = 0.4) {
     LiftedMesh lifted;
-    lifted.mesh.order = 4;
+    lifted.mesh.order = 1;
+    lifted.mesh.space_nodes = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {size, size, 0}};
+    lifted.mesh.elem_nodes = {0, 1, 2, 3, 0, 1, 2, 3};
     lifted.mesh.elem_jacobian_bound = {1, bound};
     lifted.distance.elem = {0, distance};
     lifted.distance.worst_elem = 1;
@@ -130,15 +132,18 @@ TEST(LiftedSplit, DistancesFallSlowlyAtATip) {
   };
   const double tolerance = 1e-6;
   for (const int power : {expected_power(0, 4), expected_power(1, 4)}) {
-    EXPECT_FALSE(fell_slowly(at_distance(1e-3, 1), at_distance(1e-3 * std::pow(0.4, 5), 1), tolerance, power));
-    EXPECT_FALSE(fell_slowly(at_distance(1e-3, 1), at_distance(1.6e-4, 1), tolerance, power));
-    EXPECT_TRUE(fell_slowly(at_distance(1e-3, 1), at_distance(4e-4, 1), tolerance, power));
-    EXPECT_FALSE(fell_slowly(at_distance(2e-6, 1), at_distance(1e-6, 1), tolerance, power));
+    EXPECT_FALSE(fell_slowly(at_distance(1e-3, 1, 1), at_distance(1e-3 * std::pow(0.4, 5), 1), tolerance, power));
+    EXPECT_FALSE(fell_slowly(at_distance(1e-3, 1, 1), at_distance(1.6e-4, 1), tolerance, power));
+    EXPECT_TRUE(fell_slowly(at_distance(1e-3, 1, 1), at_distance(4e-4, 1), tolerance, power));
+    // Halved, as counts are integers: 0.5^2 times as far.
+    EXPECT_FALSE(fell_slowly(at_distance(1e-3, 1, 1), at_distance(2.6e-4, 1, 0.5), tolerance, power));
+    EXPECT_TRUE(fell_slowly(at_distance(1e-3, 1, 1), at_distance(2.6e-4, 1), tolerance, power));
+    EXPECT_FALSE(fell_slowly(at_distance(2e-6, 1, 1), at_distance(1e-6, 1), tolerance, power));
     // No fewer elements are unproved.
-    EXPECT_TRUE(fell_slowly(at_distance(1e-3, 0), at_distance(1e-6, 0), tolerance, power));
-    EXPECT_FALSE(fell_slowly(at_distance(1e-3, 0), at_distance(1e-3, 1), tolerance, power));
+    EXPECT_TRUE(fell_slowly(at_distance(1e-3, 0, 1), at_distance(1e-6, 0), tolerance, power));
+    EXPECT_FALSE(fell_slowly(at_distance(1e-3, 0, 1), at_distance(1e-3, 1), tolerance, power));
   }
-  EXPECT_FALSE(fell_slowly(at_distance(2e-6, 1), at_distance(1.2e-6, 1), tolerance, 5));  // near the tolerance
+  EXPECT_FALSE(fell_slowly(at_distance(2e-6, 1, 1), at_distance(1.2e-6, 1), tolerance, 5));  // near the tolerance
 }
 
 }  // namespace

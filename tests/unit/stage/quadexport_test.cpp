@@ -22,9 +22,9 @@ TEST(Quadexport, TheFormatFollowsFromTheOutputUnlessItIsChosen) {
   EXPECT_EQ(format_of("-", options), "msh");
   EXPECT_EQ(format_of("x.vtu", options), "vtu");
   EXPECT_EQ(format_of("x.stp", options), "step");
-  expect_contains(usage_message("x.xyz", options), "give --format");
+  expect_contains(usage_message("x.unv", options), "give --format");
   options.format = "mfem";
-  EXPECT_EQ(format_of("x.xyz", options), "mfem");
+  EXPECT_EQ(format_of("x.unv", options), "mfem");
   options.format = "unheard-of";
   EXPECT_THROW(format_of("x.msh", options), UsageError);
 }
