@@ -71,11 +71,20 @@ load ../tools/common
   for file in torus_patch.msh torus_patch.blocks.step torus_patch.svg; do assert_file_exists "$file"; done
 }
 
+@test "the commands of hexahedra work" {
+  ln -s "$ROOT/pipelines" "$ROOT/tests" .
+  mkdir build && ln -s "$BIN" build/bin
+  sed -n '/^## Hexahedra/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >commands
+  assert [ "$(wc -l <commands)" -eq 4 ]
+  run -0 bash -euo pipefail commands
+  for file in twisted.msh bend.vtu plate.re2 twisted.svg; do assert_file_exists "$file"; done
+}
+
 # The lines of "In a program" are run by python.bats and library.bats.
 @test "the sections whose commands are run above are all that have commands, but for the set-up" {
   run -0 awk '/^## / { heading = substr($0, 4) } /^    [^ ]/ && !seen[heading]++ { print heading }' "$ROOT/README.md"
-  assert_output "$(printf '%s\n' Set-up 'One command' 'Curved faces' 'Many shapes' 'Step by step' 'Part of the chain' 'From points' \
-    Names 'Irregular nodes where you want them' 'Sizes and wall layers' 'In a program')"
+  assert_output "$(printf '%s\n' Set-up 'One command' 'Curved faces' Hexahedra 'Many shapes' 'Step by step' 'Part of the chain' \
+    'From points' Names 'Irregular nodes where you want them' 'Sizes and wall layers' 'In a program')"
 }
 
 @test "every file that it links is there" {
