@@ -28,6 +28,7 @@ draw::PictureBox hex_box(const HexMesh& mesh) {
 Sheet stage_sheet(const HexMesh& mesh, const PageFrame& frame) {
   Sheet sheet = stage_sheet(projected_faces(mesh), frame);
   sheet.title = "Hexahedra";
+  sheet.is_only_in_space = true;
   sheet.caption = fmt::format("{}{} hexahedra of order {} in {} layers; their outer faces",
                               mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(), mesh.order, mesh.num_layers());
   sheet.facts = draw::figures_of(mesh);

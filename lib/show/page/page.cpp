@@ -87,6 +87,7 @@ std::string sheet_json(const StageModel& stage, const PageFrame& frame) {
   object.text("title", sheet.title).text("caption", sheet.caption).json("facts", facts_json(sheet.facts));
   object.json("steps", steps_json(provenance_of(stage)));
   if (!sheet.space.empty()) object.json("space", sheet.space);
+  if (sheet.is_only_in_space) object.flag("only_in_space", true);
   if (const CadFace* face = face_of(stage)) object.json("boundary", boundary_layer(*face, frame).str());
   return object.json("layers", json_list(layers)).str();
 }

@@ -14,7 +14,8 @@ struct Sheet {
   std::string title, caption;
   std::vector<draw::Figure> facts;
   std::vector<JsonObject> layers;  ///< drawn in this order
-  std::string space;               ///< of a mesh of a curved face: JSON of page/space_data; else empty
+  std::string space;               ///< of a mesh in space: JSON of page/space_data; else empty
+  bool is_only_in_space = false;   ///< without a drawing in the plane beside it
 };
 
 /// The tab of a struct of StageModel.

@@ -44,6 +44,10 @@ class Page {
   get isSpatial() {
     return !this.isBeside && !this.isReport && Boolean(this.sheet.space);
   }
+  /** Whether it is shown in space alone: hexahedra have no chart. */
+  get isAlone() {
+    return this.isSpatial && Boolean(this.sheet.only_in_space);
+  }
   get limits() {
     const fit = Math.min(this.view.width / this.data.width, this.view.height / this.data.height);
     return [fit / 20, fit * 1e6];
@@ -63,11 +67,13 @@ class Page {
     byId("window").classList.toggle("beside", this.isBeside);
     byId("picture-b").parentElement.hidden = !this.isBeside;
     byId("window").classList.toggle("spatial", this.isSpatial);
+    byId("window").classList.toggle("alone", this.isAlone);
     byId("space").hidden = !this.isSpatial;
     const { clientWidth, clientHeight } = byId("picture").parentElement;
     this.view.resize(clientWidth, clientHeight);
     for (const scene of this.scenes) scene.resize(clientWidth, clientHeight);
-    if (this.isSpatial) this.space.resize(clientWidth, clientHeight, this.scenes[0].ratio);
+    const width = this.isAlone ? byId("window").clientWidth : clientWidth;
+    if (this.isSpatial) this.space.resize(width, clientHeight, this.scenes[0].ratio);
   }
 
   /** Tabs are the stages and, behind them, the report of the run if there is one. */
@@ -81,10 +87,10 @@ class Page {
   choose(number) {
     const chosen = (number + this.tabCount) % this.tabCount;
     this.isReport = chosen === this.sheets.length;
-    const wasSpatial = this.isSpatial;
+    const wasSpatial = this.isSpatial, wasAlone = this.isAlone;
     if (!this.isReport) this.current = chosen;
     if (this.isSpatial) this.space.set(this.sheet.space);
-    if (this.isSpatial !== wasSpatial) {
+    if (this.isSpatial !== wasSpatial || this.isAlone !== wasAlone) {
       this.resize();
       this.fit();
     }
