@@ -6,7 +6,8 @@ from element_mesh import real_names
 from linear_mesh import gathered
 
 
-def read(path, order):
+def key_words(path):
+    """The functions value(key), of the next line, rows(count), the words of the next lines, and is_at_end()."""
     lines = [line for line in Path(path).read_text(encoding="ascii").split("\n") if line and not line.startswith("%")]
     at = 0
 
@@ -22,6 +23,11 @@ def read(path, order):
         at += count
         return [line.split() for line in lines[at - count:at]]
 
+    return value, rows, lambda: at == len(lines)
+
+
+def read(path, order):
+    value, rows, is_at_end = key_words(path)
     assert value("NDIME") == "2"
     quads, points, edges = [], [], {}
     for number, row in enumerate(rows(int(value("NELEM")))):
@@ -37,5 +43,5 @@ def read(path, order):
         for cell, a, b in rows(int(value("MARKER_ELEMS"))):
             assert cell == "3" and (int(a), int(b)) not in edges
             edges[int(a), int(b)] = names.get(tag, tag)
-    assert at == len(lines), "something follows"
+    assert is_at_end(), "something follows"
     return gathered(points, quads, edges, order)

@@ -1,29 +1,13 @@
 """SU2 meshes of hexahedra as SU2 reads them: key words with "=", cells by VTK's numbers, markers."""
-import re
-from pathlib import Path
-
 import numpy
 
 from element_mesh import real_names
 from hex_mesh import CORNERS, FACES, HexElements
+from read_su2 import key_words
 
 
 def read(path):
-    lines = [line for line in Path(path).read_text(encoding="ascii").split("\n") if line and not line.startswith("%")]
-    at = 0
-
-    def value(key):
-        nonlocal at
-        found = re.fullmatch(rf"{key}=\s*(\S+)", lines[at])
-        assert found, f"no {key} in {lines[at]!r}"
-        at += 1
-        return found[1]
-
-    def rows(count):
-        nonlocal at
-        at += count
-        return [line.split() for line in lines[at - count:at]]
-
+    value, rows, is_at_end = key_words(path)
     assert value("NDIME") == "3"
     hexes, face_of = [], {}
     for number, row in enumerate(rows(int(value("NELEM")))):
@@ -48,7 +32,7 @@ def read(path):
             assert cell == "9" and corners == seen[turn:] + seen[:turn], "not seen from outside"
             faces.append((elem, face, names.get(tag, tag)))
     assert all(len(cells) == 2 for cells in face_of.values()), "a face of the boundary has no marker"
-    assert at == len(lines), "something follows"
+    assert is_at_end(), "something follows"
     nodes = numpy.zeros((len(hexes), 2, 2, 2, 3))
     for c, (i, j, k) in enumerate(CORNERS):
         nodes[:, k, j, i] = numpy.array(points)[[corners[c] for corners in hexes]]

@@ -105,7 +105,7 @@ class UnstructuredZone {
 
  private:
   void add_quads(int region) {
-    CgnsSection section{words_.regions[region], cgns_quad_types[mesh_.order], next_, 0, {}};
+    CgnsSection section = sections_.begin(words_.regions[region], cgns_quad_types[mesh_.order]);
     const std::vector<int> order = cgns_quad_order(mesh_.order);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
       if (lines_.block2region[mesh_.elem_block[elem]] != region) continue;
@@ -113,11 +113,11 @@ class UnstructuredZone {
         section.nodes.push_back(mesh_.elem_nodes[elem * mesh_.nodes_per_elem() + local] + 1);
       ++section.count;
     }
-    add(std::move(section));
+    sections_.add(std::move(section), false, zone_);
   }
 
   void add_bars(int line, int num_boundaries) {
-    CgnsSection section{words_.boundaries[line], bar_types[mesh_.order], next_, 0, {}};
+    CgnsSection section = sections_.begin(words_.boundaries[line], bar_types[mesh_.order]);
     std::vector<QuadBoundaryEdge> edges = mesh_.boundary_edges;
     const std::vector<QuadBoundaryEdge> inner = interface_edges_once(mesh_);
     edges.insert(edges.end(), inner.begin(), inner.end());
@@ -127,23 +127,14 @@ class UnstructuredZone {
       for (int k = 1; k < mesh_.order; ++k) section.nodes.push_back(side_node(mesh_, e.elem, e.side, k) + 1);
       ++section.count;
     }
-    if (section.count > 0 && line < num_boundaries)
-      zone_.boundaries.push_back(
-          {section.name, section.name, {section.first, 0, section.first + section.count - 1, 0}});
-    add(std::move(section));
-  }
-
-  void add(CgnsSection section) {
-    if (section.count == 0) return;
-    next_ += section.count;
-    zone_.sections.push_back(std::move(section));
+    sections_.add(std::move(section), line < num_boundaries, zone_);
   }
 
   const QuadMesh& mesh_;
   const Groups& lines_;
   const PlainNames& words_;
   CgnsZone zone_;
-  std::int64_t next_ = 1;  ///< number of the next element
+  CgnsSections sections_;
 };
 
 }  // namespace

@@ -60,7 +60,7 @@ class HexZone {
 
  private:
   void add_hexes(int region) {
-    CgnsSection section{words_.regions[region], cgns_hex_types[mesh_.order], next_, 0, {}};
+    CgnsSection section = sections_.begin(words_.regions[region], cgns_hex_types[mesh_.order]);
     const std::vector<int> order = cgns_hex_order(mesh_.order);
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
       if (faces_.block2region[mesh_.quad_block[elem % mesh_.num_quads]] != region) continue;
@@ -68,11 +68,11 @@ class HexZone {
       for (const int local : order) section.nodes.push_back(mesh_.elem_nodes[first + local] + 1);
       ++section.count;
     }
-    add(std::move(section));
+    sections_.add(std::move(section), false, zone_);
   }
 
   void add_faces(int name, int num_boundaries) {
-    CgnsSection section{words_.boundaries[name], cgns_quad_types[mesh_.order], next_, 0, {}};
+    CgnsSection section = sections_.begin(words_.boundaries[name], cgns_quad_types[mesh_.order]);
     const std::vector<int> order = cgns_quad_order(mesh_.order);
     for (std::size_t g = 0; g < mesh_.face_groups.size(); ++g) {
       if (faces_.curve2boundary[g] != name) continue;
@@ -82,16 +82,7 @@ class HexZone {
         ++section.count;
       }
     }
-    if (section.count > 0 && name < num_boundaries)
-      zone_.boundaries.push_back(
-          {section.name, section.name, {section.first, 0, section.first + section.count - 1, 0}});
-    add(std::move(section));
-  }
-
-  void add(CgnsSection section) {
-    if (section.count == 0) return;
-    next_ += section.count;
-    zone_.sections.push_back(std::move(section));
+    sections_.add(std::move(section), name < num_boundaries, zone_);
   }
 
   const HexMesh& mesh_;
@@ -99,7 +90,7 @@ class HexZone {
   const PlainNames& words_;
   HexNumbering numbering_;
   CgnsZone zone_;
-  std::int64_t next_ = 1;  ///< number of the next element
+  CgnsSections sections_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 // (SIDS).
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,5 +26,17 @@ std::vector<CgnsFamily> families(const Groups& groups, const PlainNames& words, 
 
 /// The nodes of a quad: corners, then sides counter-clockwise, then the rings inside in the same way, corner first.
 std::vector<int> cgns_quad_order(int order);
+
+/// Sections of an unstructured zone, one after another.
+class CgnsSections {
+ public:
+  /// An empty section for the elements that follow.
+  CgnsSection begin(const std::string& name, const char* type) const { return {name, type, next_, 0, {}}; }
+  /// Without elements there is none. `is_boundary`: its elements are a boundary of that name.
+  void add(CgnsSection section, bool is_boundary, CgnsZone& zone);
+
+ private:
+  std::int64_t next_ = 1;  ///< number of the next element
+};
 
 }  // namespace quadrille::exports

@@ -204,7 +204,8 @@ class BlockMerger {
 
   bool is_line_at(int elem, int side) const { return is_line_[stars_.edge(elem, side)]; }
 
-  /// Adds a line across each grid without corners, if possible between two blocks; false if there is none.
+  /// A grid that closes on itself, a ring, has no corner: adds a line across each, between two blocks where it can.
+  /// Returns whether there was a ring.
   bool cut_rings() {
     bool was_cut = false;
     for (const std::vector<GridCell>& cells : cells_) {
