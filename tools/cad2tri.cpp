@@ -19,17 +19,15 @@ int main(int argc, char** argv) {
   tool.summary = "turns a planar CAD face into a curved triangle mesh";
   tool.description =
       "Reads a planar face, with any number of holes, from SHAPE (STEP, IGES or BREP) and writes the triangle mesh on "
-      "which fieldsolve solves, with the exact boundary curves as NURBS. Several faces in one plane are regions of one "
-      "face: edges that lie upon each other within the tolerance of healing become one curve, also where they belong "
-      "to separate parts or where a corner of one face lies on an edge of another; --face takes one of them alone. "
-      "Curves inside a face that bound nothing, in wires of the face or beside it, are embedded: elements end there "
-      "from both sides. In a file without faces, curves of one plane that close are the boundary of one. The mesh is "
-      "coarse: its elements follow the curves with polynomials of a high order, are small "
-      "only where the boundary is strongly curved or two of its parts are close to each other, and are graded "
-      "geometrically towards corners at which the field is singular. Every element is proved valid. Lengths are the "
-      "numbers of the file, in its own unit. The chart of a curved face (cad2chart) is read likewise: its triangles "
-      "are "
-      "those of the plane of the chart.";
+      "which fieldsolve solves, with the exact boundary curves as NURBS. Several faces in one plane are regions of "
+      "one face: edges that lie upon each other within the tolerance of healing become one curve, also where they "
+      "belong to separate parts or where a corner of one face lies on an edge of another; --face takes one of them "
+      "alone. Curves inside a face that bound nothing, in wires of the face or beside it, are embedded: elements end "
+      "there from both sides. In a file without faces, curves of one plane that close are the boundary of one. The "
+      "mesh is coarse: its elements follow the curves with polynomials of a high order, are small only where the "
+      "boundary is strongly curved or two of its parts are close to each other, and are graded geometrically towards "
+      "corners at which the field is singular. Every element is proved valid. Lengths are the numbers of the file, in "
+      "its own unit; those of a chart are lengths in its plane.";
   tool.examples = {"cad2tri half_disc.step -o half_disc.tri.h5",
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step --name axis=0 --name wall@0,1 -o named.tri.h5",
