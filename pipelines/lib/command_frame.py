@@ -37,7 +37,7 @@ def is_answered(command, words, help_text):
     """Prints help_text() or the version if a word asks for it, wherever that stands: no other word is then read, so
     that none is refused. The rule is that of lib/program/cli/outcome."""
     for word in words:
-        if word == "--help" or re.fullmatch("-[vq]*h[vqh]*", word):
+        if word in ("--help", "--help-all") or re.fullmatch("-[vq]*h[vqh]*", word):
             print(help_text(), end="")
             return True
         if word == "--version":

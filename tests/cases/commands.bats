@@ -169,10 +169,10 @@ code() {
   for command in $(cut -f 1 shown | uniq); do
     file=$ROOT/pipelines/$command
     [[ -x $file ]] || file=$BIN/$command
-    "$file" --help | grep -oE '^  (-[a-z], )?--[a-z][a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u >options
+    "$file" --help-all | grep -oE '^  (-[a-z], )?--[a-z][a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u >options
     grep "^$command	" shown | cut -f 2 | sort -u | comm -23 - options >unknown
     [[ $command != quadbatch ]] || sed -i '/^--sshlogin$/d' unknown # of GNU parallel
-    [[ $command != quadbatch && $command != quadgallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help) &&
+    [[ $command != quadbatch && $command != quadgallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help-all) &&
       while read -r option; do grep -qE "^  (-[a-z], )?$option\b" <<<"$quadmesh" || echo "$option"; done <unknown >left && mv left unknown; }
     [[ ! -s unknown ]] || fail "$command has no $(xargs <unknown)"
   done

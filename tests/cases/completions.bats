@@ -1,4 +1,4 @@
-# Completions for bash, zsh and fish, made from --help (pipelines/completions).
+# Completions for bash, zsh and fish, made from --help-all (pipelines/completions).
 load ../tools/common
 
 commands="cad2chart cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck quadmesh
@@ -34,11 +34,11 @@ complete_bash() {
   assert_output nektar
 }
 
-@test "every option of every --help is completed in every shell" {
+@test "every option of every --help-all is completed in every shell" {
   local name option
   for name in $commands; do
     for shell in bash zsh fish; do completion $shell "$name" >"$name.$shell"; done
-    for option in $(QUADRILLE_BIN=$BIN "$( (command -v "$name" || echo "$ROOT/pipelines/$name") | tail -1)" --help |
+    for option in $(QUADRILLE_BIN=$BIN "$( (command -v "$name" || echo "$ROOT/pipelines/$name") | tail -1)" --help-all |
       sed '/^EXIT CODES$/,$d' | sed -nE 's/^  (-[a-z], )?(--[a-z0-9-]+).*/\2/p' | sort -u); do
       run -0 grep -cE -- "[ ']$option[ ']" "$name.bash"
       run -0 grep -cE -- "[ ,']$option[]}' )]" "$name.zsh"

@@ -65,7 +65,7 @@ setup() {
   for page in "$usr"/share/man/man1/*.1; do
     assert_equal "$(grep '^\.SH' "$page" | tail -3 | tr '\n' ' ')" ".SH ENVIRONMENT .SH EXAMPLES .SH SEE ALSO "
     assert_equal "$(sed -n '/^\.EX$/,/^\.EE$/p' "$page" | sed '1d;$d; s/\\-/-/g; s/\\e/\\/g')" \
-      "$("$usr/bin/$(basename "$page" .1)" --help | sed '1,/^EXAMPLES$/d; s/^  //')"
+      "$("$usr/bin/$(basename "$page" .1)" --help-all | sed '1,/^EXAMPLES$/d; s/^  //')"
   done
 }
 

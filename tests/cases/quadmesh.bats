@@ -453,13 +453,22 @@ moving_critpoints() {
   assert_file_not_exists w/.square.lock
 }
 
-@test "--help has the options of the stages, as their own help has them" {
-  "$quadmesh" --help >help
+@test "--help-all has the options of the stages, as their own help has them" {
+  "$quadmesh" --help-all >help
   for tool in critpoints separatrix blocksplit quadrefine quadexport; do
     sed -n "/^OPTIONS OF ${tool^^}\$/,/^\$/p" help | sed '1d;$d' >shown
     "$tool" --help | sed -n '/^OPTIONS$/,/^$/p' | sed '1d;$d' | sed '/^  -o,/,/^  --/{/^  --/!d}' | diff - shown
     [ -s shown ]
   done
+}
+
+@test "--help is one page of options that --help-all has" {
+  "$quadmesh" --help >page
+  "$quadmesh" --help-all | grep -oE '^  (-., )?--[a-z-]+' | sort -u >all
+  assert [ "$(wc -l <page)" -le 40 ]
+  grep -oE '^  (-., )?--[a-z-]+' page | sort -u | comm -23 - all >missing
+  assert_file_empty missing
+  assert [ "$(wc -l <all)" -ge 100 ]
 }
 
 @test "the command of the sources says where it is built if it was not" {
@@ -492,11 +501,11 @@ moving_critpoints() {
   done
 }
 
-@test "--help shows examples that run" {
+@test "--help and --help-all show examples that run" {
   cp "$DATA/half_disc.step" "$DATA/bow_shock.step" "$DATA/curved/half_cylinder.step" "$ROOT/pipelines/examples/aerofoil.dat" .
   cp "$DATA/alignment/bow_shock.align.json" shock.json
   printf 'x,y,h1,h2,angle\n-1,0,0.2,0.1,90\n' >metric.csv
-  "$quadmesh" --help | sed -n '/^EXAMPLES/,$p' | grep '^  quadmesh' >examples
+  for help in --help --help-all; do "$quadmesh" $help | sed -n '/^EXAMPLES/,$p' | grep '^  quadmesh'; done | awk '!seen[$0]++' >examples
   while read -r _ arguments; do
     # shellcheck disable=SC2086
     run -0 "$quadmesh" $arguments

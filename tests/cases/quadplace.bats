@@ -82,7 +82,7 @@ here() { TMPDIR=$PWD "$@"; }
   run -2 "$quadplace" "$DATA/square.step" --max-valence
   assert_line "quadplace: --max-valence needs a value"
   "$quadplace" --help | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' >shown
-  "$ROOT/pipelines/quadmesh" --help | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' | diff - shown
+  "$ROOT/pipelines/quadmesh" --help-all | sed -n '/^OPTIONS OF CRITPOINTS$/,/^$/p' | diff - shown
   assert [ -s shown ]
 }
 

@@ -1,4 +1,5 @@
-// The text of quadmesh --help: its own options, then those of the stages as their own help has them.
+// The texts of quadmesh --help, a page, and --help-all: its own options, then those of the stages as their own help has
+// them.
 
 #include <algorithm>
 #include <cctype>
@@ -9,6 +10,42 @@
 namespace quadrille::chain {
 
 namespace {
+
+constexpr const char* brief_help = R"help(Usage: quadmesh [OPTIONS] SHAPE
+
+quadmesh meshes a CAD face, or the shape that points describe, with curved quads.
+
+SHAPE is a STEP, IGES or BREP file, or the points of an outline or an aerofoil (SHAPE.dat, SHAPE.xy). The ending of
+the output decides the format (quadexport --help lists them). One line at the end says how good the mesh is.
+
+OPTIONS (--help-all: all of them, by stage)
+  -o, --output FILE         mesh to write: x.msh, x.vtu, x.xml, x.mesh, x.inp, ...; x.step: its blocks as a CAD model
+  --size X                  edge length of elements, in file units (default: diameter / 20)
+  --size-near NAME=H        edge length H along a boundary, growing with the distance from it (--growth)
+  --order N                 polynomial order of the elements (default: 4)
+  --name NAME=LIST|NAME@X,Y name boundary curves by number (wall=1,3-6), or the one nearest to a point
+  --wall NAME:first=H,growth=R,layers=N
+                            thin layers along a boundary
+  --periodic A=B            nodes of side B are images of those of side A
+  --nodes fewest            as few irregular nodes as possible
+  --face N|NAME             the face, if SHAPE holds several (cad2tri --list SHAPE shows them); it may be curved
+  --farfield KIND:R         points: up to a far field circle:R, box:R or cgrid:R, R in chords
+  --sweep                   hexahedra, by --height, --revolve, --layers, ...
+  --workdir DIR             keep the files of all stages
+  --html FILE               also a page for a browser, with every stage and the shapes of elements
+  -h, --help                print this page; --help-all: all options
+  --version                 print the version
+
+EXIT CODES
+0 success, 1 no valid result, 2 mistake on the command line, 3 bad input, 4 output not written
+
+EXAMPLES
+  quadmesh half_disc.step -o half_disc.msh
+  quadmesh half_disc.step -o fine.vtu --size 0.05 --order 6 --name axis=0
+  quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10
+  quadmesh aerofoil.dat --farfield cgrid:20 -o aerofoil.msh
+  quadmesh half_disc.step --sweep --height 2 --layers 8 -o solid.msh
+)help";
 
 constexpr const char* own_help = R"help(Usage: quadmesh [OPTIONS] SHAPE
 
@@ -100,7 +137,8 @@ OPTIONS
                             that lasts longer than 0.2 s; the mesh does not depend on it (default: auto)
   -v, --verbose             print the seconds and the share of each stage
   -q, --quiet               print errors only
-  -h, --help                print this help and exit
+  -h, --help                print the options that most people need and exit
+  --help-all                print this help and exit
   --version                 print the version and exit
 )help";
 
@@ -133,7 +171,9 @@ EXAMPLES
 
 }  // namespace
 
-std::string help_text() {
+std::string help_text() { return brief_help; }
+
+std::string full_help_text() {
   std::string text = own_help;
   StageOptions values;
   for (const ChainStage stage : {ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,

@@ -19,7 +19,7 @@ namespace quadrille::chain {
 
 namespace {
 
-const std::vector<std::string> own_flags{"--help",    "--verbose",  "--quiet",       "--version",
+const std::vector<std::string> own_flags{"--help",    "--help-all", "--verbose",     "--quiet", "--version",
                                          "--dry-run", "--straight", "--keep-joints", "--sweep"};
 const std::vector<std::string> own_values{"--output",      "--workdir",    "--html",    "--report",
                                           "--max-seconds", "--max-memory", "--threads", "--nodes",
@@ -285,7 +285,7 @@ std::string option_list() {
   for (const std::string& flag : own_values) takes_value[flag] = true;
   for (const std::string& flag : of_cad2tri) takes_value[flag] = has_value(flag);
   for (const std::string& flag : of_points) takes_value[flag] = true;
-  for (const char* flag : {"--help", "--version", "--output"}) takes_value.erase(flag);
+  for (const char* flag : {"--help", "--help-all", "--version", "--output"}) takes_value.erase(flag);
   std::string lines;
   for (const auto& [flag, has_value] : takes_value)
     lines += fmt::format("quadmesh {} {}\n", flag, has_value ? "value" : "flag");

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -268,7 +269,8 @@ int run_chain(const std::vector<std::string>& arguments) {
   ChainOptions options;
   const cli::Request request = cli::request_of(arguments);
   const cli::Outcome outcome = cli::outcome_of([&] {
-    cli::answer(request, "quadmesh", help_text, option_list);
+    const bool is_for_all = std::ranges::count(arguments, "--help-all") > 0;
+    cli::answer(request, "quadmesh", is_for_all ? full_help_text : help_text, option_list);
     if (request == cli::Request::run) read_command_line(arguments, options);
   });
   return outcome.is_success() && request == cli::Request::run ? run(std::move(options))

@@ -65,7 +65,7 @@ namespace {
 
 bool asks_for_help(const std::string& word) {
   const bool has_letters = word.size() > 1 && word[0] == '-' && word.find_first_not_of("vqh", 1) == std::string::npos;
-  return word == "--help" || (has_letters && word.find('h') != std::string::npos);
+  return word == "--help" || word == "--help-all" || (has_letters && word.find('h') != std::string::npos);
 }
 
 }  // namespace

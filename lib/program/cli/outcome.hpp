@@ -31,8 +31,8 @@ int print_failure(const std::string& name, const Outcome& outcome);
 
 enum class Request { run, show_help, show_version, list_options };
 
-/// That of the first word that is --help, -h (also among letters, as in -vh), --version or --list-options, wherever it
-/// stands: no other word is then read, so that none is refused.
+/// That of the first word that is --help, -h (also among letters, as in -vh), --help-all (the same but for quadmesh),
+/// --version or --list-options, wherever it stands: no other word is then read, so that none is refused.
 Request request_of(const std::vector<std::string>& words);
 
 /// Prints what is asked for of the command `name`, or nothing if it shall run. Throws OutputError.
