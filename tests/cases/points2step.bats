@@ -236,6 +236,16 @@ names() { jq -c .names fit.json; }
   done
 }
 
+@test "a CAD file is no file of points, and a far field needs a radius: both are said" {
+  for file in square.step labels.iges; do
+    run -3 --separate-stderr "$points2step" "$ROOT/tests/data/$file" --farfield circle:20
+    assert_regex "$stderr" "$file: a CAD file, for which options of points are not"
+  done
+  circle 8 >points
+  run -2 --separate-stderr "$points2step" points --farfield cgrid
+  assert_regex "$stderr" "'cgrid' has no radius: .* cgrid:20"
+}
+
 @test "output is whole or not at all, and the same every time" {
   circle 8 >points
   "$points2step" points -o a.step

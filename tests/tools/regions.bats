@@ -44,9 +44,10 @@ figures() {
   assert_equal "$(figures '.regions.count, .face.curves, .face.area' t_joint.step)" '[3,13,4.000000000000001]'
 }
 
-@test "cad2tri --face picks one face, and nothing is sewn" {
+@test "cad2tri --face picks one face, with the curves inside; others are ignored with a warning" {
   assert_equal "$(figures '.regions.count, .face.curves, .sew' t_joint.step --face base)" '[1,4,null]'
-  run cad2tri "$DATA/regions/plate_crack.step" --face 0 -o a.tri.h5
+  assert_equal "$(figures '.sew.inner_curves' plate_crack.step --face 0)" '[1]'
+  run cad2tri "$DATA/bad/construction.step" --face 0 -o a.tri.h5
   assert_success
   assert_output --partial 'W-CAD-001'
 }

@@ -313,15 +313,15 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
   return std::nullopt;
 }
 
-FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, bool with_free_edges,
-                        const std::string& file, Report& report) {
+FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, const std::string& file,
+                        Report& report) {
   const auto plane = plane_of(faces.front().face);
   if (!plane) throw FormatError(fmt::format("{}: the face is {}", file, not_planar_text(faces.front())));
   const PlaneFrame frame = frame_of(*plane);
   FacesAndEdges result;
   for (const FaceChoice& choice : faces) result.faces.push_back(raw_face(model, choice.face, frame, file, report));
   const auto edges = parts_beside(model.shape, TopAbs_EDGE, TopAbs_FACE, faces);
-  if (with_free_edges) result.free_edges = free_edges(model, edges, frame, result.faces.front(), report);
+  result.free_edges = free_edges(model, edges, frame, result.faces.front(), report);
   result.num_ignored_curves = static_cast<int>(edges.size() - result.free_edges.size());
   result.num_points = static_cast<int>(parts_beside(model.shape, TopAbs_VERTEX, TopAbs_EDGE, faces).size());
   return result;

@@ -58,10 +58,10 @@ struct FacesAndEdges {
 };
 
 /// The faces with their edges in the plane of the first one; edges that lie off it have a height. An edge that a face
-/// has on both sides is one of its inner edges. Throws FormatError unless the first face is planar. Edges of no face
-/// are only counted unless they are asked for (`with_free_edges`). `file`: name of the file, for messages.
-FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, bool with_free_edges,
-                        const std::string& file, Report& report);
+/// has on both sides is one of its inner edges. Throws FormatError unless the first face is planar. `file`: name of
+/// the file, for messages.
+FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, const std::string& file,
+                        Report& report);
 
 /// The edges of a model without faces as the only wire of a face in their plane, in the order of the file, whatever
 /// their directions. Throws FormatError for curves on one line, and if there are none.

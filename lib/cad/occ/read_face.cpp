@@ -77,7 +77,7 @@ cad::LoadedFace planar_face(const OccModel& model, const std::string& name, cons
   const std::vector<FaceChoice> choices =
       has_no_face ? std::vector<FaceChoice>(1) : choose_faces(model, options.face, name);
   FacesAndEdges found = has_no_face ? closed_curves(model, options.heal_tolerance, name, report)
-                                    : occ_faces(model, choices, options.face.empty(), name, report);
+                                    : occ_faces(model, choices, name, report);
   for (size_t f = 0; f < choices.size(); ++f) {
     cad::choose_names(found.faces[f]);
     if (found.faces[f].name.empty()) found.faces[f].name = choices[f].part;

@@ -143,6 +143,16 @@ void report_result(const Field& field, const AdaptOptions& options, Report& repo
   report.set("adapt.max_sensor_by_step", Report::Value(sensors));
 }
 
+// With as many digits as it takes to read otherwise than the target, which is shown with two.
+std::string text_above(double error, double target) {
+  std::string text;
+  for (int digits = 1; digits <= 16; ++digits) {
+    text = fmt::format("{:.{}e}", error, digits);
+    if (text != fmt::format("{:.{}e}", target, digits)) break;
+  }
+  return text;
+}
+
 // Reports how many elements at max_order miss the target error, by how much, and the position of the worst one.
 // Elements of fans are weighted by their size, as in the sensor.
 void judge_errors(const Field& field, const AdaptOptions& options, Report& report) {
@@ -163,12 +173,11 @@ void judge_errors(const Field& field, const AdaptOptions& options, Report& repor
   const auto& [a, b, c] = field.mesh.elem2vertices[worst];
   const std::vector<Vec2>& x = field.mesh.vertices;
   const std::string position = surface::position_text(field.mesh.face, (x[a] + x[b] + x[c]) / 3);
-  report.warn(
-      warning::target_error_missed,
-      fmt::format("the estimated error of the field is up to {:.1e}, above the target {:.1e}, although the order "
-                  "is at its highest, {}: {} {}, the worst near {}",
-                  greatest, options.target_error, options.max_order, num_missing,
-                  num_missing == 1 ? "element" : "elements", position));
+  report.warn(warning::target_error_missed,
+              fmt::format("the estimated error of the field is up to {}, above the target {:.1e}, although the order "
+                          "is at its highest, {}: {} {}, the worst near {}",
+                          text_above(greatest, options.target_error), options.target_error, options.max_order,
+                          num_missing, num_missing == 1 ? "element" : "elements", position));
 }
 
 }  // namespace

@@ -236,14 +236,19 @@ void cut_bad_blocks(Trial trial, CutSides cut, Blocks& best) {
 }
 
 void warn_of_invalid(const Blocks& blocks, Report& report) {
+  int num_unproved = 0, worst = -1;
   for (int b = 0; b < blocks.layout.num_blocks(); ++b) {
-    const BlockMeasure& m = blocks.measures[b];
-    if (is_proved(m)) continue;
-    report.warn(warning::block_not_proved_valid,
-                fmt::format("{} cannot be proved valid near {}: its exact map folds there, or nearly so",
-                            blocks.layout.block_names[b],
-                            surface::position_text(blocks.layout.face, m.scaled_jacobian_position)));
+    if (is_proved(blocks.measures[b])) continue;
+    ++num_unproved;
+    if (worst < 0 || blocks.measures[b].scaled_jacobian < blocks.measures[worst].scaled_jacobian) worst = b;
   }
+  if (num_unproved == 0) return;
+  const std::string others = num_unproved > 1 ? fmt::format(" ({} blocks; this one is the worst)", num_unproved) : "";
+  report.warn(
+      warning::block_not_proved_valid,
+      fmt::format("{} cannot be proved valid near {}: its exact map folds there, or nearly so{}",
+                  blocks.layout.block_names[worst],
+                  surface::position_text(blocks.layout.face, blocks.measures[worst].scaled_jacobian_position), others));
 }
 
 }  // namespace

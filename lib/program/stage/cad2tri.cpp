@@ -102,8 +102,9 @@ std::string repairs_text(const CadFace& face, const std::vector<Repair>& repairs
   add(RepairKind::fold, "spline unfolded", "splines unfolded");
   add(RepairKind::knot, "spline with merged knots", "splines with merged knots");
   add(RepairKind::cusp, "cusp cut off", "cusps cut off");
-  return fmt::format("healed {}; by at most {:.2g} {} ({:.1g} diameters)", fmt::join(parts, ", "), greatest,
-                     face.length_unit == "unknown" ? "" : face.length_unit, greatest / face.diameter);
+  const std::string unit = face.length_unit == "unknown" ? "" : ' ' + face.length_unit;
+  return fmt::format("healed {}; by at most {:.2g}{} ({:.1g} diameters)", fmt::join(parts, ", "), greatest, unit,
+                     greatest / face.diameter);
 }
 
 std::string regions_text(const CadFace& face) {

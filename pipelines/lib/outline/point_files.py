@@ -61,6 +61,11 @@ def numbers_in(words):
     return values if values and not any("_" in word for word in words) else None
 
 
+def is_cad_file(data):
+    """STEP, BREP or IGES: an S in column 73 of the first line."""
+    return data.lstrip()[:12] == b"ISO-10303-21" or b"CASCADE Topology V" in data[:200] or data[72:80] == b"S      1"
+
+
 def read_point_file(path):
     """The file, or standard input for -; UTF-8 or else Latin-1."""
     if path == "-" and sys.stdin.isatty():
@@ -69,6 +74,9 @@ def read_point_file(path):
         data = sys.stdin.buffer.read() if path == "-" else pathlib.Path(path).read_bytes()
     except OSError as error:
         raise Failure(BAD_INPUT, f"{path}: cannot be read: {error.strerror}") from None
+    if is_cad_file(data):
+        raise Failure(BAD_INPUT, f"{path}: a CAD file, for which options of points are not: draw the region up to the "
+                                 "far field in the CAD program, and leave them out")
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:

@@ -152,7 +152,7 @@ TEST(MakeBlocks, WarnsOfWhatNoCutMakesValid) {
   Report report;
   const Blocks blocks = make_blocks(block_samples::dart(), report);
   EXPECT_EQ(blocks.layout.num_blocks(), 1);
-  ASSERT_EQ(report.warnings().size(), 1u);
+  ASSERT_EQ(report.warnings().size(), 1u);  // however many blocks there are
   EXPECT_EQ(report.warnings()[0].code, "W-BLK-001");
   EXPECT_NE(report.warnings()[0].message.find("block_0 cannot be proved valid near ("), std::string::npos)
       << report.warnings()[0].message;
