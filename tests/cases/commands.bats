@@ -7,6 +7,7 @@ list=$ROOT/tests/page_commands.py
 runners() {
   cat <<'END'
 README.md readme.bats
+pipelines/manual.md manual.bats
 pipelines/tutorial.md tutorial.bats
 pipelines/quadbatch.md quadbatch.bats
 END

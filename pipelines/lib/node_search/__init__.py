@@ -1,5 +1,5 @@
-"""Search for positions of the irregular nodes at which the blocks are best (README, "Irregular nodes where you want
-them").
+"""Search for positions of the irregular nodes at which the blocks are best (pipelines/manual.md, "Irregular nodes
+where you want them").
 
   layouts         runs the stages for given nodes and measures the blocks
   boundary        points along the boundary of a face

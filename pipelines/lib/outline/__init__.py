@@ -1,4 +1,5 @@
-"""Outlines of planar faces from points: loops of points, smooth curves through them, a STEP file (README, "From points").
+"""Outlines of planar faces from points: loops of points, smooth curves through them, a STEP file
+(pipelines/manual.md, "From points").
 
   point_files   reads the lines of a file and the numbers in them
   point_rows    headings, columns, separators: the loops of a file
