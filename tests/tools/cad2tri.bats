@@ -194,6 +194,17 @@ curve_names() {
   assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"p""curve_1""curve_2""curve_3"'
 }
 
+@test "--name and --boundary-names name circles by their diameter, and what lies in a box" {
+  cad2tri "$DATA/plate_hole.step" --name 'hole=circles(<100)' -o a.tri.h5
+  names=$(curve_names a.tri.h5)
+  assert_equal "$(grep -c hole <<<"$names")" 1
+  echo '{"circles()": "hole", "*": "wall"}' >names.json
+  cad2tri "$DATA/plate_hole.step" --boundary-names names.json -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"wall""wall""wall""wall""hole"'
+  run -3 cad2tri "$DATA/plate_hole.step" --name 'x=circles(>100)' -o a.tri.h5
+  assert_output --partial 'no boundary curve fits circles(>100); the curves are'
+}
+
 @test "a --name without a match ends with 3 and lists the curves, a mistaken one with 2" {
   refused() { # CODE OPTION MESSAGE
     run cad2tri "$DATA/labels.step" --name "$2" -o a.tri.h5

@@ -87,6 +87,12 @@ setup() {
   quadrefine --wall 0:first=1e-3,layers=4 --wall 1:first=2e-3,layers=fit "$blocks" -o c.quad.h5 --report c.json
   run jq '.walls["1"].layers > 10' c.json
   assert_output true
+  quadrefine --size-near 'curve_*=0.05' "$blocks" -o c.quad.h5
+  quadrefine --size-near curve_0=0.05 --size-near curve_1=0.05 "$blocks" -o d.quad.h5
+  cmp <(h5dump -d /nodes c.quad.h5 | sed 1d) <(h5dump -d /nodes d.quad.h5 | sed 1d)
+  quadrefine --wall 'box(-2,-1,2,0):first=0.01,layers=3' "$blocks" -o c.quad.h5
+  quadrefine --wall curve_0:first=0.01,layers=3 "$blocks" -o d.quad.h5
+  cmp <(h5dump -d /nodes c.quad.h5 | sed 1d) <(h5dump -d /nodes d.quad.h5 | sed 1d)
 }
 
 @test "walls that no boundary has, or that make no sense, end with 2" {

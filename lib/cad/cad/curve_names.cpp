@@ -15,6 +15,7 @@
 #include "base/name_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/named_places.hpp"
+#include "curve/select_curves.hpp"
 #include "surface/space_extent.hpp"
 
 namespace quadrille::cad {
@@ -81,12 +82,12 @@ bool is_in_part(const CadFace& face, int curve, NameRule::Part part) {
 }
 
 std::vector<int> curves_of_pattern(const CadFace& face, const NameRule& rule) {
-  std::vector<int> curves;
-  for (int c = 0; c < face.num_curves(); ++c)
-    if (is_in_part(face, c, rule.part) && matches_wildcard(face.curve_names[c], rule.text)) curves.push_back(c);
+  std::vector<int> curves = curve::selected_curves(face, rule.text, rule.where);
+  std::erase_if(curves, [&](int c) { return !is_in_part(face, c, rule.part); });
   if (curves.empty())
-    throw FormatError(fmt::format("{}: no {} has the name {}{}", rule.where,
-                                  rule.part == NameRule::Part::interface ? "interface" : "boundary curve", rule.text,
+    throw FormatError(fmt::format("{}: no {} {} {}{}", rule.where,
+                                  rule.part == NameRule::Part::interface ? "interface" : "boundary curve",
+                                  rule.text.ends_with(')') ? "fits" : "has the name", rule.text,
                                   known_curves(face, rule.part == NameRule::Part::any ? rule.text : "")));
   return curves;
 }
@@ -116,8 +117,8 @@ std::vector<int> curves_of(const CadFace& face, const NameRule& rule) {
   if (rule.kind == NameRule::Kind::range) return curves_of_range(face, rule);
   if (rule.kind == NameRule::Kind::rest) return curves_of_rest(face, rule);
   std::vector<int> curves;
-  if (rule.kind == NameRule::Kind::key || rule.kind == NameRule::Kind::old_name)
-    curves = curves_of_name(face, rule.text);
+  if (rule.kind == NameRule::Kind::key) curves = curve::selected_curves(face, rule.text, rule.where);
+  if (rule.kind == NameRule::Kind::old_name) curves = curves_of_name(face, rule.text);
   if (curves.empty() && rule.kind != NameRule::Kind::old_name) curves = curve_of_number(face, rule.number);
   if (curves.empty())
     throw FormatError(
@@ -212,16 +213,6 @@ void rename_curves(CadFace& face, const std::vector<NameRule>& rules, const std:
 
 namespace {
 
-std::vector<std::string> items_of(const std::string& list) {
-  std::vector<std::string> items{""};
-  for (const char c : list)
-    if (c == ',')
-      items.emplace_back();
-    else
-      items.back() += c;
-  return items;
-}
-
 template <class Number>
 std::optional<Number> number_of(const std::string& text) {
   Number number{};
@@ -262,7 +253,7 @@ NameRule rule_of_point(const std::string& point, const std::string& where) {
   NameRule rule;
   rule.kind = NameRule::Kind::position;
   rule.max_distance = max_option_distance;
-  for (const std::string& item : items_of(point)) {
+  for (const std::string& item : split_at_commas(point)) {
     const auto number = number_of<double>(item);
     if (!number || !std::isfinite(*number)) throw UsageError(where + ": a point is X,Y or X,Y,Z, in file units");
     rule.position.push_back(*number);
@@ -290,7 +281,7 @@ std::vector<NameRule> name_option_rules(const std::vector<std::string>& options,
     if (option[end] == '@')
       add(rule_of_point(target, where));
     else
-      for (const std::string& item : items_of(target)) add(rule_of_item(item, where));
+      for (const std::string& item : split_at_commas(target)) add(rule_of_item(item, where));
   }
   return rules;
 }

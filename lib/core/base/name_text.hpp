@@ -23,7 +23,7 @@ std::string clean_name(std::string_view text);
 /// not UTF-8 become U+FFFD.
 std::string printable_text(std::string_view text);
 
-/// The parts of `text` between its commas; one empty part if it is empty.
+/// The parts of `text` between its commas outside brackets ( ); one empty part if it is empty.
 std::vector<std::string> split_at_commas(std::string_view text);
 
 /// Whether the whole `text` fits `pattern`, both UTF-8: * is any text, also none, ? one character, all others are

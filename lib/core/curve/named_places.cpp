@@ -12,6 +12,7 @@
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
 #include "curve/project.hpp"
+#include "curve/select_curves.hpp"
 #include "model/interfaces.hpp"
 #include "surface/space_extent.hpp"
 
@@ -85,6 +86,12 @@ std::vector<int> curves_of_region(const CadFace& face, const std::string& name, 
                                fmt::join(face.region_names, ", ")));
 }
 
+/// Without those inside the face, if any lie on its boundary.
+void keep_boundary(const CadFace& face, std::vector<int>& curves) {
+  const auto is_inside = [&](int c) { return face.is_interface(c); };
+  if (!std::ranges::all_of(curves, is_inside)) std::erase_if(curves, is_inside);
+}
+
 /// The curves with the name made from this number, which offset curves may have changed since; else the curve of this
 /// number.
 std::vector<int> curve_of_number(const CadFace& face, int number) {
@@ -98,9 +105,8 @@ std::vector<int> curve_of_number(const CadFace& face, int number) {
 }  // namespace
 
 std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option) {
-  std::vector<int> curves;
-  for (int c = 0; c < face.num_curves(); ++c)
-    if (face.curve_names[c] == name) curves.push_back(c);
+  std::vector<int> curves = selected_curves(face, name, option);
+  if (std::ranges::find(face.curve_names, name) == face.curve_names.end()) keep_boundary(face, curves);
   int number = -1;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
   const bool is_number = error == std::errc() && end == name.data() + name.size();

@@ -22,9 +22,9 @@ std::vector<double> curve_distances(const CadFace& face, const std::vector<doubl
 /// `where`, if there are two.
 Vec3 space_position(const std::vector<double>& coordinates, const std::string& where);
 
-/// The curves named `name` or, if no curve has that name, the curve of that number: of an interface the curves of both
-/// regions, with "NAME@REGION" those of this region alone. Throws UsageError, which lists the
-/// names, the nearest one first, if the face has no such curve; `option` is at the beginning of its message.
+/// The curves named `name`, or else those that it selects (select_curves; of them those on the boundary, if any), or
+/// the curve of that number: of an interface the curves of both regions, with "NAME@REGION" those of this region alone.
+/// Throws UsageError, which lists the names, the nearest one first, for none; `option` begins its message.
 std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option);
 
 /// The region that "NAME@REGION" picks; -1 if no region is named.

@@ -62,12 +62,12 @@ inline bool is_along_walls(const CadFace& region) {
 /// One entry: the curves or blocks that get `name`.
 struct NameRule {
   enum class Kind {
-    key,       ///< `text` is an old name or, if no curve has that name, a number
+    key,       ///< `text` is an old name, or selects curves (curve/select_curves), or else is a number
     number,    ///< number of a curve or block, base 0
     old_name,  ///< all curves of the name `text`
     position,  ///< the curve nearest to the position `position`, or the block around it
     range,     ///< the numbers from `number` to `last_number`
-    pattern,   ///< all curves whose name fits `text`, with the wild cards * and ? (base/name_text)
+    pattern,   ///< all curves that `text` selects, by wild cards, box(...) or circles(...) (curve/select_curves)
     rest,      ///< all that no other rule names; of curves those of the boundary, unless `part` is interface
   };
   /// Of the curves: the outline and holes of the whole face, or those that two regions share or that lie inside one.

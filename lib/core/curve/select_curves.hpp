@@ -1,0 +1,21 @@
+#pragma once
+// Curves of a face that options and files of users mean by a pattern, a place or a shape.
+
+#include <string>
+#include <vector>
+
+#include "model/cad_face.hpp"
+
+namespace quadrille::curve {
+
+/// The curves that `text` means, ascending. Those of this very name come first; if there are none:
+///   - box(X0,Y0,X1,Y1): all that lie in a rectangle of the face's plane, whose corners are positions as face_position
+///     takes them; box(X0,Y0,Z0,X1,Y1,Z1): in a box of the CAD model's space;
+///   - circles(<D), circles(>D), circles(D): the curves of loops that are whole circles, of a diameter below, above or
+///     within a thousandth of D, a length of the face; circles(): all of them;
+///   - else those whose name fits `text` with the wild cards * and ? (base/name_text).
+/// Throws UsageError, with a message that begins with `where`, for a box or circles that cannot be read, and for a box
+/// in the plane if the face is curved.
+std::vector<int> selected_curves(const CadFace& face, const std::string& text, const std::string& where);
+
+}  // namespace quadrille::curve
