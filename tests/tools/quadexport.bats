@@ -320,3 +320,20 @@ assert on_arc > 20, on_arc
 PYTHON
   done
 }
+
+@test "--translate moves the coordinates before --unit and --scale, and refuses what it cannot" {
+  coordinates() { sed -n '/<DataArray.*Points/,/<\/DataArray/p; /^\$Nodes/,/^\$EndNodes/p' "$1" | awk 'NF == 3 && /\./'; }
+  quadexport "$quad" -o a.msh
+  quadexport "$quad" --translate 1,-2 --scale 10 -o b.msh
+  paste <(coordinates a.msh) <(coordinates b.msh) >both
+  assert [ "$(wc -l <both)" -ge 100 ]
+  run awk '{ x = $4 - 10 * ($1 + 1); y = $5 - 10 * ($2 - 2); if (x * x + y * y > 1e-24) print }' both
+  assert_output ''
+  run -2 quadexport "$quad" --translate 1,2,3 -o c.msh
+  assert_output --partial 'three numbers are for --frame 3d'
+  run -2 quadexport "$quad" --translate 1,x -o c.msh
+  assert_output --partial "'1,x' is not X,Y or X,Y,Z"
+  quadexport "$quad" --frame 3d --translate 0,0,5 -o c.msh
+  run awk '$3 != 5' <(coordinates c.msh)
+  assert_output ''
+}

@@ -12,6 +12,7 @@
 #include "check/check.hpp"
 #include "export/format_table.hpp"
 #include "export/step_request.hpp"
+#include "export/translate.hpp"
 
 namespace quadrille::stage {
 
@@ -136,7 +137,9 @@ std::vector<OutputFile> exported_files(Mesh mesh, const char* elements, const st
   run.report().set(elements, mesh.num_elems());
   run.report().set("nodes", mesh.nodes.size());
   const exports::ExportFormat& row = *exports::find_export_format(format);
-  exports::Exported exported = exports::export_mesh(std::move(mesh), row, parsed(options));
+  const exports::ExportOptions parsed_options = parsed(options);
+  exports::translate(mesh, exports::parse_translation(options.translation), parsed_options.in_space);
+  exports::Exported exported = exports::export_mesh(std::move(mesh), row, parsed_options);
   if (!row.program.empty())
     exported.bytes =
         run_program(helper_program(std::string(row.program)), exported.bytes,
@@ -160,6 +163,9 @@ void declare(Options& o, QuadexportOptions& quadexport) {
           "type of the OpenFOAM patches whose name fits NAME, with the wild cards * and ?: patch, wall, symmetryPlane, "
           "symmetry, empty or wedge; the last one that fits decides; without it names that begin with wall, symmetry "
           "or empty decide, and the rest is patch");
+  o.text("--translate", quadexport.translation, "X,Y[,Z]",
+         "add this to the coordinates, in the unit of the CAD file, before --unit and --scale: X,Y in the plane of the "
+         "face, also with Z in the space of --frame 3d, curved faces and hexahedra");
   o.choice("--unit", quadexport.length.unit, unit_choices(),
            "length unit of the written coordinates; file: that of the CAD file, whose numbers are kept");
   o.optional_number(
@@ -186,7 +192,10 @@ std::string format_of(const std::string& output, const QuadexportOptions& option
     throw UsageError("--patch-type: a STEP model has no types of boundaries");
   } else if (options.merge_blocks) {
     throw UsageError("--merge-blocks: a STEP model is made from the blocks themselves");
+  } else if (!options.translation.empty()) {
+    throw UsageError("--translate: a STEP model lies where the CAD file has it");
   }
+  exports::parse_translation(options.translation);
   return name;
 }
 
@@ -227,6 +236,7 @@ void require_format_in_space(const std::string& format) {
 void require_quadexport_of(const CadFace& face, const std::string& output, const QuadexportOptions& options) {
   require_intervals(options);
   if (face.chart) require_format_in_space(format_of(output, options));
+  exports::require_translation(exports::parse_translation(options.translation), options.frame == "3d" || face.chart);
   length_scale(face, options.length);
   exports::require_boundaries(face.curve_names, parsed(options).patch_types);
 }

@@ -18,6 +18,7 @@ struct QuadexportOptions {
   std::string format = "auto";           ///< a name of export/format_table, or "step"; auto: from the output's name
   std::string frame = "2d";              ///< "3d": coordinates of the CAD model
   std::vector<std::string> patch_types;  ///< NAME=TYPE
+  std::string translation;               ///< "X,Y" or "X,Y,Z", lengths of the CAD file; empty: none
   ScaleRequest length;                   ///< unit and factor of the coordinates
   bool block_groups = false;             ///< each block without a name is a region of its own
   bool merge_blocks = false;             ///< blocks of one region are joined to the fewest grids
