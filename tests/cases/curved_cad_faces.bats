@@ -101,7 +101,18 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
 }
 
 @test "on the half sphere the nodes of least energy are corners of a cube" {
-  "$quadmesh" -q "$curved/half_sphere.step" --face 0 --place-weight 0 --size .3 --workdir . -o a.msh
-  run -0 jq -c '[.critical_points[].position | (map(. * .) | add | sqrt) - ((3 | sqrt) - 1) / (2 | sqrt) | fabs < 1e-6]' half_sphere.crit.json
+  cad2chart "$curved/half_sphere.step" --face 0 --closedness 1e-8 | cad2tri | fieldsolve | padapt -o a.field.h5
+  critpoints --place-weight 0 a.field.h5 -o a.crit.json
+  run -0 jq -c '[.critical_points[].position | (map(. * .) | add | sqrt) - ((3 | sqrt) - 1) / (2 | sqrt) |
+    fabs < 1e-10]' a.crit.json
+  assert_output '[true,true,true,true]'
+}
+
+@test "--clearance is a length in space" {
+  cad2chart "$curved/half_sphere.step" --face 0 | cad2tri | fieldsolve | padapt -o a.field.h5
+  critpoints --clearance curve_0=0.8 a.field.h5 -o a.crit.json
+  # The rim of the half sphere is pi / 2 - 2 atan(r) from a point, r its distance from the middle of the chart.
+  run -0 jq -c '[.critical_points[].position | 3.141592653589793 / 2 - 2 * (map(. * .) | add | sqrt | atan) - 0.8 |
+    fabs < 1e-5]' a.crit.json
   assert_output '[true,true,true,true]'
 }

@@ -132,7 +132,7 @@ void place(const Field& field, const NodeOptions& options, bool moves_all, Share
 void keep_clearance(const Field& field, const NodeOptions& options, CriticalPoints& points, Report& report) {
   std::vector<bool> may_move;
   for (const CriticalPoint& node : points.critical_points) may_move.push_back(node.source != NodeSource::divide);
-  placement::keep_clearance(field.mesh.face, options.walls, may_move, points, report);
+  placement::keep_clearance(field.mesh.face, options.walls, options.placement.log_scale, may_move, points, report);
 }
 
 /// The nodes of the face for itself, whatever its symmetry lines.

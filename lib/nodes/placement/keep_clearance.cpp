@@ -60,7 +60,7 @@ struct MovingNode {
   int node = 0;
   Vec2 start;
   double clearance = 0;  ///< the greatest that it misses at the start
-  double reach = 0;      ///< the greatest distance from the start: the greatest shortfall there
+  double reach = 0;      ///< the greatest distance from the start, in space: the greatest shortfall there
   std::vector<Obstacle> obstacles;
   std::vector<Neighbour> neighbours;
 };
@@ -68,11 +68,12 @@ struct MovingNode {
 /// The half planes of the steps with which a node keeps its distances, to first order.
 struct NodeRoom {
   std::vector<HalfPlane> planes;
+  double reach = 0;                ///< the greatest distance from the start
   double longest_step = HUGE_VAL;  ///< half of the distance to the nearest obstacle
 };
 
-/// The nodes to which each of the moving nodes may come too near.
-void find_neighbours(const CriticalPoints& points, std::vector<MovingNode>& moving) {
+/// The nodes to which each of the moving nodes may come too near: all where reaches are no lengths of the plane.
+void find_neighbours(const CriticalPoints& points, bool is_chart, std::vector<MovingNode>& moving) {
   std::vector<const MovingNode*> by_node(points.critical_points.size(), nullptr);
   for (const MovingNode& node : moving) by_node[node.node] = &node;
   for (MovingNode& node : moving)
@@ -81,17 +82,20 @@ void find_neighbours(const CriticalPoints& points, std::vector<MovingNode>& movi
       const double other_reach = by_node[j] ? by_node[j]->reach : 0;
       const double d = distance(points.critical_points[j].position, node.start);
       const double least = rules.kept_fraction * d;
-      if (d - least < node.reach + other_reach) node.neighbours.push_back({j, least, by_node[j] != nullptr});
+      if (is_chart || d - least < node.reach + other_reach)
+        node.neighbours.push_back({j, least, by_node[j] != nullptr});
     }
 }
 
-/// The boundary curves and other nodes to which nodes keep a distance. Clearances above the mean width of the face
+/// The boundary curves and other nodes to which nodes keep a distance. Clearances above the mean width of a planar face
 /// count as that much.
 class WallSurroundings {
  public:
-  WallSurroundings(const CadFace& face, const std::vector<WallClearance>& walls)
-      : boundary_(face), clearance_(clearance_of_curves(face, walls)), mean_width_(curve::mean_width(face)) {
-    for (const double clearance : clearance_) greatest_ = std::max(greatest_, clearance);
+  WallSurroundings(const CadFace& face, const std::vector<WallClearance>& walls, const LogScale& log_scale)
+      : boundary_(face), clearance_(clearance_of_curves(face, walls)), log_scale_(log_scale) {
+    if (log_scale_) return;
+    mean_width_ = curve::mean_width(face);
+    greatest_ = *std::ranges::max_element(clearance_);
   }
 
   double clearance(int curve) const { return clearance_[curve]; }
@@ -100,7 +104,8 @@ class WallSurroundings {
   MissedClearance missed(Vec2 x) const {
     MissedClearance result;
     const auto is_wall = [&](int c) { return clearance_[c] > 0; };
-    for (const auto& [c, t, foot, r] : boundary_.feet_within(x, greatest_, is_wall)) {
+    for (const auto& [c, t, foot, in_plane] : boundary_.feet_within(x, greatest_, is_wall)) {
+      const double r = in_plane * mean_scale(x, foot);
       if (r >= clearance_[c] * (1 - tolerance::tied)) continue;
       if (clearance_[c] - r > result.shortfall) result.curve = c, result.shortfall = clearance_[c] - r;
       result.greatest = std::max(result.greatest, clearance_[c]);
@@ -118,7 +123,7 @@ class WallSurroundings {
       moving.push_back({static_cast<int>(k), start, missed.greatest, std::min(missed.shortfall, mean_width_), {}, {}});
       add_obstacles(moving.back());
     }
-    find_neighbours(points, moving);
+    find_neighbours(points, log_scale_ != nullptr, moving);
     return moving;
   }
 
@@ -126,13 +131,17 @@ class WallSurroundings {
   /// share what is between them.
   NodeRoom room(const MovingNode& moving, const CriticalPoints& points) const {
     const Vec2 x = points.critical_points[moving.node].position;
-    const double farthest = moving.reach + distance(moving.start, x);
-    NodeRoom room;
+    const double moved = distance(moving.start, x), scale = mean_scale(x, x);
+    NodeRoom room{{}, moving.reach / mean_scale(moving.start, x)};
+    if (log_scale_) room.reach = std::max(room.reach, moved);
+    const double farthest = room.reach + moved;
     for (const Obstacle& o : moving.obstacles) {
       const curve::Projection foot = curve::project(boundary_.face().curves[o.curve], x, o.t0, o.t1);
-      if (foot.distance > o.least + farthest) continue;
+      const double bound =
+          o.is_wall ? (o.least - foot.distance * mean_scale(x, foot.position)) / scale : o.least - foot.distance;
+      if (bound < -farthest) continue;
       room.longest_step = std::min(room.longest_step, rules.greatest_step * foot.distance);
-      room.planes.push_back({(x - foot.position) / foot.distance, o.least - foot.distance, o.is_wall});
+      room.planes.push_back({(x - foot.position) / foot.distance, bound, o.is_wall});
     }
     for (const Neighbour& other : moving.neighbours) {
       const Vec2 between = x - points.critical_points[other.node].position;
@@ -143,32 +152,38 @@ class WallSurroundings {
   }
 
  private:
+  /// A length in space over that of the straight line from a to b.
+  double mean_scale(Vec2 a, Vec2 b) const {
+    return log_scale_ ? placement::mean_scale(log_scale_, boundary_, a, b) : 1;
+  }
+
   /// Each knot span has a nearest point of its own, so that a curve which surrounds the node does so from all sides.
   void add_obstacles(MovingNode& moving) const {
     const double greatest = std::max(std::min(greatest_, mean_width_), moving.reach) + moving.reach;
     for (const curve::NearestPoint& near : boundary_.feet_within(moving.start, greatest)) {
       const int c = near.curve;
-      const double of_wall = std::min(clearance_[c], mean_width_);
       const std::vector<double>& knots = boundary_.face().curves[c].knots;
       const bool is_wall = clearance_[c] > 0;
       for (std::size_t i = 1; i < knots.size(); ++i) {
         if (knots[i - 1] >= knots[i]) continue;
         const double r = curve::project(boundary_.face().curves[c], moving.start, knots[i - 1], knots[i]).distance;
-        const double least = is_wall ? of_wall : rules.kept_fraction * r;
-        if (r < least + moving.reach) moving.obstacles.push_back({c, knots[i - 1], knots[i], least, is_wall});
+        const double least = is_wall ? std::min(clearance_[c], mean_width_) : rules.kept_fraction * r;
+        if (log_scale_ || r < least + moving.reach)
+          moving.obstacles.push_back({c, knots[i - 1], knots[i], least, is_wall});
       }
     }
   }
 
   curve::FaceBoundary boundary_;
   std::vector<double> clearance_;  ///< by curve; 0: no wall
-  double mean_width_, greatest_ = 0;
+  const LogScale& log_scale_;
+  double mean_width_ = HUGE_VAL, greatest_ = HUGE_VAL;  ///< not known of surfaces; greatest clearance
 };
 
 Vec2 next_step(const WallSurroundings& around, const MovingNode& moving, const CriticalPoints& points) {
   const Vec2 x = points.critical_points[moving.node].position;
   const NodeRoom room = around.room(moving, points);
-  const Vec2 step = nearest_point_with_least_shortfall(room.planes, moving.start - x, moving.reach,
+  const Vec2 step = nearest_point_with_least_shortfall(room.planes, moving.start - x, room.reach,
                                                        rules.shortfall_tol * moving.clearance);
   return norm(step) > room.longest_step ? room.longest_step * normalized(step) : step;
 }
@@ -307,10 +322,10 @@ std::vector<double> clearance_of_curves(const CadFace& face, const std::vector<W
   return clearance;
 }
 
-void keep_clearance(const CadFace& face, const std::vector<WallClearance>& walls, const std::vector<bool>& may_move,
-                    CriticalPoints& points, Report& report) {
+void keep_clearance(const CadFace& face, const std::vector<WallClearance>& walls, const LogScale& log_scale,
+                    const std::vector<bool>& may_move, CriticalPoints& points, Report& report) {
   if (walls.empty()) return;
-  const WallSurroundings around(face, walls);
+  const WallSurroundings around(face, walls, log_scale);
   const Attempt on_axes = attempt_from(face, around, may_move, points);
   report.set("clearance.moved", on_axes.moving.size());
   if (on_axes.moving.empty()) return;

@@ -7,6 +7,9 @@
 // lines of the field meet. Where there is no such point, it misses all clearances by the same amount, the least
 // possible. The other nodes stay.
 //
+// In a chart clearances, and what a node misses and moves, are lengths in space of straight lines of the chart, the
+// integral of e^lambda, as heights of layers are (lib/method.md §12).
+//
 // Two nodes on a mirror axis cannot pass each other. Where they miss a clearance, they are also moved out from the
 // positions of the turned pair (placement/axis_pairs), and take those if they miss less so.
 //
@@ -20,13 +23,14 @@
 #include "base/report.hpp"
 #include "model/cad_face.hpp"
 #include "model/critical_points.hpp"
+#include "placement/placement_objective.hpp"
 
 namespace quadrille::placement {
 
 /// Boundary curves from which nodes keep a distance.
 struct WallClearance {
   std::vector<int> curves;
-  double clearance = 0;  ///< a length
+  double clearance = 0;  ///< a length, in space
 };
 
 /// NAME=L of the command line.
@@ -45,10 +49,10 @@ std::vector<WallClearance> wall_clearances(const CadFace& face, const std::vecto
 std::vector<double> clearance_of_curves(const CadFace& face, const std::vector<WallClearance>& walls);
 
 /// Moves the nodes with may_move[k] that are nearer to a wall than its clearance, and records the moves
-/// (placement/node_ledger). Report: clearance.moved, clearance.missed (numbers of nodes). Warning: W-PLACE-003 if
-/// nodes miss more than a tenth of a clearance. Cost: linear in the number of nodes and curves for each node that
-/// moves.
-void keep_clearance(const CadFace& face, const std::vector<WallClearance>& walls, const std::vector<bool>& may_move,
-                    CriticalPoints& points, Report& report);
+/// (placement/node_ledger). `log_scale`: of the chart; empty in a plane. Report: clearance.moved, clearance.missed
+/// (numbers of nodes). Warning: W-PLACE-003 if nodes miss more than a tenth of a clearance. Cost: linear in the number
+/// of nodes and curves for each node that moves.
+void keep_clearance(const CadFace& face, const std::vector<WallClearance>& walls, const LogScale& log_scale,
+                    const std::vector<bool>& may_move, CriticalPoints& points, Report& report);
 
 }  // namespace quadrille::placement

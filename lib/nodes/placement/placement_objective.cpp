@@ -1,8 +1,10 @@
 #include "placement/placement_objective.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/angle.hpp"
+#include "curve/gauss.hpp"
 
 namespace quadrille::placement {
 namespace {
@@ -60,6 +62,13 @@ double repulsion_energy(const RepulsionTerm& term, const CriticalPoints& points,
   gradient[term.node] += away;
   if (term.other) gradient[*term.other] -= away;
   return term.strength * excess * excess * excess;
+}
+
+double mean_scale(const LogScale& log_scale, const curve::FaceBoundary& boundary, Vec2 x, Vec2 y) {
+  const double length = distance(x, y);
+  const double part = length > 0 ? std::min(1.0, boundary.length_inside(x, (y - x) / length) / length) : 0;
+  Vec2 slope;
+  return curve::gauss_integral<3>([&](double u) { return std::exp(log_scale(x + part * u * (y - x), slope)); }, 0, 1);
 }
 
 NodeEnergy PlacementObjective::at(const CriticalPoints& points) const {

@@ -51,6 +51,10 @@ using EnergyFunction = std::function<NodeEnergy(const CriticalPoints& points)>;
 /// lambda of a chart, the logarithm of a length in space over one in the chart, with its gradient; empty in a plane.
 using LogScale = std::function<double(Vec2 x, Vec2& gradient)>;
 
+/// The mean of e^lambda on the straight line from x, inside the face, to y, or its first part inside, at three Gauss
+/// points: a length in space over that in the chart.
+double mean_scale(const LogScale& log_scale, const curve::FaceBoundary& boundary, Vec2 x, Vec2 y);
+
 struct PlacementObjective {
   const EnergyFunction& energy;
   const SmoothBoundaryDistance& boundary;

@@ -150,8 +150,8 @@ void declare(Options& o, CritpointsOptions& critpoints) {
   o.number("--place-weight", critpoints.choose.placement.weight, 0, 100, "1",
            "weight of the boundary-distance term relative to the energy; 0: the energy alone");
   o.texts("--clearance", critpoints.clearances, "NAME=L",
-          "nodes nearer to the boundary NAME than L (file units) move the shortest way to the distance L, so that "
-          "layers along it fit below them; where there is no room, as far as there is");
+          "nodes nearer to the boundary NAME than L (file units, on a curved face in space) move the shortest way to "
+          "the distance L, so that layers along it fit below them; where there is no room, as far as there is");
 }
 
 CriticalPoints critpoints(const Input<Field>& input, const CritpointsOptions& options, Run& run) {

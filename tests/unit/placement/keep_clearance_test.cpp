@@ -36,10 +36,10 @@ using namespace testing_faces;
 /// The nodes after their move away from curves with this clearance.
 struct Kept {
   Kept(const CadFace& face, CriticalPoints start, const std::vector<WallClearance>& walls,
-       std::vector<bool> may_move = {})
+       std::vector<bool> may_move = {}, const LogScale& log_scale = {})
       : points(std::move(start)) {
     may_move.resize(points.critical_points.size(), may_move.empty());
-    keep_clearance(face, walls, may_move, points, report);
+    keep_clearance(face, walls, log_scale, may_move, points, report);
   }
   Vec2 operator[](int k) const { return points.critical_points[k].position; }
 
@@ -158,6 +158,37 @@ TEST(KeepClearance, PairsOnAMirrorAxisStayThereWhereTheyHaveRoom) {
   const Kept kept(two_holes(), points_at({{2.3, 0}, {2.9, 0}}, 5), {{{second_hole}, 0.3}});
   EXPECT_NEAR(distance(kept[0], {2.55, 0}), 0, 1e-7);
   EXPECT_EQ(kept[1], (Vec2{2.9, 0}));
+}
+
+/// lambda of the half sphere of radius 1 over the unit disc: its rim is pi / 2 - 2 atan(r) from a point.
+double sphere_scale(Vec2 x, Vec2& gradient) {
+  gradient = -2 / (1 + norm2(x)) * x;
+  return std::log(2 / (1 + norm2(x)));
+}
+
+/// lambda of a surface that narrows inwards: its rim is (1 - r^3) / 3 from a point.
+double narrow_scale(Vec2 x, Vec2& gradient) {
+  gradient = 2 / norm2(x) * x;
+  return std::log(norm2(x));
+}
+
+TEST(KeepClearance, OnACurvedFaceItIsALengthInSpace) {
+  const CriticalPoints start = points_at({0.95 * unit(0.3), 0.4 * unit(2)});
+  const Kept on_sphere(disc(), start, {{{0}, 0.2}}, {}, sphere_scale);
+  EXPECT_NEAR(distance(on_sphere[0], std::tan(pi / 4 - 0.1) * unit(0.3)), 0, 1e-7);
+  const Kept on_narrow(disc(), start, {{{0}, 0.2}}, {}, narrow_scale);
+  EXPECT_NEAR(distance(on_narrow[0], std::cbrt(0.4) * unit(0.3)), 0, 1e-7);
+  for (const Kept& kept : {on_sphere, on_narrow}) {
+    EXPECT_EQ(kept[1], 0.4 * unit(2)) << "it has its clearance";
+    EXPECT_TRUE(kept.report.warnings().empty());
+  }
+}
+
+TEST(KeepClearance, OnACurvedFaceTheWarningHasLengthsInSpace) {
+  const Kept kept(disc(), points_at({0.9 * unit(0.3)}), {{{0}, 2}}, {}, sphere_scale);
+  ASSERT_EQ(kept.report.warnings().size(), 1u);
+  EXPECT_NE(kept.report.warnings()[0].message.find("is 1.57 from"), std::string::npos)
+      << kept.report.warnings()[0].message;
 }
 
 TEST(KeepClearance, AWallAllAroundIsMissedFromAllSides) {

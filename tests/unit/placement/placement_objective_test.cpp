@@ -19,6 +19,19 @@ CriticalPoints two_nodes(Vec2 a, int valence_a, Vec2 b, int valence_b) {
   return points;
 }
 
+TEST(MeanScale, is_that_of_the_line_as_far_as_it_is_inside) {
+  const CadFace face = square();
+  const curve::FaceBoundary boundary(face);
+  const LogScale log_scale = [](Vec2 x, Vec2& gradient) {
+    gradient = {1, 0};
+    return x.x;
+  };
+  const Vec2 x{0.5, 0.5};
+  EXPECT_NEAR(mean_scale(log_scale, boundary, x, {0.8, 0.5}), (std::exp(0.8) - std::exp(0.5)) / 0.3, 1e-8);
+  EXPECT_NEAR(mean_scale(log_scale, boundary, x, {3, 0.5}), (std::exp(1) - std::exp(0.5)) / 0.5, 1e-7);
+  EXPECT_NEAR(mean_scale(log_scale, boundary, x, x), std::exp(0.5), 1e-14);
+}
+
 TEST(RepulsionTerms, stand_between_opposites_only) {
   const CadFace face = square();
   EXPECT_TRUE(repulsion_terms(face, two_nodes({0.2, 0.5}, 3, {0.8, 0.5}, 3), {true, true}, 0.1).empty());
