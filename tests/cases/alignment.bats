@@ -51,6 +51,15 @@ follows() {
   cmp first.solve.h5 bow_shock.solve.h5
 }
 
+@test "crosses follow shocks within the bars of the benchmark, more closely the stronger, with as many nodes as without" {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  /usr/bin/python3 "$ROOT/tests/benchmarks/alignment" --bin "$BIN" -o . >rows
+  jq -e '[.rows[] | select(.form == "harmonic")] | group_by(.shape) | map(map(.degrees)) |
+    length == 3 and all(length == 3 and .[0] > 1.9 * .[1] and .[1] > 1.9 * .[2])' alignment.json
+  assert_equal "$(jq -c '[.rows[].nodes | values]' alignment.json)" '[0,0,0,0,0,0,2,2,2]'
+  assert_equal "$(jq -c '[.rows[].bar | values]' alignment.json)" '[13,6,17,8,5,5,5]'
+}
+
 @test "the vertices of finer meshes follow the shock more closely, and less without --align" {
   "$quadmesh" -q "$DATA/bow_shock.step" -o a.msh --align "$shock" --size 0.1 --workdir .
   follows bow_shock.quad.h5 5

@@ -49,6 +49,10 @@ nodes_agree() {
   nodes_agree --nodes none
   nodes_agree --topology none
   nodes_agree --clearance body=2.5
+  # Nodes of odd valence on the line leave it in pairs, of which the half has one each.
+  "$halves" thin_ellipse
+  nodes_agree --clearance body=0.1
+  assert_equal "$(jq -c '[.critical_points | map(.valence), length]' stages/half.crit.json)" '[[3,5,5,3],4]'
 }
 
 @test "a half has half of the blocks, sizes and quality of the whole" {

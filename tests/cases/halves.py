@@ -75,6 +75,7 @@ CASES = {
     "blunt_o": (aerofoil(0.1015), [("arc", 0j, 10, 10 + 0j, -10 + 0j, 1, "farfield")]),
     "ellipse_box": (ellipse(2, 1), box(-10, 10, 10, *FAR)),
     "ellipse_o": (ellipse(2, 1), [("arc", 0j, 10, 10 + 0j, -10 + 0j, 1, "farfield")]),
+    "thin_ellipse": (ellipse(1, 0.15), [("arc", 0j, 3, 3 + 0j, -3 + 0j, 1, "far")]),
     "square_box": (square(1), box(-10, 10, 10, *FAR)),
     "cylinder_channel": (cylinder(0.5), box(-4, 8, 2, "outlet", "wall", "inlet")),
     "disc": ([], [disc(1)]),
