@@ -153,9 +153,7 @@ class WallSurroundings {
 
  private:
   /// A length in space over that of the straight line from a to b.
-  double mean_scale(Vec2 a, Vec2 b) const {
-    return log_scale_ ? placement::mean_scale(log_scale_, boundary_, a, b) : 1;
-  }
+  double mean_scale(Vec2 a, Vec2 b) const { return placement::mean_scale(log_scale_, boundary_, a, b); }
 
   /// Each knot span has a nearest point of its own, so that a curve which surrounds the node does so from all sides.
   void add_obstacles(MovingNode& moving) const {

@@ -166,12 +166,13 @@ void warn_of_close_pairs(const Problem& problem, Report& report) {
   for (const RepulsionTerm& term : problem.objective.repulsion) {
     const double r = pair_distance(term, problem.points);
     if (r >= term.reach) continue;
-    const Vec2 other = term.other ? nodes[*term.other].position : term.position;
+    const Vec2 x = nodes[term.node].position, other = term.other ? nodes[*term.other].position : term.position;
+    const double scale = mean_scale(problem.objective.log_scale, problem.objective.boundary, x, other);
     report.warn(warning::nodes_kept_apart,
                 fmt::format("the node of valence {} at {} and the {} at {} attract each other and would meet: "
                             "they are kept {:.3g} apart",
-                            nodes[term.node].valence, position_text(problem.face, nodes[term.node].position),
-                            term.other ? "node" : "corner", position_text(problem.face, other), r));
+                            nodes[term.node].valence, position_text(problem.face, x), term.other ? "node" : "corner",
+                            position_text(problem.face, other), r * scale));
   }
 }
 

@@ -65,6 +65,7 @@ double repulsion_energy(const RepulsionTerm& term, const CriticalPoints& points,
 }
 
 double mean_scale(const LogScale& log_scale, const curve::FaceBoundary& boundary, Vec2 x, Vec2 y) {
+  if (!log_scale) return 1;
   const double length = distance(x, y);
   const double part = length > 0 ? std::min(1.0, boundary.length_inside(x, (y - x) / length) / length) : 0;
   Vec2 slope;

@@ -52,7 +52,7 @@ using EnergyFunction = std::function<NodeEnergy(const CriticalPoints& points)>;
 using LogScale = std::function<double(Vec2 x, Vec2& gradient)>;
 
 /// The mean of e^lambda on the straight line from x, inside the face, to y, or its first part inside, at three Gauss
-/// points: a length in space over that in the chart.
+/// points: a length in space over that in the chart. 1 in a plane.
 double mean_scale(const LogScale& log_scale, const curve::FaceBoundary& boundary, Vec2 x, Vec2 y);
 
 struct PlacementObjective {

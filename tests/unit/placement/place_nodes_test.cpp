@@ -1,5 +1,6 @@
 #include "placement/place_nodes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -315,6 +316,13 @@ TEST(PlaceNodes, of_opposite_index_are_kept_apart_and_named) {
   ASSERT_FALSE(placed.report.warnings().empty());
   EXPECT_EQ(placed.report.warnings()[0].code, "W-PLACE-002");
   EXPECT_NE(placed.report.warnings()[0].message.find("the node of valence"), std::string::npos);
+  EXPECT_NE(placed.report.warnings()[0].message.find(fmt::format("{:.3g} apart", nearest)), std::string::npos);
+  const LogScale twice = [](Vec2, Vec2& gradient) {
+    gradient = {};
+    return std::log(2);
+  };
+  const Placed in_space(half_disc(), Motion()(half_disc_energy), start, 0, {}, twice);
+  EXPECT_NE(in_space.report.warnings().at(0).message.find(fmt::format("{:.3g} apart", 2 * nearest)), std::string::npos);
 }
 
 TEST(PlaceNodes, too_few_steps_are_confessed) {
