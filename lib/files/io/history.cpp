@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/step_origin.hpp"
 #include "model/stage_formats.hpp"
 
 namespace quadrille::io {
@@ -34,6 +35,7 @@ bool is_phase(const ProvenanceStep& step) {
 
 /// Of what a step writes; `before` is the name of what the step before wrote.
 std::string ending_of_output(const ProvenanceStep& step, const std::string& before) {
+  if (makes_shapes(step.tool)) return ".step";
   const StageTool* stage = find_stage_tool(step.tool);
   std::string ending = '.' + (stage ? std::string(stage->ending) : step.tool);
   if (step.tool == "fieldsolve" && is_phase(step)) return ".phase" + ending;

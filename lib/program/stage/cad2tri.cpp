@@ -21,6 +21,7 @@
 #include "cad/region_names.hpp"
 #include "check/check.hpp"
 #include "heal/blunt_cusps.hpp"
+#include "io/step_origin.hpp"
 #include "offset/embed_offsets.hpp"
 #include "stage/symmetry_option.hpp"
 #include "stage/triangulate_face.hpp"
@@ -238,6 +239,7 @@ LoadedShape face_of_cad(const Cad2triInput& input, const Cad2triOptions& options
   run.begin_phase("load");
   LoadedShape shape{input.face ? *input.face : cad::load_face_guarded(bytes, name, load_options(options), run.report()),
                     {cad.file.digest(cad::format_stem(cad::cad_format(bytes, name)))}};
+  shape.before = io::step_origin(bytes);
   run.end_phase();
   return shape;
 }

@@ -54,7 +54,7 @@ cad::AnyFace read_any_face(const Input<std::string>& cad, const Cad2triOptions& 
 /// A face that was read, what healing changed, and the digests of its files.
 struct LoadedShape : cad::LoadedFace {
   std::vector<InputDigest> inputs;
-  Provenance before = {};  ///< of a chart
+  Provenance before = {};  ///< of a chart, or of a STEP file that says how it was made
 };
 
 /// Reads the face in a program with the CAD kernel (cad/load_face.hpp), names regions and curves, pairs periodic sides
