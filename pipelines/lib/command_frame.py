@@ -127,6 +127,16 @@ def require_input(path):
         raise Failure(BAD_INPUT, f"{path}: is empty")
 
 
+def read_bytes(path):
+    """What the file holds, or standard input for -."""
+    if path == "-" and sys.stdin.isatty():
+        raise Failure(BAD_INPUT, "standard input is a terminal; name a file")
+    try:
+        return sys.stdin.buffer.read() if path == "-" else pathlib.Path(path).read_bytes()
+    except OSError as error:
+        raise Failure(BAD_INPUT, f"{path}: cannot be read: {error.strerror}") from None
+
+
 def require_outputs(outputs, inputs):
     """That the outputs can be written, and are neither inputs nor each other, by whatever name."""
     named = [path for path in outputs if path and path != "-"]

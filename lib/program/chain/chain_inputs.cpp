@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <sstream>
-#include <utility>
 #include <variant>
 
-#include "base/message_text.hpp"
 #include "cad/load_face.hpp"
 #include "chain/end_of_run.hpp"
+#include "chain/shape_makers.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "io/alignment_io.hpp"
@@ -21,74 +19,6 @@
 namespace quadrille::chain {
 
 namespace {
-
-bool has_points(const ChainState& chain) {
-  const std::string& shape = chain.options.shape;
-  return chain.options.first == ChainStage::cad2tri &&
-         (!chain.options.point_option.empty() || shape.ends_with(".dat") || shape.ends_with(".xy"));
-}
-
-/// The warnings among what points2step wrote, as the report of a stage without times.
-std::string report_of_points(const std::string& messages) {
-  std::istringstream lines(messages);
-  const std::string start = "points2step: warning ";
-  std::string warnings;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t colon = line.find(": ", start.size());
-    if (!line.starts_with(start) || colon == std::string::npos) continue;
-    warnings +=
-        fmt::format("{}{{\"code\": {}, \"message\": {}}}", warnings.empty() ? "" : ", ",
-                    json_string(line.substr(start.size(), colon - start.size())), json_string(line.substr(colon + 2)));
-  }
-  return warnings.empty() ? std::string() : fmt::format("{{\"tool\": \"points2step\", \"warnings\": [{}]}}", warnings);
-}
-
-/// Prints what it tells about the points.
-void print_notes(const std::string& messages) {
-  std::istringstream lines(messages);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.starts_with("points2step: warning ")) fmt::print(stderr, "{}\n", line);
-}
-
-/// Messages of points2step about its options are about those of quadmesh.
-std::string with_own_name(std::string text) {
-  for (const auto& [from, to] : {std::pair{"points2step: ", "quadmesh: "}, {"points2step --help", "quadmesh --help"}})
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += std::string(to).size())
-      text.replace(at, std::string(from).size(), to);
-  return text;
-}
-
-/// The shape as a CAD file. Throws ChainFailure.
-std::string cad_file(ChainState& chain) {
-  if (!has_points(chain)) return chain.options.shape;
-  std::string made = chain.files.stem + ".outline.step";
-  std::string shape = chain.options.shape;
-  if (shape == "-" && chain.standard_input) {
-    shape = chain.runner.scratch() + "/points";
-    io::write_output(shape, *chain.standard_input, true, io::Lasting::for_the_run);
-  }
-  std::vector<std::string> words{"points2step", shape, "-o", made};
-  if (const auto chosen = chain.options.words.find("points2step"); chosen != chain.options.words.end())
-    words.insert(words.end(), chosen->second.begin(), chosen->second.end());
-  if (chain.options.is_dry_run) {
-    cli::print_to_stdout(shell_command(words) + '\n');
-    return made;
-  }
-  words.front() = command_path("points2step");
-  const auto [code, messages] = chain.runner.run_helper(words);
-  if (code != 0) {
-    cli::print_message(with_own_name(messages));
-    const std::string line = messages.substr(0, messages.find('\n'));
-    const bool is_own = line.starts_with("points2step: ") || line.starts_with("quadmesh: ");
-    throw ChainFailure{static_cast<ExitCode>(code), "points2step", is_own ? line.substr(line.find(": ") + 2) : line};
-  }
-  if (std::string report = report_of_points(messages); !report.empty()) {
-    chain.runner.reports().push_back({"points2step", std::move(report)});
-    print_warnings(chain, 0);
-  }
-  if (!chain.options.is_quiet) print_notes(messages);
-  return made;
-}
 
 bool is_curved(const ChainState& chain, const std::string& path) {
   const io::InputFile file = read_input(chain, path);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "chain/chain_inputs.hpp"
 #include "chain/chain_nodes.hpp"
+#include "chain/shape_makers.hpp"
 #include "cli/outcome.hpp"
 #include "cli/run_files.hpp"
 #include "cli/stage_words.hpp"
@@ -49,9 +50,9 @@ void check_skipped_options(const ChainOptions& options) {
   if (!options.cad_option.empty())
     throw UsageError(fmt::format("{} is an option of cad2tri, which --from {} does not run: leave one of them out",
                                  options.cad_option, options.from));
-  if (!options.point_option.empty())
-    throw UsageError(fmt::format("{} makes a CAD file of points, which --from {} does not read: leave one of them out",
-                                 options.point_option, options.from));
+  if (!options.maker_option.empty())
+    throw UsageError(fmt::format("{} makes a CAD file of {}, which --from {} does not read: leave one of them out",
+                                 options.maker_option, maker_with_option(options.maker_option)->input, options.from));
   for (const ChainStage stage : {ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
                                  ChainStage::quadrefine, ChainStage::hexsweep}) {
     const auto words = options.words.find(enum_name(stage));
@@ -180,7 +181,7 @@ void check_inputs(const ChainState& chain) {
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
 }
 
-/// Endings of the files that a stage writes, or points2step, cad2chart and fieldsolve for it.
+/// Endings of the files that a stage writes, or shape_makers, cad2chart and fieldsolve for it.
 std::vector<std::string> endings_of(ChainStage stage) {
   std::vector<std::string> endings{ending_of(stage)};
   if (stage == ChainStage::cad2tri) endings.insert(endings.end(), {"outline.step", "chart.h5"});
@@ -209,9 +210,10 @@ cli::RunFiles files_of(const ChainState& chain) {
   cli::RunFiles files;
   files.read(options.shape);
   files.read(options.nodes_file);
-  if (const auto words = options.words.find("points2step"); words != options.words.end())
-    for (const std::string& word : words->second)
-      if (is_file(word)) files.read(word);
+  for (const ShapeMaker& maker : shape_makers())
+    if (const auto words = options.words.find(std::string(maker.command)); words != options.words.end())
+      for (const std::string& word : words->second)
+        if (is_file(word)) files.read(word);
   StageOptions values = chain.values;
   for (int i = 0; i < num_stages; ++i)
     cli::add_files([&](Options& o) { declare(o, static_cast<ChainStage>(i), values); }, files);
@@ -286,6 +288,7 @@ void check_command_line(const ChainOptions& options, const StageOptions& values)
     throw UsageError(fmt::format("--html: '{}' does not end in .html", options.html));
   check_range(options);
   check_skipped_options(options);
+  maker_of_shape(options);
   check_stage_options(values);
   check_output_format(options, values);
   check_nodes_option(options, values);

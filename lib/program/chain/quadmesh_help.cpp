@@ -13,10 +13,10 @@ namespace {
 
 constexpr const char* brief_help = R"help(Usage: quadmesh [OPTIONS] SHAPE
 
-quadmesh meshes a CAD face, or the shape that points describe, with curved quads.
+quadmesh meshes a CAD face, or the shape that points or a drawing describe, with curved quads.
 
-SHAPE is a STEP, IGES or BREP file, or the points of an outline or an aerofoil (SHAPE.dat, SHAPE.xy). The ending of
-the output decides the format (quadexport --help lists them). One line at the end says how good the mesh is.
+SHAPE is a STEP, IGES or BREP file, a drawing (SHAPE.dxf, SHAPE.svg), or the points of an outline or an aerofoil
+(SHAPE.dat, SHAPE.xy). The ending of the output decides its format (quadexport --help lists them).
 
 OPTIONS (--help-all: all of them, by stage)
   -o, --output FILE         mesh to write: x.msh, x.vtu, x.xml, x.mesh, x.inp, ...; x.step: its blocks as a CAD model
@@ -49,12 +49,13 @@ EXAMPLES
 
 constexpr const char* own_help = R"help(Usage: quadmesh [OPTIONS] SHAPE
 
-quadmesh meshes a CAD face, or the shape that points describe, with curved quads.
+quadmesh meshes a CAD face, or the shape that points or a drawing describe, with curved quads.
 
 Runs all stages on the only face of a STEP, IGES or BREP file (-: standard input), or that of --face, and ends
 with one line about the mesh. Options of critpoints, separatrix, blocksplit, quadrefine and quadexport are
 passed on to them. SHAPE.dat and SHAPE.xy are points of an outline or an aerofoil, from which points2step
-makes a STEP face (SHAPE.outline.step in --workdir); so is any SHAPE with an option for points.
+makes a STEP face (SHAPE.outline.step in --workdir); so is any SHAPE with an option for points. SHAPE.dxf and
+SHAPE.svg are drawings, whose closed curves drawing2step turns into faces in the same way.
 Where separatrix can only divide triangles (W-SEP-002), critpoints runs again with other nodes, by options that
 separatrix proposes, one after another: if a strip of blocks winds onto itself, up to seven that change nodes on it
 (--corner-absorb 0, --ties field, --place energy, --corner-valence A:B=V), in a far field other grids (--topology).
@@ -87,6 +88,12 @@ OPTIONS
   --points-format FORMAT    points: auto, points, selig or lednicer
   --points-unit UNIT        points: their unit, m, cm, mm, um, in or ft
   --face-name NAME          points: name of the face, from which blocks get theirs (see points2step --help for these)
+  --drawing-layers NAME,... drawings: read only curves of these layers or names, with ! in front all but these
+  --drawing-tolerance T     drawings: ends this near to each other meet (unit: that of the drawing)
+  --drawing-unit UNIT       drawings: their unit, m, cm, mm, um, in or ft
+  --regions                 drawings: closed curves inside others bound regions, not holes
+  --embed NAME,...          drawings: curves of these layers or names bound nothing, sides of elements follow them (see
+                            drawing2step --help for these)
   --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them); a curved one
                             is meshed in its chart (SHAPE.chart.h5 in --workdir; see cad2chart --help)
   --sweep                   sweep the quads into hexahedra, by the options of hexsweep (--height, --revolve, ...;
@@ -157,6 +164,7 @@ EXAMPLES
   quadmesh half_disc.step -o half_disc.xml --order 7
   quadmesh half_disc.step -o fewest.msh --nodes fewest
   quadmesh aerofoil.dat --farfield cgrid:20 -o aerofoil.msh
+  quadmesh plate.dxf -o plate.msh
   quadmesh half_disc.step -o named.msh --name axis=0 --name wall@0,1
   quadmesh half_disc.step -o half_disc.msh --html half_disc.html
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10

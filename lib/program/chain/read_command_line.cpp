@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "chain/chain_options.hpp"
+#include "chain/shape_makers.hpp"
 #include "cli/command_line.hpp"
 #include "cli/stage_words.hpp"
 #include "triangulate/size_triangles.hpp"
@@ -19,18 +20,14 @@ namespace quadrille::chain {
 
 namespace {
 
-const std::vector<std::string> own_flags{"--help",    "--help-all", "--verbose",     "--quiet", "--version",
-                                         "--dry-run", "--straight", "--keep-joints", "--sweep"};
+const std::vector<std::string> own_flags{"--help",    "--help-all",    "--verbose", "--quiet", "--version",
+                                         "--dry-run", "--keep-joints", "--sweep"};
 const std::vector<std::string> own_values{"--output",      "--workdir",    "--html",    "--report",
                                           "--max-seconds", "--max-memory", "--threads", "--nodes",
                                           "--from",        "--until",      "--stage"};
 const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
                                        "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
                                        "--blunt",    "--write-healed",   "--keep-joints",    "--section"};
-const std::set<std::string> of_points{"--farfield",         "--wake",          "--chord",       "--simplify-outline",
-                                      "--points-tolerance", "--points-format", "--points-unit", "--points-corner-angle",
-                                      "--face-name"};
-
 /// The stages whose options are options of quadmesh.
 constexpr std::array open_stages{ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
                                  ChainStage::quadrefine, ChainStage::hexsweep,   ChainStage::quadexport};
@@ -39,9 +36,13 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+bool is_flag(const std::string& flag) {
+  const ShapeMaker* maker = maker_with_option(flag);
+  return contains(own_flags, flag) || (maker && !maker->options.at(flag));
+}
+
 bool has_value(const std::string& flag) {
-  return !contains(own_flags, flag) &&
-         (of_cad2tri.contains(flag) || of_points.contains(flag) || contains(own_values, flag));
+  return !is_flag(flag) && (of_cad2tri.contains(flag) || maker_with_option(flag) || contains(own_values, flag));
 }
 
 /// An option of stages, and the stages that have it.
@@ -101,7 +102,7 @@ class Reader {
   }
 
   bool takes_no_value(const std::string& flag) {
-    if (contains(own_flags, flag)) return true;
+    if (is_flag(flag)) return true;
     if (has_value(flag)) return false;
     const auto found = shared().find(flag);
     return found != shared().end() && !found->second.takes_value;
@@ -118,7 +119,7 @@ class Reader {
     const auto found = long_names.find(word);
     const std::string flag = found == long_names.end() ? word : found->second;
     words_.erase(words_.begin());
-    if (contains(own_flags, flag)) return take_flag(flag);
+    if (is_flag(flag)) return take_flag(flag);
     if (has_value(flag)) return take_value(flag, value_of(word));
     const auto option = shared().find(flag);
     if (option == shared().end()) unknown(word);
@@ -142,10 +143,12 @@ class Reader {
     if (flag == "--quiet") options_.is_quiet = true;
     if (flag == "--dry-run") options_.is_dry_run = true;
     if (flag == "--sweep") options_.is_swept = true;
-    if (flag == "--straight") {
-      options_.point_option = flag;
-      choose({"points2step"}, {flag});
-    }
+    if (const ShapeMaker* maker = maker_with_option(flag)) choose_for(*maker, {flag});
+  }
+
+  void choose_for(const ShapeMaker& maker, const std::vector<std::string>& words) {
+    options_.maker_option = words.front();
+    choose({std::string(maker.command)}, words);
   }
 
   void take_value(const std::string& flag, const std::string& value) {
@@ -153,9 +156,8 @@ class Reader {
       options_.cad_option = flag;
       if (!value.empty() || flag == "--name" || flag == "--region-name" || flag == "--periodic" || flag == "--offset")
         choose({"cad2tri"}, {flag, value});
-    } else if (of_points.contains(flag)) {
-      options_.point_option = flag;
-      choose({"points2step"}, {flag, value});
+    } else if (const ShapeMaker* maker = maker_with_option(flag)) {
+      choose_for(*maker, {flag, value});
     } else if (flag == "--nodes") {
       take_nodes(value);
     } else if (flag == "--stage") {
@@ -208,7 +210,8 @@ class Reader {
   [[noreturn]] void unknown(const std::string& word) {
     std::vector<std::string> known = own_values;
     known.insert(known.end(), of_cad2tri.begin(), of_cad2tri.end());
-    known.insert(known.end(), of_points.begin(), of_points.end());
+    for (const ShapeMaker& maker : shape_makers())
+      for (const auto& [flag, has_value] : maker.options) known.push_back(flag);
     known.insert(known.end(), own_flags.begin(), own_flags.end());
     for (const auto& [flag, option] : shared()) known.push_back(flag);
     const std::string nearest = nearest_word(word, known);
@@ -284,7 +287,8 @@ std::string option_list() {
   for (const std::string& flag : own_flags) takes_value[flag] = false;
   for (const std::string& flag : own_values) takes_value[flag] = true;
   for (const std::string& flag : of_cad2tri) takes_value[flag] = has_value(flag);
-  for (const std::string& flag : of_points) takes_value[flag] = true;
+  for (const ShapeMaker& maker : shape_makers())
+    for (const auto& [flag, has_value] : maker.options) takes_value[flag] = has_value;
   for (const char* flag : {"--help", "--help-all", "--version", "--output"}) takes_value.erase(flag);
   std::string lines;
   for (const auto& [flag, has_value] : takes_value)

@@ -30,12 +30,28 @@ class Arc:
 
 
 @dataclass(frozen=True)
+class EllipticArc:
+    """The same of an ellipse: its half axes are `major`, a vector, and the length `minor`."""
+
+    centre: complex
+    major: complex
+    minor: float
+    start: complex
+    end: complex
+    name: str
+
+
+@dataclass(frozen=True)
 class Spline:
-    """A clamped cubic with simple inner knots."""
+    """A clamped B-spline, a cubic with simple inner knots unless stated otherwise. `knots`: each once; `weights`: of a
+    rational one."""
 
     poles: list
     knots: list
     name: str
+    degree: int = 3
+    multiplicities: tuple = ()
+    weights: tuple = ()
 
     @property
     def start(self):

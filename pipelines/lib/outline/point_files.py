@@ -1,10 +1,8 @@
 """Files of points: their lines, and the numbers in them."""
 import math
-import pathlib
 import re
-import sys
 
-from command_frame import BAD_INPUT, Failure
+from command_frame import BAD_INPUT, Failure, read_bytes
 
 FORMATS = ("auto", "points", "selig", "lednicer")
 
@@ -68,12 +66,7 @@ def is_cad_file(data):
 
 def read_point_file(path):
     """The file, or standard input for -; UTF-8 or else Latin-1."""
-    if path == "-" and sys.stdin.isatty():
-        raise Failure(BAD_INPUT, "standard input is a terminal; name a file")
-    try:
-        data = sys.stdin.buffer.read() if path == "-" else pathlib.Path(path).read_bytes()
-    except OSError as error:
-        raise Failure(BAD_INPUT, f"{path}: cannot be read: {error.strerror}") from None
+    data = read_bytes(path)
     if is_cad_file(data):
         raise Failure(BAD_INPUT, f"{path}: a CAD file, for which options of points are not: draw the region up to the "
                                  "far field in the CAD program, and leave them out")

@@ -1,8 +1,9 @@
 """Writes a planar face as a STEP file (ISO 10303-21, AP214). The same edges give the same bytes."""
 import math
 import re
+from dataclasses import dataclass
 
-from outline.edges import Arc, Line
+from outline.edges import Arc, EllipticArc, Line
 
 # SI prefixes of the metre, or name and metres of units of their own.
 UNITS = {"m": "$", "cm": ".CENTI.", "mm": ".MILLI.", "um": ".MICRO.", "in": ("INCH", 0.0254), "ft": ("FOOT", 0.3048)}
@@ -28,11 +29,18 @@ def listed(items):
     return "(" + ",".join(items) + ")"
 
 
+@dataclass(frozen=True)
+class Reversed:
+    """An edge that a loop follows from its end to its start."""
+
+    edge: object
+
+
 class Statements:
     """The statements of a file; each is numbered when it is added, and referred to as #NUMBER."""
 
     def __init__(self):
-        self.texts, self.vertices = [], {}
+        self.texts, self.vertices, self.edges = [], {}, {}
 
     def add(self, statement):
         self.texts.append(statement)
@@ -54,8 +62,9 @@ def point(step, z):
     return step.add(f"CARTESIAN_POINT('',({real(z.real)},{real(z.imag)},0.))")
 
 
-def placement(step, centre):
-    axis, reference = step.add("DIRECTION('',(0.,0.,1.))"), step.add("DIRECTION('',(1.,0.,0.))")
+def placement(step, centre, along=1.0 + 0j):
+    axis = step.add("DIRECTION('',(0.,0.,1.))")
+    reference = step.add(f"DIRECTION('',({real(along.real)},{real(along.imag)},0.))")
     return step.add(f"AXIS2_PLACEMENT_3D('',{point(step, centre)},{axis},{reference})")
 
 
@@ -70,29 +79,49 @@ def circle(step, edge):
     return step.add(f"CIRCLE('',{placement(step, edge.centre)},{real(edge.radius)})")
 
 
+def ellipse(step, edge):
+    where = placement(step, edge.centre, edge.major / abs(edge.major))
+    return step.add(f"ELLIPSE('',{where},{real(abs(edge.major))},{real(edge.minor)})")
+
+
 def spline(step, edge, name):
-    multiplicities = listed(["4"] + ["1"] * (len(edge.knots) - 2) + ["4"])
+    ends, inner = [edge.degree + 1], [1] * (len(edge.knots) - 2)
+    multiplicities = listed(map(str, edge.multiplicities or ends + inner + ends))
     is_closed = ".T." if edge.start == edge.end else ".F."
     poles = listed([point(step, z) for z in edge.poles])
-    return step.add(f"B_SPLINE_CURVE_WITH_KNOTS({text(name)},3,{poles},.UNSPECIFIED.,{is_closed},.F.,{multiplicities},"
-                    f"{listed(map(real, edge.knots))},.UNSPECIFIED.)")
+    form = f"{edge.degree},{poles},.UNSPECIFIED.,{is_closed},.F."
+    knots = f"{multiplicities},{listed(map(real, edge.knots))},.UNSPECIFIED."
+    if not edge.weights:
+        return step.add(f"B_SPLINE_CURVE_WITH_KNOTS({text(name)},{form},{knots})")
+    return step.add(f"( BOUNDED_CURVE() B_SPLINE_CURVE({form}) B_SPLINE_CURVE_WITH_KNOTS({knots}) CURVE() "
+                    f"GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_CURVE({listed(map(real, edge.weights))}) "
+                    f"REPRESENTATION_ITEM({text(name)}) )")
 
 
 def curve(step, edge, name=""):
     """The geometry of an edge; a spline may have a name of its own."""
-    if isinstance(edge, (Line, Arc)):
-        return line(step, edge) if isinstance(edge, Line) else circle(step, edge)
+    for kind, write in ((Line, line), (Arc, circle), (EllipticArc, ellipse)):
+        if isinstance(edge, kind):
+            return write(step, edge)
     return spline(step, edge, name)
 
 
 # ---- topology
 
 
+def edge_curve(step, edge):
+    """Written once for all loops that follow it."""
+    if id(edge) not in step.edges:
+        geometry = curve(step, edge)
+        start, end = step.vertex(edge.start), step.vertex(edge.end)
+        step.edges[id(edge)] = step.add(f"EDGE_CURVE({text(edge.name)},{start},{end},{geometry},.T.)")
+    return step.edges[id(edge)]
+
+
 def oriented_edge(step, edge):
-    geometry = curve(step, edge)
-    start, end = step.vertex(edge.start), step.vertex(edge.end)
-    edge_curve = step.add(f"EDGE_CURVE({text(edge.name)},{start},{end},{geometry},.T.)")
-    return step.add(f"ORIENTED_EDGE('',*,*,{edge_curve},.T.)")
+    if isinstance(edge, Reversed):
+        return step.add(f"ORIENTED_EDGE('',*,*,{edge_curve(step, edge.edge)},.F.)")
+    return step.add(f"ORIENTED_EDGE('',*,*,{edge_curve(step, edge)},.T.)")
 
 
 def bound(step, edges, kind):
@@ -133,7 +162,7 @@ def context(step, unit, tolerance):
 def embedded_curve(step, edge):
     """A curve of its own, with a name and ends."""
     geometry = curve(step, edge, edge.name)
-    if not isinstance(edge, Line):
+    if not isinstance(edge, (Line, Arc, EllipticArc)) or edge.start == edge.end:
         return geometry
     ends = listed([point(step, edge.start)]), listed([point(step, edge.end)])
     return step.add(f"TRIMMED_CURVE({text(edge.name)},{geometry},{ends[0]},{ends[1]},.T.,.CARTESIAN.)")
@@ -147,8 +176,8 @@ def wireframe(step, edges, context_number, whole):
     step.add(f"SHAPE_DEFINITION_REPRESENTATION({whole},{shape})")
 
 
-def product(step, title, face_number, context_number):
-    shell = step.add(f"OPEN_SHELL('',({face_number}))")
+def product(step, title, face_numbers, context_number):
+    shell = step.add(f"OPEN_SHELL('',{listed(face_numbers)})")
     model = step.add(f"SHELL_BASED_SURFACE_MODEL('',({shell}))")
     shape = step.add(f"MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',({placement(step, 0j)},{model}),{context_number})")
     application = step.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')")
@@ -163,17 +192,17 @@ def product(step, title, face_number, context_number):
     return whole
 
 
-def step_file(title, loops, face_name, unit, size, embedded=()):
-    """The text of the file. `loops` of edges: the outline first and counter-clockwise, holes clockwise; `unit` is a key
-    of UNITS; the accuracy is given as a ten millionth of `size`, rounded down to a power of ten. `embedded`: edges
-    inside the face."""
+def step_file(title, faces, unit, size, embedded=(), producer="points2step"):
+    """The text of the file. `faces`: (name, loops) of each, loops of edges or Reversed ones: the outline first and
+    counter-clockwise, holes clockwise; `unit` is a key of UNITS; the accuracy is given as a ten millionth of `size`,
+    rounded down to a power of ten. `embedded`: edges inside the faces."""
     step = Statements()
-    face_number = face(step, loops, face_name)
+    face_numbers = [face(step, loops, name) for name, loops in faces]
     common = context(step, unit, 10.0 ** math.floor(math.log10(1e-7 * size)))
-    whole = product(step, title, face_number, common)
+    whole = product(step, title, face_numbers, common)
     if embedded:
         wireframe(step, embedded, common, whole)
     return ("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
-            f"FILE_NAME({text(title)},'2000-01-01T00:00:00',(''),(''),'points2step','','');\n"
+            f"FILE_NAME({text(title)},'2000-01-01T00:00:00',(''),(''),{text(producer)},'','');\n"
             "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\n"
             f"DATA;\n{step.body()}ENDSEC;\nEND-ISO-10303-21;\n")

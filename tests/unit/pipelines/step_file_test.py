@@ -2,13 +2,13 @@ import re
 import unittest
 
 from outline import step_file
-from outline.edges import Arc, Line, Spline
+from outline.edges import Arc, EllipticArc, Line, Spline
 
 TRIANGLE = [Line(0, 1, "floor"), Line(1, 1j, ""), Line(1j, 0, "")]
 
 
 def written(*loops, name="", unit="m", size=1.0):
-    return step_file.step_file("title", loops or [TRIANGLE], name, unit, size)
+    return step_file.step_file("title", [(name, loops or [TRIANGLE])], unit, size)
 
 
 class StepFileTest(unittest.TestCase):
@@ -44,10 +44,32 @@ class StepFileTest(unittest.TestCase):
 
     def test_embedded_edges_are_curves_beside_the_face(self):
         inner = [Spline([0.1, 0.2, 0.3, 0.4], [0.0, 1.0], "wake"), Line(0.4, 0.5, "wake")]
-        found = step_file.step_file("title", [TRIANGLE], "", "m", 1.0, inner)
+        found = step_file.step_file("title", [("", [TRIANGLE])], "m", 1.0, inner)
         self.assertEqual((found.count("B_SPLINE_CURVE_WITH_KNOTS('wake'"), found.count("TRIMMED_CURVE('wake'")), (1, 1))
         self.assertEqual((found.count("GEOMETRIC_CURVE_SET("), found.count("SHAPE_DEFINITION_REPRESENTATION(")), (1, 2))
         self.assertNotIn("GEOMETRIC_CURVE_SET(", written())
+
+    def test_two_faces_share_an_edge_in_both_directions(self):
+        common = Line(0, 1j, "middle")
+        left = [step_file.Reversed(common)]
+        found = step_file.step_file("title", [("left", left), ("right", [common])], "mm", 1.0)
+        self.assertEqual((found.count("EDGE_CURVE('middle'"), found.count("ADVANCED_FACE(")), (1, 2))
+        number = re.search(r"#(\d+) = EDGE_CURVE\('middle'", found)[1]
+        self.assertEqual(re.findall(rf"ORIENTED_EDGE\('',\*,\*,#{number},\.([TF])\.\)", found), ["F", "T"])
+
+    def test_ellipses_and_rational_splines(self):
+        found = written([EllipticArc(1j, 2j, 1.0, 3j, -1j, "oval")])
+        self.assertIn("DIRECTION('',(0.0,1.0,0.))", found)
+        self.assertRegex(found, r"ELLIPSE\('',#\d+,2\.0,1\.0\)")
+        arc = Spline([1, 1 + 1j, 1j], [0.0, 1.0], "", 2, (), (1.0, 0.5**0.5, 1.0))
+        self.assertRegex(written([arc]), r"B_SPLINE_CURVE\(2,.*\(3,3\),\(0\.0,1\.0\).*RATIONAL_B_SPLINE_CURVE\(\(1\.0,0\.707")
+        double = Spline([0, 1, 2, 3, 4, 5], [0.0, 1.0, 2.0], "", 3, (4, 2, 4))
+        self.assertIn("(4,2,4),(0.0,1.0,2.0)", written([double]))
+
+    def test_embedded_arcs_end_where_they_do(self):
+        inner = [Arc(0, 1.0, 1, 1j, "quarter"), Arc(0, 1.0, 1, 1, "whole")]
+        found = step_file.step_file("title", [("", [TRIANGLE])], "m", 1.0, inner)
+        self.assertEqual((found.count("TRIMMED_CURVE('quarter'"), found.count("TRIMMED_CURVE('whole'")), (1, 0))
 
     def test_units_and_accuracy(self):
         self.assertIn("SI_UNIT(.MILLI.,.METRE.)", written(unit="mm"))
