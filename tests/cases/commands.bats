@@ -19,6 +19,7 @@ helps() {
 quadmesh cases/quadmesh.bats
 quadplace cases/quadplace.bats
 points2step cases/points2step.bats
+drawing2step cases/drawing2step.bats
 quadbatch cases/quadbatch.bats
 quadgallery cases/quadgallery.bats
 END

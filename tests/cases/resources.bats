@@ -8,6 +8,7 @@ setup_file() {
   cp "$DATA/square.step" .
   head -c -16 square.quad.h5 >foreign.quad.h5 # without the checksum: it is read in a child process
   printf '0 0\n1 0\n1 1\n0 1\n' >square.dat
+  echo '<svg xmlns="http://www.w3.org/2000/svg"><rect width="1" height="1"/></svg>' >square.svg
 }
 
 # A line for each command that works: the inputs are those of setup_file.
@@ -33,6 +34,7 @@ END
 scripts() {
   cat <<END
 points2step square.dat -o \$out/y.step
+drawing2step square.svg -o \$out/y.step
 quadbatch none.step --to \$out/batch
 quadplace square.step --rounds 0 -o \$out/y.msh
 quadgallery --to /dev/null/gallery

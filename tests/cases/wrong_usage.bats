@@ -168,6 +168,12 @@ table() {
 2 | points2step --unitt mm points.dat | unknown option --unitt: did you mean --unit?
 2 | points2step points.dat -o points.dat | the output points.dat is an input
 4 | points2step points.dat -o nowhere/out.step | there is no folder nowhere
+2 | drawing2step --layer wall plate.svg | unknown option --layer: did you mean --layers?
+2 | drawing2step plate.svg -o plate.svg | the output plate.svg is an input
+4 | drawing2step plate.svg -o nowhere/out.step | there is no folder nowhere
+2 | drawing2step plate.svg --tolerance 0 -o out.step | --tolerance: 0 is outside its interval (above 0)
+2 | drawing2step plate.svg --unit yd -o out.step | --unit: 'yd' is not one of m, cm, mm, um, in, ft
+2 | quadmesh plate.svg --chord 2 -o out.msh | --chord is an option for points (.dat, .xy), but the shape is a drawing: leave it out
 2 | points2step --farfield cgrid:0.5 points.dat -o out.step | --farfield: 0.5 is outside its interval (above 1, at most 1e+06)
 END
 }
@@ -188,6 +194,7 @@ setup_file() {
   ln -s half_disc.step link.msh
   mkdir folder.msh
   printf '0 0\n1 0\n1 1\n' >points.dat
+  echo '<svg xmlns="http://www.w3.org/2000/svg"><rect width="2" height="1"/></svg>' >plate.svg
   local tool
   for tool in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck; do
     printf '%s\n' '#!/bin/sh' 'case " $*" in *" /dev/null"*) ;; *" -o "*) : >"$STARTED" ;; esac' \
@@ -213,7 +220,7 @@ check_usage() {
   before=$(find . | sort)
   case $name in
     quadmesh) command="$ROOT/pipelines/quadmesh ${stages[*]} ${2#quadmesh}" ;;
-    quadplace | points2step | quadbatch | quadgallery) command="$ROOT/pipelines/$2" ;;
+    quadplace | points2step | drawing2step | quadbatch | quadgallery) command="$ROOT/pipelines/$2" ;;
   esac
   # shellcheck disable=SC2086 # words
   message=$(export TMPDIR=$PWD/../tmp STARTED=$PWD/../started QUADRILLE_BIN=$BIN
@@ -243,7 +250,7 @@ check_rows() {
 @test "the table has at least 80 rows, and each command of the chain has one" {
   [ "$(table | wc -l)" -ge 80 ]
   for command in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck \
-    quadmesh quadplace points2step quadbatch quadgallery; do
+    quadmesh quadplace points2step drawing2step quadbatch quadgallery; do
     table | grep -q "| $command\b"
   done
 }
@@ -257,7 +264,7 @@ check_rows() {
 }
 
 @test "wrong usage of the other pipelines" {
-  check_rows quadplace points2step quadbatch quadgallery
+  check_rows quadplace points2step drawing2step quadbatch quadgallery
 }
 
 # late SHAPE OPTION...: is refused by quadmesh with 2, or $code, after cad2tri, before the field is solved.

@@ -64,7 +64,7 @@ writers() {
 
 @test "every page that a help text cites exists" {
   for tool in $TOOLS; do "$tool" --help; done >help
-  for command in quadmesh quadplace points2step; do "$ROOT/pipelines/$command" --help-all; done >>help
+  for command in quadmesh quadplace points2step drawing2step; do "$ROOT/pipelines/$command" --help-all; done >>help
   run -0 grep -oE '\b(formats|lib|tests|pipelines)/[A-Za-z0-9/_.-]*[A-Za-z0-9/]' help
   [ "${#lines[@]}" -ge 4 ]
   for page in "${lines[@]}"; do assert_exists "$ROOT/$page"; done

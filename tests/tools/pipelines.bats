@@ -22,6 +22,10 @@ passes() {
   passes splines near_spline smoothing fit edges near_polygon fine_loops wake wake_ends step_file build
 }
 
+@test "drawings: readers, curves, joints, regions" {
+  passes dxf_file svg_file svg_path drawing_files curves pieces sketch joining regions step_edges drawing_build
+}
+
 @test "search for node positions" {
   passes boundary symmetries layouts goals compass_search
 }

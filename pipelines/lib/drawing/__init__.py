@@ -10,7 +10,7 @@
   joining        common vertices, divided and repeated curves, crossings, gaps
   regions        the parts of the plane, outlines, holes
   step_edges     edges as those of a STEP file (outline.step_file)
-  build          all together
+  drawing_build  all together
 
 Points are complex numbers, x + iy. Affine maps are z -> a z + b conj(z) + c.
 """

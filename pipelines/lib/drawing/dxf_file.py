@@ -197,6 +197,15 @@ class DxfReader:
                                          "taken as seen from above"))
 
 
+def with_version(text):
+    """With that of DXF 2000 where the file has entities of it and states another or none: ezdxf would drop their flags."""
+    if "AcDb" not in text or "$ACADVER" in text and "AC1009" not in text:
+        return text
+    if "$ACADVER" in text:
+        return text.replace("AC1009", "AC1015", 1)
+    return "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n0\nENDSEC\n" + text
+
+
 def load(sketch, data):
     """The document of ezdxf. Importing that takes longer than all the rest of a small drawing."""
     if data[:2] == b"AC" and data[2:6].isdigit():
@@ -211,7 +220,8 @@ def load(sketch, data):
             return recover.read(io.BytesIO(data))[0]
         text = data.decode("utf-8", "ignore").replace("\r\n", "\n")
         info = ezdxf.filemanagement.dxf_stream_info(io.StringIO(text))
-        return ezdxf.read(io.StringIO(data.decode(info.encoding, "surrogateescape").replace("\r\n", "\n")))
+        text = data.decode(info.encoding, "surrogateescape").replace("\r\n", "\n")
+        return ezdxf.read(io.StringIO(with_version(text)))
     except (ezdxf.DXFError, ValueError, KeyError, IndexError, AttributeError, TypeError, OSError, LookupError):
         pass
     try:

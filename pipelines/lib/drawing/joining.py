@@ -140,8 +140,8 @@ def boxes_of(edges, tolerance):
 
 def divided(edges, tolerance):
     """The edges, those divided on which vertices of others lie."""
-    vertices = list(dict.fromkeys(z for edge in edges for z in (edge.start, edge.end)))
-    found = {}  # of each edge: (parameter, vertex)
+    degrees = Counter(z for edge in edges for z in (edge.start, edge.end))
+    vertices, found = list(degrees), {}  # found: of each edge (parameter, vertex)
     for i, k in near_pairs(boxes_of(edges, tolerance) + [(z, z) for z in vertices]):
         if i >= len(edges) or k < len(edges):
             continue
@@ -149,16 +149,17 @@ def divided(edges, tolerance):
         t = None if z in (edge.start, edge.end) else pieces.parameter_near(edge.curve, z, tolerance)
         if t is not None:
             found.setdefault(i, []).append((t, z))
-    return [part for i, edge in enumerate(edges) for part in parts_of(edge, sorted(found.get(i, []), key=lambda f: f[0]))]
+    return [part for i, edge in enumerate(edges)
+            for part in parts_of(edge, sorted(found.get(i, []), key=lambda cut: cut[0]), degrees[edge.start] == 2)]
 
 
-def parts_of(edge, cuts):
-    """A whole ellipse is cut at the first vertex instead of its own."""
+def parts_of(edge, cuts, is_alone):
+    """`is_alone`: no other edge begins where this one does; a whole ellipse is then cut elsewhere only."""
     if not cuts:
         return [edge]
     (t0, t1), curve = edge.curve.range, edge.curve
     marks = [(t0, edge.start), *cuts, (t1, edge.end)]
-    if isinstance(curve, Ellipse) and curve.is_whole:
+    if is_alone and isinstance(curve, Ellipse) and curve.is_whole:
         marks = [*cuts, (cuts[0][0] + t1 - t0, cuts[0][1])]
     return [edge_between(curve.part(a, b), edge.entity, start, end)
             for (a, start), (b, end) in zip(marks, marks[1:])]
@@ -225,8 +226,8 @@ def refuse_gaps(sketch, edges, size):
     if not loose:
         return
     gaps = sorted((gap_at(z, edge, edges, loose) for z, edge in loose[:MOST_LOOSE]), key=lambda gap: gap.size)
-    kept = [gap for i, gap in enumerate(gaps) if i == 0 or gap.size != gaps[i - 1].size]  # both sides have the same
-    raise sketch.fault(gap_sentence(kept, sketch.unit, size))
+    once = {(frozenset((gap.edge, gap.other)), f"{gap.size:.6g}"): gap for gap in reversed(gaps)}  # it has two sides
+    raise sketch.fault(gap_sentence(list(once.values())[::-1], sketch.unit, size))
 
 
 def gap_at(vertex, edge, edges, loose):
@@ -243,9 +244,9 @@ def gap_at(vertex, edge, edges, loose):
 
 
 def rounded_up(x):
-    """With two digits."""
-    unit = 10.0 ** (math.floor(math.log10(x)) - 1)
-    return math.floor(x / unit + 1) * unit
+    """By 2 % or more, with two digits."""
+    unit = 10.0 ** (math.floor(math.log10(1.02 * x)) - 1)
+    return math.ceil(1.02 * x / unit) * unit
 
 
 def gap_sentence(gaps, unit, size):

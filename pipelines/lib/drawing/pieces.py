@@ -3,6 +3,7 @@ with the square of its length."""
 from outline import polygons
 
 MOST_HALVINGS = 60
+HALF = 0.4871  # where a piece is halved: not in the middle, which often lies on another curve of a symmetric drawing
 
 
 class Piece:
@@ -15,7 +16,7 @@ class Piece:
         self.width = bend * (t1 - t0) ** 2 / 8
 
     def halves(self):
-        t = (self.t0 + self.t1) / 2
+        t = self.t0 + HALF * (self.t1 - self.t0)
         z = self.curve.at(t)
         return Piece(self.curve, self.t0, t, self.a, z, self.bend), Piece(self.curve, t, self.t1, z, self.b, self.bend)
 

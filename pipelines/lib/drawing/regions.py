@@ -132,7 +132,7 @@ class Nesting:
         boxes = []
         for _, piece in self.pieces:
             parts = pieces.halved(piece, 3 if piece.bend else 0)
-            points, reach = [z for part in parts for z in (part.a, part.b)], parts[0].width
+            points, reach = [z for part in parts for z in (part.a, part.b)], max(part.width for part in parts)
             across, up = [z.real for z in points], [z.imag for z in points]
             boxes.append((complex(min(across) - reach, min(up) - reach), complex(max(across) + reach, max(up) + reach)))
         self.tree, self.order = tree_of(boxes)

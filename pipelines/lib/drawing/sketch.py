@@ -36,7 +36,7 @@ class Sketch:
 
 
 def place(z):
-    return f"({z.real:.6g}, {z.imag:.6g})"
+    return f"({z.real + 0.0:.6g}, {z.imag + 0.0:.6g})"
 
 
 def listed(words, most=5):

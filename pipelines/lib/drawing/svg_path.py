@@ -127,7 +127,7 @@ def arc(start, end, rx, ry, turn, is_large, is_increasing):
     growth = max(abs(half), 1.0)
     rx, ry, half = rx * growth, ry * growth, half / growth
     side = 1j if is_large != is_increasing else -1j
-    to_centre = -side * half / abs(half) * math.sqrt(max(1 - abs(half) ** 2, 0.0))
+    to_centre = side * half / abs(half) * math.sqrt(max(1 - abs(half) ** 2, 0.0))
     axis = cmath.exp(1j * turn)
     centre = (start + end) / 2 + axis * complex(rx * to_centre.real, ry * to_centre.imag)
     first, last = cmath.phase(-half - to_centre), cmath.phase(half - to_centre)

@@ -175,7 +175,7 @@ TEST(ShellCommand, quotes_what_a_shell_would_change) {
 }
 
 TEST(HelpText, each_of_its_options_is_known) {
-  std::istringstream lines(help_text());
+  std::istringstream lines(full_help_text());
   const std::regex row("^  (?:-., )?(--[a-z-]+).*");
   int num_options = 0;
   std::smatch match;
@@ -191,7 +191,7 @@ TEST(HelpText, each_of_its_options_is_known) {
 }
 
 TEST(HelpText, has_the_options_of_the_stages) {
-  expect_counts(help_text(), {{"\nOPTIONS OF ", 6}, {"\nOPTIONS OF CRITPOINTS\n", 1}, {"\n  --max-valence ", 1}});
+  expect_counts(full_help_text(), {{"\nOPTIONS OF ", 6}, {"\nOPTIONS OF CRITPOINTS\n", 1}, {"\n  --max-valence ", 1}});
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ class StepFileTest(unittest.TestCase):
     def test_two_faces_share_an_edge_in_both_directions(self):
         common = Line(0, 1j, "middle")
         left = [step_file.Reversed(common)]
-        found = step_file.step_file("title", [("left", left), ("right", [common])], "mm", 1.0)
+        found = step_file.step_file("title", [("left", [left]), ("right", [[common]])], "mm", 1.0)
         self.assertEqual((found.count("EDGE_CURVE('middle'"), found.count("ADVANCED_FACE(")), (1, 2))
         number = re.search(r"#(\d+) = EDGE_CURVE\('middle'", found)[1]
         self.assertEqual(re.findall(rf"ORIENTED_EDGE\('',\*,\*,#{number},\.([TF])\.\)", found), ["F", "T"])

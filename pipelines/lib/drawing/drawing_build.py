@@ -1,8 +1,11 @@
 """From the curves of a drawing to the text of a STEP file."""
+import cmath
 import fnmatch
 from dataclasses import dataclass
 
-from drawing import joining, regions
+from command_frame import counted
+from drawing import joining, pieces, regions
+from drawing.curves import ROUND, Ellipse
 from drawing.drawing_files import read_drawing
 from drawing.sketch import listed
 from drawing.step_edges import StepEdges, step_edge
@@ -70,10 +73,20 @@ def graph_of(sketch, settings, tolerance):
     return edges, inner
 
 
-def build_faces(sketch, settings):
-    """(the text of the STEP file, what was found in a sentence). Throws Failure."""
+def require_curves(sketch):
+    """That there are curves, finite and with an extent in two directions if they are ellipses."""
     if not sketch.entities:
         raise sketch.fault("there is no curve that could bound a face")
+    for entity in sketch.entities:
+        if not all(cmath.isfinite(z) for corners in [pieces.box(entity.curve)] for z in corners):
+            raise sketch.fault(f"{entity.label} is not finite")
+        if isinstance(entity.curve, Ellipse) and entity.curve.half_axes[1] <= ROUND * abs(entity.curve.half_axes[0]):
+            raise sketch.fault(f"{entity.label} is flat: replace it by a line, or leave it out")
+
+
+def build_faces(sketch, settings):
+    """(the text of the STEP file, what was found in a sentence). Throws Failure."""
+    require_curves(sketch)
     size = joining.diagonal(sketch.entities)
     tolerance = joining.DEFAULT_TOLERANCE * size if settings.tolerance is None else settings.tolerance
     edges, embedded = graph_of(sketch, settings, tolerance)
@@ -84,10 +97,6 @@ def build_faces(sketch, settings):
     text = step_file(sketch.title, loops, sketch.unit, size, [step_edge(edge)[0] for edge in embedded + inner],
                      "drawing2step")
     return text, summary(sketch, faces, edges, size)
-
-
-def counted(count, noun):
-    return f"{count} {noun}{'s' * (count != 1)}"
 
 
 def summary(sketch, faces, edges, size):
