@@ -38,6 +38,19 @@ page=$ROOT/pipelines/manual.md
   assert_equal "$(sed -nE 's/^[12] [0-9]+ (".*")$/\1/p' aerofoil.msh | tr -d '\n')" '"farfield""lower""upper""fluid"'
 }
 
+@test "the commands that begin with drawings work" {
+  ln -s "$ROOT/pipelines" .
+  cp "$ROOT/pipelines/examples/plate.dxf" .
+  sed -n '/^## From drawings/,/^## /p' "$page" | sed -nE 's/^    (.*)/\1/p' >commands
+  assert [ "$(wc -l <commands)" -eq 4 ]
+  run -0 bash -euo pipefail commands
+  local file
+  for file in plate:'1bolts 1bore 1plate 2domain' weld:'1bolts 1bore 1plate 1weld 2domain' \
+    filled:'1bolts 1bore 1plate 2bolts 2bore 2plate'; do
+    assert_equal "$(sed -nE 's/^([12]) [0-9]+ "(.*)"$/\1\2/p' "${file%%:*}.msh" | sort | xargs)" "${file#*:}"
+  done
+}
+
 @test "the commands for sizes and wall layers work" {
   echo '{"curve_4": "hole", "curve_3": "inlet"}' >names.json
   "$ROOT/pipelines/quadmesh" -q "$DATA/plate_hole.step" --boundary-names names.json --workdir . -o x.msh
@@ -51,5 +64,5 @@ page=$ROOT/pipelines/manual.md
 
 @test "the sections whose commands are run above are all that have commands" {
   run -0 awk '/^## / { heading = substr($0, 4) } /^    [^ ]/ && !seen[heading]++ { print heading }' "$page"
-  assert_output "$(printf '%s\n' 'Part of the chain' 'From points' Names 'Irregular nodes where you want them' 'Sizes and wall layers')"
+  assert_output "$(printf '%s\n' 'Part of the chain' 'From points' 'From drawings' Names 'Irregular nodes where you want them' 'Sizes and wall layers')"
 }

@@ -1,4 +1,4 @@
-"""Planar faces from the curves of drawings (README, "From drawings").
+"""Planar faces from the curves of drawings (pipelines/manual.md, "From drawings").
 
   drawing_files  chooses the reader by the content of the file
   dxf_file       reads DXF, by ezdxf
