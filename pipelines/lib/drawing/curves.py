@@ -1,4 +1,4 @@
-"""Curves of a drawing as exact geometry: segments, parts of ellipses, and rational B-splines. Points are complex numbers.
+"""Curves of a drawing as exact geometry: segments, parts of ellipses, and rational B-splines.
 
 Each curve has `start`, `end`, `range` (its parameters), `at(t)`, `part(t0, t1)`, `mapped(affine)` and `bends()`: pieces
 (t0, t1, bound of the second derivative) within which it is smooth, so that a piece of length dt stays within
@@ -137,8 +137,8 @@ def bulged(start, end, bulge):
 
 @dataclass(frozen=True)
 class Spline:
-    """Of a degree, with all knots (repeated ones too), poles and weights, between the knots at which all basis functions
-    count. The value at t is the blossom of (t, ..., t)."""
+    """Of a degree, with all knots (repeated ones too), poles and weights, between the knots at which all basis
+    functions count. The value at t is the blossom of (t, ..., t)."""
 
     degree: int
     knots: tuple

@@ -38,7 +38,8 @@ class NameList:
         """That each pattern matches one of the names that were asked for."""
         for pattern in self.patterns:
             if not any(fnmatch.fnmatchcase(name, pattern) for name in self.seen):
-                raise sketch.fault(f"{self.option}: no curve is called '{pattern}'; there are {listed(sorted(self.seen), 20)}")
+                raise sketch.fault(f"{self.option}: no curve is called '{pattern}'; there are " +
+                                   listed(sorted(self.seen), 20))
 
 
 def read_chosen(path, settings):

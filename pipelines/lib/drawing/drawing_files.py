@@ -12,6 +12,7 @@ def read_drawing(path, unit, wants):
     if not data.strip():
         raise Failure(BAD_INPUT, f"{name}: is empty")
     if is_cad_file(data):
-        raise Failure(BAD_INPUT, f"{name}: is a CAD file, not a drawing: give it to quadmesh without options of drawings")
+        raise Failure(BAD_INPUT, f"{name}: is a CAD file, not a drawing: give it to quadmesh without options of "
+                                 "drawings")
     is_xml = data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<")
     return (read_svg if is_xml else read_dxf)(name, data, unit, wants)

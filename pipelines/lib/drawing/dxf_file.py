@@ -6,7 +6,7 @@ from collections import Counter
 from command_frame import NO_RESULT, Failure
 from drawing import curves
 from drawing.curves import Affine, Segment, Spline
-from drawing.sketch import DEFAULT_UNIT, Entity, Sketch, listed
+from drawing.sketch import DEFAULT_UNIT, Entity, Sketch, counts_in_words, listed
 
 # $INSUNITS: a unit of STEP files, and how many of it.
 DXF_UNITS = {1: ("in", 1), 2: ("ft", 1), 3: ("ft", 5280), 4: ("mm", 1), 5: ("cm", 1), 6: ("m", 1), 7: ("m", 1000),
@@ -69,7 +69,8 @@ def polygon(points, bulges, is_closed):
 
 def lwpolyline(entity):
     found = entity.get_points("xyb")
-    return polygon([complex(x, y) for x, y, _ in found], [b for _, _, b in found], entity.closed), [entity.dxf.elevation]
+    points, bulges = [complex(x, y) for x, y, _ in found], [bulge for _, _, bulge in found]
+    return polygon(points, bulges, entity.closed), [entity.dxf.elevation]
 
 
 def polyline(entity):
@@ -91,8 +92,9 @@ def spline(entity):
         degree, poles, knots, weights = fitted.degree, fitted.control_points, fitted.knots(), []
     weights = [] if len(set(weights)) < 2 else weights
     count = len(poles)
-    if degree < 1 or len(knots) != count + degree + 1 or len(weights) not in (0, count) or min(weights, default=1) <= 0 \
-            or any(a > b for a, b in zip(knots, knots[1:])) or not knots[degree] < knots[count]:
+    if (degree < 1 or len(knots) != count + degree + 1 or len(weights) not in (0, count)
+            or min(weights, default=1) <= 0 or any(a > b for a, b in zip(knots, knots[1:]))
+            or not knots[degree] < knots[count]):
         raise ValueError("its degree, knots, poles and weights do not fit each other")
     heights = [z[2] for z in poles]
     whole = Spline(degree, tuple(map(float, knots)), tuple(map(flat, poles)), tuple(map(float, weights)))
@@ -127,7 +129,7 @@ class DxfReader:
         return layer == "Defpoints" or entity.dxf.get("invisible", 0) == 1
 
     def add_all(self, entities, affine=Affine(), outer=None, blocks=()):
-        """`affine`: to the coordinates of the drawing; `outer`: the layer of the INSERT; `blocks`: inside which they are."""
+        """`affine`: to the coordinates of the drawing; `outer`: the layer of the INSERT; `blocks`: around them."""
         for entity in entities:
             layer = self.layer_of(entity, outer)
             if self.is_hidden(entity, layer):
@@ -146,8 +148,8 @@ class DxfReader:
     def own_map(self, entity, label):
         found = ocs_map(entity)
         if found is None:
-            raise self.sketch.fault(f"{label} is tilted: its normal is not the z axis; draw it in the plane, or leave out "
-                                    "its layer (--drawing-layers)")
+            raise self.sketch.fault(f"{label} is tilted: its normal is not the z axis; draw it in the plane, or leave "
+                                    "out its layer (--drawing-layers)")
         return found
 
     def add_curves(self, entity, affine, layer, blocks):
@@ -186,19 +188,18 @@ class DxfReader:
         if self.hidden:
             self.sketch.notes.append(f"layers that are off or frozen are left out: {listed(sorted(self.hidden))}")
         if self.left_out:
-            self.sketch.notes.append("left out: " + listed([f"{n} {kind}" for kind, n in sorted(self.left_out.items())], 9))
+            self.sketch.notes.append(f"left out: {counts_in_words(self.left_out)}")
         if self.unread:
-            kinds = listed([f"{count} {kind}" for kind, count in sorted(self.unread.items())], 9)
-            self.sketch.warnings.append(("W-DRW-004", f"what is not read is left out: {kinds}; explode it into lines, arcs "
-                                         "and polylines if it bounds the face"))
+            self.sketch.warnings.append(("W-DRW-004", f"what is not read is left out: {counts_in_words(self.unread)}; "
+                                         "explode it into lines, arcs and polylines if it bounds the face"))
         low, high = min(self.heights, default=0.0), max(self.heights, default=0.0)
         if high - low > LEAST_HEIGHT * max((abs(e.curve.start) for e in self.sketch.entities), default=0.0):
-            self.sketch.warnings.append(("W-DRW-005", f"curves lie at heights from z = {low:.6g} to {high:.6g}: they are "
-                                         "taken as seen from above"))
+            self.sketch.warnings.append(("W-DRW-005", f"curves lie at heights from z = {low:.6g} to {high:.6g}: they "
+                                         "are taken as seen from above"))
 
 
 def with_version(text):
-    """With that of DXF 2000 where the file has entities of it and states another or none: ezdxf would drop their flags."""
+    """With that of DXF 2000 where the file has its entities and states an older one or none: ezdxf drops their flags."""
     if "AcDb" not in text or "$ACADVER" in text and "AC1009" not in text:
         return text
     if "$ACADVER" in text:

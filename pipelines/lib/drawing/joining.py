@@ -197,14 +197,15 @@ def refuse_crossings(sketch, edges, tolerance):
         z = pieces.crossing(found[i], found[k], tolerance / 10,
                             lambda z, common=common: any(abs(z - vertex) <= 4 * tolerance for vertex in common))
         if z is not None:
-            raise sketch.fault(f"{one.label} crosses {two.label} at {place(z)}: trim them where they meet, or leave out "
-                               "a layer (--drawing-layers)")
+            raise sketch.fault(f"{one.label} crosses {two.label} at {place(z)}: trim them where they meet, or leave "
+                               "out a layer (--drawing-layers)")
     for edge, own in zip(edges, found):
-        refuse_own_crossing(sketch, edge, own, tolerance)
+        if not isinstance(edge.curve, (Segment, Ellipse)):
+            refuse_own_crossing(sketch, edge, own, tolerance)
 
 
 def refuse_own_crossing(sketch, edge, own, tolerance):
-    parts = [part for piece in own for part in pieces.halved(piece, 2)] if not isinstance(edge.curve, (Segment, Ellipse)) else []
+    parts = [part for piece in own for part in pieces.halved(piece, 2)]
     for i, piece in enumerate(parts):
         z = pieces.crossing([piece], parts[i + 2 :], tolerance / 10, lambda z: abs(z - edge.start) <= 4 * tolerance)
         if z is not None:

@@ -1,5 +1,5 @@
-"""Questions about curves that are answered by halving: each piece stays within `width` of its chord, and the width falls
-with the square of its length."""
+"""Questions about curves that are answered by halving: each piece stays within `width` of its chord, and the width
+falls with the square of its length."""
 from outline import polygons
 
 MOST_HALVINGS = 60
@@ -28,9 +28,9 @@ class Piece:
         """Whether the neighbourhoods of the chords, as wide as the pieces, may have common points."""
         reach = self.width + other.width
         a, b, c, d = self.a, self.b, other.a, other.b
-        if (max(a.real, b.real) + reach < min(c.real, d.real) or max(c.real, d.real) + reach < min(a.real, b.real)
-                or max(a.imag, b.imag) + reach < min(c.imag, d.imag) or max(c.imag, d.imag) + reach < min(a.imag, b.imag)):
-            return False
+        for one, two in (((a.real, b.real), (c.real, d.real)), ((a.imag, b.imag), (c.imag, d.imag))):
+            if max(one) + reach < min(two) or max(two) + reach < min(one):
+                return False
         return not (lies_beside(a, b, c, d, reach) or lies_beside(c, d, a, b, reach))
 
 
@@ -124,7 +124,7 @@ def crossing(some, others, accuracy, is_excepted):
 
 def crossing_of_chords(one, two):
     a, b, c, d = one.a, one.b, two.a, two.b
-    if not (polygons.side(a, b, c) * polygons.side(a, b, d) < 0 and polygons.side(c, d, a) * polygons.side(c, d, b) < 0):
+    if polygons.side(a, b, c) * polygons.side(a, b, d) >= 0 or polygons.side(c, d, a) * polygons.side(c, d, b) >= 0:
         return None
     share = polygons.cross(c - a, d - c) / polygons.cross(b - a, d - c)
     return a + share * (b - a)

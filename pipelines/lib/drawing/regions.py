@@ -1,5 +1,5 @@
-"""The faces of a planar graph of edges: its bounded parts, of which the outlines at even depth are material, those at odd
-depth holes; parts that touch have one depth."""
+"""The faces of a planar graph of edges: its bounded parts, of which the outlines at even depth are material, those at
+odd depth holes; parts that touch have one depth."""
 import math
 from collections import Counter
 from dataclasses import dataclass, field
@@ -168,7 +168,7 @@ def faces_of(cycles, has_all_regions):
 
 
 def find_faces(sketch, edges, has_all_regions):
-    """(faces, edges inside faces): of the edges of a graph without loose ends. Adds warnings of edges that bound nothing."""
+    """(faces, edges inside faces): of the edges of a graph without loose ends. Warns of edges that bound nothing."""
     inner = []
     while True:
         found = traced(edges)

@@ -19,7 +19,7 @@ class Entity:
 
 @dataclass
 class Sketch:
-    """`unit`: a key of UNITS (outline.step_file); `notes`: what was read, in sentences; `warnings`: pairs (code, text)."""
+    """`unit`: a key of UNITS (outline.step_file); `notes`: sentences on what was read; `warnings`: pairs (code, text)."""
 
     name: str
     entities: list = field(default_factory=list)
@@ -43,3 +43,8 @@ def listed(words, most=5):
     """The first ones, and how many there are beside them."""
     more = len(words) - most
     return ", ".join(words[:most]) + (f" and {more} more" if more > 0 else "")
+
+
+def counts_in_words(counts):
+    """Of a Counter of kinds: "2 HATCH, 1 TEXT"."""
+    return listed([f"{count} {kind}" for kind, count in sorted(counts.items())], 9)

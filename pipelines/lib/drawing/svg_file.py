@@ -6,13 +6,14 @@ from xml.parsers import expat
 
 from drawing import curves
 from drawing.curves import Affine, Segment, affine_of
-from drawing.sketch import DEFAULT_UNIT, Entity, Sketch, listed
+from drawing.sketch import DEFAULT_UNIT, Entity, Sketch, counts_in_words
 from drawing.svg_path import PathError, path_curves
 
-INCHES = {"in": 1.0, "mm": 1 / 25.4, "cm": 1 / 2.54, "q": 1 / 101.6, "pt": 1 / 72, "pc": 1 / 6, "px": 1 / 96, "": 1 / 96}
+INCHES = {"in": 1.0, "mm": 1 / 25.4, "cm": 1 / 2.54, "q": 1 / 101.6, "pt": 1 / 72, "pc": 1 / 6, "px": 1 / 96,
+          "": 1 / 96}
 UNIT_OF_PAGE = {"in": "in", "pt": "in", "pc": "in", "cm": "cm"}  # others: mm
-AUTOMATIC = re.compile(r"(path|rect|circle|ellipse|line|polyline|polygon|g|group|svg|use|layer|st|cls)[-_]?\d+([-_]\d+)*",
-                       re.IGNORECASE)
+AUTOMATIC = re.compile(r"(path|rect|circle|ellipse|line|polyline|polygon|g|group|svg|use|layer|st|cls)[-_]?\d+"
+                       r"([-_]\d+)*", re.IGNORECASE)
 GROUPS = {"g", "a", "switch", "symbol", "svg"}
 NOT_DRAWN = {"defs", "symbol", "clipPath", "mask", "marker", "pattern", "style", "script", "title", "desc", "metadata",
              "linearGradient", "radialGradient", "filter", "view"}
@@ -151,7 +152,8 @@ def rectangle(node):
     if rx <= 0 or ry <= 0:
         return polygon([complex(x, y), complex(x + width, y), complex(x + width, y + height), complex(x, y + height)])
     arc = f"a{rx!r} {ry!r} 0 0 1"
-    return path_curves(f"M{x + rx!r} {y!r}H{x + width - rx!r}{arc} {rx!r} {ry!r}V{y + height - ry!r}{arc} {-rx!r} {ry!r}"
+    right, bottom = x + width, y + height
+    return path_curves(f"M{x + rx!r} {y!r}H{right - rx!r}{arc} {rx!r} {ry!r}V{bottom - ry!r}{arc} {-rx!r} {ry!r}"
                        f"H{x + rx!r}{arc} {-rx!r} {-ry!r}V{y + ry!r}{arc} {rx!r} {-ry!r}z")
 
 
@@ -216,7 +218,8 @@ class SvgReader:
         inner = affine.after(transform(node.get("transform"))) if node.get("transform") else affine
         if node.tag in SHAPES:
             if self.wants(name):
-                self.sketch.entities += [Entity(curve.mapped(inner), name, name, node.words) for curve in SHAPES[node.tag](node)]
+                self.sketch.entities += [Entity(curve.mapped(inner), name, name, node.words)
+                                         for curve in SHAPES[node.tag](node)]
         elif node.tag == "svg":
             place = affine_of(1, 0, 0, 1, length(node, "x"), length(node, "y"))
             view = view_map(node, length(node, "width"), length(node, "height")) if node.get("width") else Affine()
@@ -235,8 +238,8 @@ class SvgReader:
             raise ValueError(f"it uses '{link}', which is no element of the file")
         place = affine.after(affine_of(1, 0, 0, 1, length(node, "x"), length(node, "y")))
         if target.tag == "symbol":
-            view = view_map(target, length(node, "width", length(target, "width")), length(node, "height", length(target, "height"))) \
-                if node.get("width") or target.get("width") else Affine()
+            sizes = [length(node, side, length(target, side)) for side in ("width", "height")]
+            view = view_map(target, *sizes) if all(sizes) else Affine()
             self.add_all(target.children, place.after(view), name, level + 1)
         else:
             self.add_all([target], place, name, level + 1)
@@ -266,13 +269,12 @@ def page_map(sketch, root, unit):
 
 
 def read_svg(name, data, unit, wants):
-    """`data`: the bytes; `unit`: of the numbers in the drawing, or None: that of the page; `wants(name)`: whether curves
-    of that name are read."""
+    """`data`: the bytes; `unit`: of the numbers in the drawing, or None: that of the page; `wants(name)`: whether
+    curves of that name are read."""
     sketch = Sketch(name)
     root = parsed(sketch, data)
     reader = SvgReader(sketch, root, wants)
     reader.add_all(root.children, page_map(sketch, root, unit))
     if reader.left_out:
-        counts = [f"{count} {tag}" for tag, count in sorted(reader.left_out.items())]
-        sketch.notes.append("left out: " + listed(counts))
+        sketch.notes.append(f"left out: {counts_in_words(reader.left_out)}")
     return sketch

@@ -117,8 +117,8 @@ class PathReader:
 
 
 def arc(start, end, rx, ry, turn, is_large, is_increasing):
-    """Of the ellipse with half axes rx, ry, the first turned by `turn`, through start and end; ellipses that are too small
-    grow (SVG 2, appendix B.2)."""
+    """Of the ellipse with half axes rx, ry, the first turned by `turn`, through start and end; ellipses that are too
+    small grow (SVG 2, appendix B.2)."""
     def on_unit_circle(z):
         z *= cmath.exp(-1j * turn)
         return complex(z.real / rx, z.imag / ry)
