@@ -1,15 +1,16 @@
 """From the curves of a drawing to the text of a STEP file."""
-import cmath
 import fnmatch
 from dataclasses import dataclass
 
 from command_frame import counted
-from drawing import joining, pieces, regions
+from drawing import joining, regions
 from drawing.curves import ROUND, Ellipse
 from drawing.drawing_files import read_drawing
 from drawing.sketch import listed
 from drawing.step_edges import StepEdges, step_edge
 from outline.step_file import step_file
+
+LARGEST = 1e100
 
 
 @dataclass(frozen=True)
@@ -74,13 +75,19 @@ def graph_of(sketch, settings, tolerance):
     return edges, inner
 
 
+def is_usable(curve):
+    """Whether all its numbers are finite, and their squares too."""
+    values = [value for found in vars(curve).values() for value in (found if isinstance(found, tuple) else (found,))]
+    return all(abs(value) <= LARGEST for value in values)
+
+
 def require_curves(sketch):
     """That there are curves, finite and with an extent in two directions if they are ellipses."""
     if not sketch.entities:
         raise sketch.fault("there is no curve that could bound a face")
     for entity in sketch.entities:
-        if not all(cmath.isfinite(z) for corners in [pieces.box(entity.curve)] for z in corners):
-            raise sketch.fault(f"{entity.label} is not finite")
+        if not is_usable(entity.curve):
+            raise sketch.fault(f"{entity.label} has a number that is not finite, or above {LARGEST:g}")
         if isinstance(entity.curve, Ellipse) and entity.curve.half_axes[1] <= ROUND * abs(entity.curve.half_axes[0]):
             raise sketch.fault(f"{entity.label} is flat: replace it by a line, or leave it out")
 

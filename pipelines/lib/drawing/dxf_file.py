@@ -16,6 +16,9 @@ DXF_UNITS = {1: ("in", 1), 2: ("ft", 1), 3: ("ft", 5280), 4: ("mm", 1), 5: ("cm"
 ANNOTATIONS = {"ACAD_TABLE", "ARC_DIMENSION", "ATTDEF", "ATTRIB", "DIMENSION", "GEODATA", "HATCH", "IMAGE", "LEADER",
                "LIGHT", "MPOLYGON", "MTEXT", "MULTILEADER", "OLE2FRAME", "OLEFRAME", "PDFUNDERLAY", "POINT", "RAY",
                "SHAPE", "SOLID", "TEXT", "TOLERANCE", "TRACE", "VIEWPORT", "WIPEOUT", "XLINE"}
+# What ezdxf throws at damaged files, beside errors of its own.
+DAMAGE = (ValueError, LookupError, AttributeError, TypeError, ArithmeticError)
+MOST_COPIES = 100000
 LEAST_HEIGHT = 1e-9  # of the greatest coordinate: curves that differ less lie in one plane
 
 
@@ -115,7 +118,7 @@ class DxfReader:
 
     def layer_of(self, entity, outer):
         """Entities of layer 0 in a block are in the layer of the INSERT. Written as in the table of layers."""
-        name = entity.dxf.get("layer", "0")
+        name = entity.dxf.get("layer", "0") if entity.is_supported_dxf_attrib("layer") else "0"
         if name == "0" and outer is not None:
             return outer
         return self.document.layers.get(name).dxf.name if name in self.document.layers else name
@@ -126,7 +129,8 @@ class DxfReader:
             if found.is_off() or found.is_frozen():
                 self.hidden.add(layer)
                 return True
-        return layer == "Defpoints" or entity.dxf.get("invisible", 0) == 1
+        is_known = entity.is_supported_dxf_attrib("invisible")
+        return layer == "Defpoints" or is_known and entity.dxf.get("invisible", 0) == 1
 
     def add_all(self, entities, affine=Affine(), outer=None, blocks=()):
         """`affine`: to the coordinates of the drawing; `outer`: the layer of the INSERT; `blocks`: around them."""
@@ -178,6 +182,8 @@ class DxfReader:
         if name in blocks:
             raise self.sketch.fault(f"{label} inserts the block {name} into itself")
         self.own_map(entity, label)
+        if entity.mcount > MOST_COPIES:
+            raise self.sketch.fault(f"{label} inserts the block {name} more than {MOST_COPIES} times")
         for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
             m = insert.matrix44()
             (xx, yx, _), (xy, yy, _), (x, y, z) = m.get_row(0)[:3], m.get_row(1)[:3], m.get_row(3)[:3]
@@ -223,7 +229,7 @@ def load(sketch, data):
         info = ezdxf.filemanagement.dxf_stream_info(io.StringIO(text))
         text = data.decode(info.encoding, "surrogateescape").replace("\r\n", "\n")
         return ezdxf.read(io.StringIO(with_version(text)))
-    except (ezdxf.DXFError, ValueError, KeyError, IndexError, AttributeError, TypeError, OSError, LookupError):
+    except (ezdxf.DXFError, OSError, *DAMAGE):
         pass
     try:
         sketch.notes.append("the file is damaged: ezdxf recovered what it could")
@@ -236,8 +242,12 @@ def read_dxf(name, data, unit, wants):
     """`data`: the bytes; `unit`: in place of that of the drawing, or None; `wants(layer)`: whether curves are read."""
     sketch = Sketch(name)
     document = load(sketch, data)
+    from ezdxf import DXFError  # pylint: disable=import-outside-toplevel
     reader = DxfReader(sketch, document, wants)
-    reader.add_all(document.modelspace())
+    try:
+        reader.add_all(document.modelspace())
+    except (DXFError, *DAMAGE) as error:
+        raise sketch.fault(f"is damaged: {error}") from None
     reader.add_notes()
     code = document.header.get("$INSUNITS", 0) if b"$INSUNITS" in data else 0  # ezdxf has a default of its own
     if unit is None and code and code not in DXF_UNITS:

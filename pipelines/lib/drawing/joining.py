@@ -101,6 +101,8 @@ def edges_of(sketch, tolerance):
         sketch.warnings.append(("W-DRW-001", f"{len(short)} curves no longer than {tolerance:.3g} are left out: " +
                                 listed([f"{entity.label} at {place(entity.curve.start)}" for entity in short])))
     kept = [entity for entity in sketch.entities if not is_short(entity, tolerance)]
+    if not kept:
+        raise sketch.fault(f"no curve is longer than the tolerance, {tolerance:.3g}: lower it (--drawing-tolerance)")
     vertices = vertices_of(kept, tolerance)
     return [edge_between(entity.curve, entity, *vertices[2 * i : 2 * i + 2])
             for i, entity in enumerate(kept)]

@@ -62,6 +62,8 @@ def parsed(sketch, data):
         parser.Parse(data, True)
     except expat.ExpatError as error:
         raise sketch.fault(f"line {error.lineno}: is not well-formed XML: {expat.ErrorString(error.code)}") from None
+    except LookupError as error:
+        raise sketch.fault(f"line 1: {error}") from None
     root = stack[0].children[0]
     if root.tag != "svg":
         raise sketch.fault(f"is XML, but not SVG: its root is {root.tag or 'of another name space'}")
@@ -210,6 +212,8 @@ class SvgReader:
                 continue
             try:
                 self.add(node, affine, node.own_name or name, level)
+            except ArithmeticError:
+                raise self.sketch.fault(f"line {node.line}: {node.words}: a number is too large") from None
             except ValueError as error:
                 what = "its path data: " if isinstance(error, PathError) else ""
                 raise self.sketch.fault(f"line {node.line}: {node.words}: {what}{error}") from None

@@ -45,8 +45,9 @@ class DrawingBuildTest(unittest.TestCase):
 
     def test_what_cannot_be_a_boundary(self):
         self.assertIn("there is no curve", self.refusal({}))
+        self.assertIn("no curve is longer than the tolerance, 3:", self.refusal({"a": square(0, 1)}, Settings(tolerance=3)))
         self.assertIn("a 4 is flat", self.refusal({"a": [*square(0, 10), curves.ellipse(1, 3, 0j)]}))
-        self.assertIn("a 0 is not finite", self.refusal({"a": [Segment(0, complex(math.inf, 0))]}))
+        self.assertIn("a 0 has a number that is not finite, or above 1e+100", self.refusal({"a": [Segment(0, complex(math.inf, 0))]}))
 
     def test_the_tolerance_is_a_share_of_the_drawing(self):
         layers = {"a": [*square(0, 10)[:3], Segment(10j, 1e-4 + 0j)]}
