@@ -201,6 +201,7 @@ END
   assert_output --regexp '^drawing2step: gap.dxf: a gap of 0.00873 mm at \(.*\): (ARC 2C \(layer bow\) ends 0.00873 mm from LINE 2D \(layer wall\)|LINE 2D \(layer wall\) ends 0.00873 mm from ARC 2C \(layer bow\)): close it in the drawing, join what is as near by --drawing-tolerance 0.009, leave its layer out'
   assert_file_not_exists a.step
   run -0 "$drawing2step" gap.dxf -o a.step --tolerance 0.009
+  assert_line --regexp 'drawing2step: ends up to 0.00873 mm apart are joined, most at \('
   run -3 "$quadmesh" gap.dxf -o a.msh
   assert_output --regexp '^quadmesh: gap.dxf: a gap of 0.00873 mm'
   run -0 "$quadmesh" gap.dxf -o a.msh --drawing-tolerance 0.009 --report a.json

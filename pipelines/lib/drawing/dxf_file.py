@@ -224,7 +224,7 @@ def load(sketch, data):
         raise Failure(NO_RESULT, "DXF files need python3-ezdxf: apt-get install python3-ezdxf") from None
     try:
         if data.startswith(b"AutoCAD Binary DXF"):
-            return recover.read(io.BytesIO(data))[0]
+            return ezdxf.document.Drawing.load(ezdxf.lldxf.tagger.binary_tags_loader(data, errors="surrogateescape"))
         text = data.decode("utf-8", "ignore").replace("\r\n", "\n")
         info = ezdxf.filemanagement.dxf_stream_info(io.StringIO(text))
         text = data.decode(info.encoding, "surrogateescape").replace("\r\n", "\n")

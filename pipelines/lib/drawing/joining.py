@@ -11,7 +11,8 @@ from drawing.sketch import listed, place
 from outline.box_tree import BoxTree
 
 DEFAULT_TOLERANCE = 1e-5  # diagonals of the box around the drawing
-LARGEST_JOIN = 0.01       # of them: a larger gap is hardly one that a tolerance should close
+LARGEST_JOIN = 0.003      # of them: arcs and splines are moved by cad2tri, and no further than about this
+LEAST_NOTED = 0.01        # tolerances: moves of ends that are mentioned
 MOST_GAPS = 5             # that a message names
 MOST_LOOSE = 100          # loose ends whose gaps are measured
 
@@ -104,8 +105,15 @@ def edges_of(sketch, tolerance):
     if not kept:
         raise sketch.fault(f"no curve is longer than the tolerance, {tolerance:.3g}: lower it (--drawing-tolerance)")
     vertices = vertices_of(kept, tolerance)
+    note_moves(sketch, [z for entity in kept for z in (entity.curve.start, entity.curve.end)], vertices, tolerance)
     return [edge_between(entity.curve, entity, *vertices[2 * i : 2 * i + 2])
             for i, entity in enumerate(kept)]
+
+
+def note_moves(sketch, ends, vertices, tolerance):
+    move, vertex = max(((abs(z - vertex), vertex) for z, vertex in zip(ends, vertices)), key=lambda found: found[0])
+    if move > LEAST_NOTED * tolerance:
+        sketch.notes.append(f"ends up to {move:.3g} {sketch.unit} apart are joined, most at {place(vertex)}")
 
 
 def edge_between(curve, entity, start, end):

@@ -12,7 +12,7 @@ from drawing.svg_path import PathError, path_curves
 INCHES = {"in": 1.0, "mm": 1 / 25.4, "cm": 1 / 2.54, "q": 1 / 101.6, "pt": 1 / 72, "pc": 1 / 6, "px": 1 / 96,
           "": 1 / 96}
 UNIT_OF_PAGE = {"in": "in", "pt": "in", "pc": "in", "cm": "cm"}  # others: mm
-AUTOMATIC = re.compile(r"(path|rect|circle|ellipse|line|polyline|polygon|g|group|svg|use|layer|st|cls)[-_]?\d+"
+AUTOMATIC = re.compile(r"(path|rect|circle|ellipse|line|polyline|polygon|g|group|svg|use|layer|st|cls)[-_ ]?\d+"
                        r"([-_]\d+)*", re.IGNORECASE)
 GROUPS = {"g", "a", "switch", "symbol", "svg"}
 NOT_DRAWN = {"defs", "symbol", "clipPath", "mask", "marker", "pattern", "style", "script", "title", "desc", "metadata",

@@ -1,6 +1,8 @@
+import io
 import unittest
 
 import command_frame as frame
+import ezdxf
 from drawing import dxf_file
 from drawing.curves import Ellipse, Segment, Spline
 from drawing_samples import dxf
@@ -80,6 +82,14 @@ class DxfFileTest(unittest.TestCase):
         self.assertEqual((sketch.unit, sketch.entities[0].curve.end), ("cm", 10))
         self.assertEqual(read(LINE, unit="ft", header="9=$INSUNITS 70=14").unit, "ft")
         self.assertEqual(len(read(LINE, unit=None).notes), 1)
+
+    def test_binary_files_of_all_versions(self):
+        for version in ("R12", "R2000", "R2018"):
+            document, stream = ezdxf.new(version), io.BytesIO()
+            document.modelspace().add_circle((5, 5), 2, dxfattribs={"layer": "w\u00e4nd"})
+            document.write(stream, fmt="bin")
+            found = dxf_file.read_dxf("x.dxf", stream.getvalue(), "mm", lambda layer: True).entities
+            self.assertEqual([entity.name for entity in found], ["w\u00e4nd"])
 
     def test_versions_that_do_not_fit_the_entities(self):
         closed = "LWPOLYLINE 8=a 100=AcDbEntity 100=AcDbPolyline 90=3 70=1 10=0 20=0 10=1 20=0 10=0 20=1"

@@ -15,7 +15,8 @@ class JoiningTest(unittest.TestCase):
 
     def test_near_ends_are_one_vertex_where_an_arc_ends(self):
         layers = {"arc": [curves.circle(0, 1, 0, 3)], "line": [Segment(1 + 1e-7j, 2), Segment(2 + 1e-8j, 3)]}
-        _, (arc, line, other) = edges_of(layers)
+        sketch, (arc, line, other) = edges_of(layers)
+        self.assertEqual(sketch.notes, ["ends up to 1e-07 mm apart are joined, most at (1, 0)"])
         self.assertEqual((arc.start, line.start, line.curve.start), (1, 1, 1))
         self.assertEqual((line.end, other.start), (2, 2))
         self.assertEqual(arc.end, arc.curve.end)

@@ -54,7 +54,7 @@ class SvgFileTest(unittest.TestCase):
     def test_names(self):
         shape = '<rect width="1" height="1" {}/>'
         for attributes, name in (('id="wall"', "wall"), ('id="rect12"', "outer"), ('id="rect12" class="cls-1 steel"', "steel"),
-                                 ('id="wall" inkscape:label="inlet"', "inlet"), ("", "outer")):
+                                 ('id="wall" inkscape:label="inlet"', "inlet"), ('inkscape:label="Layer 1"', "outer"), ("", "outer")):
             found = read('<g id="outer"><g id="g34">' + shape.format(attributes) + "</g></g>").entities
             self.assertEqual({entity.name for entity in found}, {name}, attributes)
         self.assertEqual([e.name for e in read(shape.format('id="a"') + shape.format('id="b"'), wants=lambda name: name == "b").entities],
