@@ -3,7 +3,7 @@ vertex; a vertex on a curve divides it; curves that lie upon others are kept onc
 meet no other, are refused."""
 import math
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from drawing import pieces
 from drawing.curves import Ellipse, Segment
@@ -19,12 +19,14 @@ MOST_LOOSE = 100          # loose ends whose gaps are measured
 
 @dataclass(frozen=True, eq=False)
 class Edge:
-    """A curve between two vertices, points at which its ends are at most the tolerance away."""
+    """A curve between two vertices, points at which its ends are at most the tolerance away. `upon`: names of others that
+    lie upon it."""
 
     curve: object
     entity: object
     start: complex
     end: complex
+    upon: frozenset = frozenset()
 
     @property
     def name(self):
@@ -185,11 +187,12 @@ def kept_once(edges, tolerance, warnings):
     kept, between, repeated = [], {}, []
     for edge in edges:
         rivals = between.setdefault(frozenset((edge.start, edge.end)), [])
-        first = next((other for other in rivals if lies_upon(edge, other, tolerance)), None)
-        if first:
-            repeated.append(f"{edge.label} on {first.label} at {place(edge.middle)}")
+        first = next((i for i in rivals if lies_upon(edge, kept[i], tolerance)), None)
+        if first is not None:
+            repeated.append(f"{edge.label} on {kept[first].label} at {place(edge.middle)}")
+            kept[first] = replace(kept[first], upon=kept[first].upon | {edge.name})
         else:
-            rivals.append(edge)
+            rivals.append(len(kept))
             kept.append(edge)
     if repeated:
         warnings.append(("W-DRW-002", f"{len(repeated)} curves lie upon others, each is kept once: {listed(repeated)}"))

@@ -188,6 +188,6 @@ def find_faces(sketch, edges, has_all_regions):
 
 
 def name_of(face):
-    """The name that all edges of its outline have, else none."""
-    names = {side.edge.name for side in face.outline.sides}
-    return names.pop() if len(names) == 1 else ""
+    """The name that all edges of its outline have, or others that lie upon them, else none."""
+    names = set.intersection(*({side.edge.name, *side.edge.upon} for side in face.outline.sides))
+    return min(names, default="")

@@ -37,6 +37,11 @@ class DrawingBuildTest(unittest.TestCase):
         self.assertEqual((text.count("ADVANCED_FACE('wall'"), text.count("ADVANCED_FACE('hole'")), (1, 1))
         self.assertEqual((text.count("EDGE_CURVE('hole'"), text.count(",.F.)")), (1, 1))
 
+    def test_neighbours_that_both_have_their_side_keep_their_names(self):
+        text, _ = build_faces(sketch_of({"steel": square(0, 2), "copper": square(2, 2)}), Settings())
+        self.assertEqual((text.count("ADVANCED_FACE('steel'"), text.count("ADVANCED_FACE('copper'")), (1, 1))
+        self.assertEqual((text.count("EDGE_CURVE('steel'"), text.count("EDGE_CURVE('copper'")), (4, 3))
+
     def test_embedded_curves(self):
         layers = {"wall": square(0, 10), "cut": [Segment(2 + 2j, 4 + 4j), curves.circle(7 + 7j, 1, 0, math.pi)]}
         text, _ = build_faces(sketch_of(layers), Settings(embed="cut"))
