@@ -206,15 +206,21 @@ def refuse_crossings(sketch, edges, tolerance):
     boxes, found = boxes_of(edges, 0.0), [edge.pieces() for edge in edges]
     for i, k in near_pairs(boxes):
         one, two = edges[i], edges[k]
-        common = {one.start, one.end} & {two.start, two.end}
         z = pieces.crossing(found[i], found[k], tolerance / 10,
-                            lambda z, common=common: any(abs(z - vertex) <= 4 * tolerance for vertex in common))
+                            lambda z, one=one, two=two: is_at_joint(z, one, two, tolerance))
         if z is not None:
             raise sketch.fault(f"{one.label} crosses {two.label} at {place(z)}: trim them where they meet, or leave "
                                "out a layer (--drawing-layers)")
     for edge, own in zip(edges, found):
         if not isinstance(edge.curve, (Segment, Ellipse)):
             refuse_own_crossing(sketch, edge, own, tolerance)
+
+
+def is_at_joint(z, one, two, tolerance):
+    """Whether the edges, which meet at z, lie upon each other from there to a common vertex."""
+    middles = [(z + vertex) / 2 for vertex in {one.start, one.end} & {two.start, two.end}]
+    return any(all(pieces.parameter_near(edge.curve, middle, tolerance) is not None for edge in (one, two))
+               for middle in middles)
 
 
 def refuse_own_crossing(sketch, edge, own, tolerance):

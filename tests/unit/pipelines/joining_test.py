@@ -1,3 +1,4 @@
+import math
 import unittest
 
 import command_frame as frame
@@ -76,6 +77,11 @@ class JoiningTest(unittest.TestCase):
     def test_curves_that_only_touch_do_not_cross(self):
         for layers in ({"a": square(0, 2), "b": [Segment(1, 1 + 2j)]}, {"a": [curves.circle(0, 2), curves.circle(0, 1)]},
                        {"a": [Segment(-1, 0), curves.circle(1j, 1, -1.5707963267948966, 0), Segment(1 + 1j, 1 + 2j)]}):
+            joining.refuse_crossings(*edges_of(layers), 1e-6)
+        # Circles that touch at their common vertex, but for rounding.
+        around = -math.pi / 2, 1.5 * math.pi
+        for shift in (-5e-7j, 5e-7j):
+            layers = {"a": [curves.circle(1j, 1, *around), curves.circle(2j + shift, 2, *around)]}
             joining.refuse_crossings(*edges_of(layers), 1e-6)
 
     def test_the_diagonal(self):
