@@ -13,7 +13,8 @@ namespace {
 constexpr std::string_view begin_of_list = "FILE_DESCRIPTION((";
 constexpr std::string_view mark = "Quadrille provenance";
 
-/// The next string in quotes, in which two quotes stand for one; nothing if another character comes first.
+/// The next string in quotes, in which two quotes or backslashes stand for one; nothing if another character comes
+/// first.
 std::optional<std::string> next_string(std::string_view& text) {
   if (!text.starts_with('\'')) return std::nullopt;
   std::string out;
@@ -22,7 +23,7 @@ std::optional<std::string> next_string(std::string_view& text) {
       text.remove_prefix(i + 1);
       return out;
     }
-    if (text[i] == '\'') ++i;
+    if (text[i] == '\'' || (text[i] == '\\' && text.substr(i + 1).starts_with('\\'))) ++i;
     out += text[i];
   }
   return std::nullopt;

@@ -92,8 +92,8 @@ def require_curves(sketch):
             raise sketch.fault(f"{entity.label} is flat: replace it by a line, or leave it out")
 
 
-def build_faces(sketch, settings):
-    """(the text of the STEP file, what was found in a sentence). Throws Failure."""
+def build_faces(sketch, settings, origin=""):
+    """(the text of the STEP file, what was found in a sentence). `origin`: as step_file takes it. Throws Failure."""
     require_curves(sketch)
     size = joining.diagonal(sketch.entities)
     tolerance = joining.DEFAULT_TOLERANCE * size if settings.tolerance is None else settings.tolerance
@@ -103,7 +103,7 @@ def build_faces(sketch, settings):
     loops = [(regions.name_of(face) if len(faces) > 1 else "",
               [made.loop(cycle) for cycle in (face.outline, *face.holes)]) for face in faces]
     text = step_file(sketch.title, loops, sketch.unit, size, [step_edge(edge)[0] for edge in embedded + inner],
-                     "drawing2step")
+                     "drawing2step", origin)
     return text, summary(sketch, faces, edges, size)
 
 

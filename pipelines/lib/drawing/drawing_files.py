@@ -15,4 +15,6 @@ def read_drawing(path, unit, wants):
         raise Failure(BAD_INPUT, f"{name}: is a CAD file, not a drawing: give it to quadmesh without options of "
                                  "drawings")
     is_xml = data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<")
-    return (read_svg if is_xml else read_dxf)(name, data, unit, wants)
+    sketch = (read_svg if is_xml else read_dxf)(name, data, unit, wants)
+    sketch.format, sketch.data = "svg" if is_xml else "dxf", data
+    return sketch

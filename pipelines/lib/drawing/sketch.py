@@ -26,6 +26,8 @@ class Sketch:
     unit: str = DEFAULT_UNIT
     notes: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
+    format: str = ""  # "dxf" or "svg"
+    data: bytes = b""  # of the file
 
     @property
     def title(self):

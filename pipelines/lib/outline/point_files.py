@@ -10,8 +10,8 @@ FORMATS = ("auto", "points", "selig", "lednicer")
 class PointFile:
     """The lines of a file; lines are numbered from 1."""
 
-    def __init__(self, name, text):
-        self.name, self.lines = name, text.splitlines()
+    def __init__(self, name, text, data=b""):
+        self.name, self.lines, self.data = name, text.splitlines(), data
         self._numbers = {}  # of the lines that were asked for
 
     def fault(self, line, message):
@@ -74,4 +74,4 @@ def read_point_file(path):
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
-    return PointFile("standard input" if path == "-" else path, text)
+    return PointFile("standard input" if path == "-" else path, text, data)

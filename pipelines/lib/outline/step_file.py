@@ -1,4 +1,6 @@
 """Writes a planar face as a STEP file (ISO 10303-21, AP214). The same edges give the same bytes."""
+import hashlib
+import json
 import math
 import re
 from dataclasses import dataclass
@@ -192,17 +194,35 @@ def product(step, title, face_numbers, context_number):
     return whole
 
 
-def step_file(title, faces, unit, size, embedded=(), producer="points2step"):
+def made_by(tool, input_format, data, options):
+    """How a command made the file of an input, as the provenance of stage files (formats/README.md, "Provenance"), of
+    files without a version. `options`: as typed, by their names with --; a flag is None. Only what changes the file is
+    recorded."""
+    recorded = {name[2:]: True if value is None else value for name, value in sorted(options.items())
+                if name.startswith("--") and name not in ("--output", "--verbose", "--quiet")}
+    sha256 = hashlib.sha256(data).hexdigest()
+    step = {"tool": tool, "version": "", "inputs": [{"format": input_format, "sha256": sha256}],
+            "options": recorded}
+    return json.dumps({"provenance": [step]})
+
+
+def description(origin):
+    """The strings of FILE_DESCRIPTION; short ones, for any reader."""
+    parts = ["Quadrille provenance", *re.findall(".{1,200}", origin)] if origin else [""]
+    return "(" + ",\n".join(text(part) for part in parts) + ")"
+
+
+def step_file(title, faces, unit, size, embedded=(), producer="points2step", origin=""):
     """The text of the file. `faces`: (name, loops) of each, loops of edges or Reversed ones: the outline first and
     counter-clockwise, holes clockwise; `unit` is a key of UNITS; the accuracy is given as a ten millionth of `size`,
-    rounded down to a power of ten. `embedded`: edges inside the faces."""
+    rounded down to a power of ten. `embedded`: edges inside the faces; `origin`: as made_by says it."""
     step = Statements()
     face_numbers = [face(step, loops, name) for name, loops in faces]
     common = context(step, unit, 10.0 ** math.floor(math.log10(1e-7 * size)))
     whole = product(step, title, face_numbers, common)
     if embedded:
         wireframe(step, embedded, common, whole)
-    return ("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+    return (f"ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION({description(origin)},'2;1');\n"
             f"FILE_NAME({text(title)},'2000-01-01T00:00:00',(''),(''),{text(producer)},'','');\n"
             "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\n"
             f"DATA;\n{step.body()}ENDSEC;\nEND-ISO-10303-21;\n")

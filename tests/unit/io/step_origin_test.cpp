@@ -8,14 +8,15 @@
 namespace quadrille::io {
 namespace {
 
-const ProvenanceStep made{"points2step", "1.0.0", {{"dat", "aa"}}, R"({"farfield":"cgrid:20","wake":"it's"})"};
+const ProvenanceStep made{
+    "points2step", "1.0.0", {{"dat", "aa"}}, R"({"farfield":"cgrid:20","name":"a \"b\"","wake":"it's"})"};
 
 /// A header whose description is the mark and `text`, in strings of at most 40 characters.
 std::string step_file(const std::string& text, const std::string& mark = "Quadrille provenance") {
   std::string list = '\'' + mark + '\'';
   for (std::size_t i = 0; i < text.size(); i += 40) {
     list += ",\n'";
-    for (const char c : text.substr(i, 40)) list += c == '\'' ? "''" : std::string(1, c);
+    for (const char c : text.substr(i, 40)) list += std::string(c == '\'' || c == '\\' ? 2 : 1, c);
     list += '\'';
   }
   return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((" + list + "),'2;1');\nENDSEC;\n";
@@ -41,10 +42,11 @@ TEST(StepOrigin, IsEmptyForOtherFiles) {
 
 TEST(StepOrigin, IsTheFirstCommandOfAHistory) {
   const ProvenanceStep read{"cad2tri", "1.0.0", {{"step", "ab"}}, "{}"};
-  EXPECT_EQ(History().lines_of({made, read}, "ac", "d"),
-            (std::vector<std::string>{"# d.dat: dat, SHA-256 aa",
-                                      "points2step --farfield=cgrid:20 --wake='it'\\''s' d.dat -o d.step",
-                                      "cad2tri d.step -o d.tri.h5"}));
+  EXPECT_EQ(
+      History().lines_of({made, read}, "ac", "d"),
+      (std::vector<std::string>{"# d.dat: dat, SHA-256 aa",
+                                "points2step --farfield=cgrid:20 --name='a \"b\"' --wake='it'\\''s' d.dat -o d.step",
+                                "cad2tri d.step -o d.tri.h5"}));
 }
 
 }  // namespace

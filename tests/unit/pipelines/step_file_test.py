@@ -76,3 +76,13 @@ class StepFileTest(unittest.TestCase):
         self.assertIn("CONVERSION_BASED_UNIT('INCH',", written(unit="in"))
         self.assertIn("LENGTH_MEASURE(1.E-07)", written(size=1.0))
         self.assertIn("LENGTH_MEASURE(1.E-06)", written(size=99.0))
+
+    def test_states_how_it_was_made(self):
+        origin = step_file.made_by("points2step", "dat", b"0 0", {"points": "x", "--wake": "it's", "--straight": None,
+                                                                  "--output": "y", "--quiet": None})
+        self.assertIn('"options": {"straight": true, "wake": "it\'s"}', origin)
+        found = step_file.step_file("title", [("", [TRIANGLE])], "m", 1.0, origin=origin)
+        header = found[:found.index("FILE_NAME")]
+        self.assertLess(max(map(len, header.splitlines())), 256)
+        self.assertEqual("".join(header.split("',\n'")[1:]).split("'),'2;1'")[0].replace("''", "'"), origin)
+
