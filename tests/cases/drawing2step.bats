@@ -223,13 +223,13 @@ END
   { rectangle wall 0 0 10 10 && echo 'LINE 8=again 10=10 20=0 11=0 21=0' && echo 'LINE 8=dot 10=3 20=0 11=3 21=0'; } | dxf >a.dxf
   has_area a.dxf 100
   assert_equal "$edges" 'wall:line:4'
-  [[ $stderr == *'warning W-DRW-001: 1 curves no longer than 0.000141 are left out: LINE '*' (layer dot) at (3, 0)'* ]]
-  [[ $stderr == *'warning W-DRW-002: 1 curves lie upon others, each is kept once: LINE '*' (layer again) on LINE '*' (layer wall) at (5, 0)'* ]]
+  [[ $stderr == *'warning W-DRW-001: left out, as no longer than 0.000141 mm: LINE '*' (layer dot) at (3, 0)'* ]]
+  [[ $stderr == *'warning W-DRW-002: kept once, although drawn several times: LINE '*' (layer again) on LINE '*' (layer wall) at (5, 0)'* ]]
   "$quadmesh" -q a.dxf -o a.msh --report a.json
   jq -e '[.warnings[].code] | index("W-DRW-001") != null and index("W-DRW-002") != null' a.json
   { rectangle wall 0 0 10 10 && rectangle hole 4 4 2 2 && echo 'LINE 8=idle 10=4 20=4 11=6 21=6'; } | dxf >idle.dxf
   has_area idle.dxf 96
-  [[ $stderr == *'warning W-DRW-003: 1 curves inside holes bound no face and are left out: LINE '*' (layer idle) at (5, 5)'* ]]
+  [[ $stderr == *'warning W-DRW-003: left out, as they lie inside holes and bound no face: LINE '*' (layer idle) at (5, 5)'* ]]
   { rectangle wall 0 0 10 10 && echo 'MLINE 8=wall 100=AcDbEntity 100=AcDbMline 10=1 20=1 30=0' && echo 'CIRCLE 8=hole 10=5 20=5 30=2 40=1' && echo 'TEXT 8=0 10=1 20=1 40=1 1=A'; } | dxf >other.dxf
   has_area other.dxf '100 - pi'
   [[ $stderr == *'warning W-DRW-004: what is not read is left out: 1 MLINE'* ]]

@@ -205,7 +205,7 @@ class DxfReader:
 
 
 def with_version(text):
-    """With that of DXF 2000 where the file has its entities and states an older one or none: ezdxf drops their flags."""
+    """With that of DXF 2000 where the file has its entities and states an older one or none: ezdxf would drop flags."""
     if "AcDb" not in text or "$ACADVER" in text and "AC1009" not in text:
         return text
     if "$ACADVER" in text:

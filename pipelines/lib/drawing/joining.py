@@ -19,8 +19,8 @@ MOST_LOOSE = 100          # loose ends whose gaps are measured
 
 @dataclass(frozen=True, eq=False)
 class Edge:
-    """A curve between two vertices, points at which its ends are at most the tolerance away. `upon`: names of others that
-    lie upon it."""
+    """A curve between two vertices, points at which its ends are at most the tolerance away. `upon`: names of others
+    that lie upon it."""
 
     curve: object
     entity: object
@@ -101,7 +101,7 @@ def edges_of(sketch, tolerance):
     """The entities as edges between vertices, but for those that are shorter than the tolerance."""
     short = [entity for entity in sketch.entities if is_short(entity, tolerance)]
     if short:
-        sketch.warnings.append(("W-DRW-001", f"{len(short)} curves no longer than {tolerance:.3g} are left out: " +
+        sketch.warnings.append(("W-DRW-001", f"left out, as no longer than {tolerance:.3g} {sketch.unit}: " +
                                 listed([f"{entity.label} at {place(entity.curve.start)}" for entity in short])))
     kept = [entity for entity in sketch.entities if not is_short(entity, tolerance)]
     if not kept:
@@ -195,7 +195,7 @@ def kept_once(edges, tolerance, warnings):
             rivals.append(len(kept))
             kept.append(edge)
     if repeated:
-        warnings.append(("W-DRW-002", f"{len(repeated)} curves lie upon others, each is kept once: {listed(repeated)}"))
+        warnings.append(("W-DRW-002", f"kept once, although drawn several times: {listed(repeated)}"))
     return kept
 
 

@@ -182,7 +182,7 @@ def find_faces(sketch, edges, has_all_regions):
     used = {side.edge for face in faces for cycle in (face.outline, *face.holes) for side in cycle.sides}
     idle = [edge for edge in edges if edge not in used]
     if idle:
-        sketch.warnings.append(("W-DRW-003", f"{len(idle)} curves inside holes bound no face and are left out: " +
+        sketch.warnings.append(("W-DRW-003", "left out, as they lie inside holes and bound no face: " +
                                 listed([f"{edge.label} at {place(edge.middle)}" for edge in idle])))
     return faces, inner
 

@@ -19,7 +19,7 @@ class Entity:
 
 @dataclass
 class Sketch:
-    """`unit`: a key of UNITS (outline.step_file); `notes`: sentences on what was read; `warnings`: pairs (code, text)."""
+    """`unit`: a key of UNITS (outline.step_file); `notes`: sentences on what was read; `warnings`: (code, text)."""
 
     name: str
     entities: list = field(default_factory=list)
