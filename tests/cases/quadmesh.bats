@@ -502,7 +502,7 @@ moving_critpoints() {
 }
 
 @test "--help and --help-all show examples that run" {
-  cp "$DATA/half_disc.step" "$DATA/bow_shock.step" "$DATA/curved/half_cylinder.step" "$ROOT/pipelines/examples/aerofoil.dat" .
+  cp "$DATA/half_disc.step" "$DATA/bow_shock.step" "$DATA/curved/half_cylinder.step" "$ROOT"/pipelines/examples/{aerofoil.dat,plate.dxf} .
   cp "$DATA/alignment/bow_shock.align.json" shock.json
   printf 'x,y,h1,h2,angle\n-1,0,0.2,0.1,90\n' >metric.csv
   for help in --help --help-all; do "$quadmesh" $help | sed -n '/^EXAMPLES/,$p' | grep '^  quadmesh'; done | awk '!seen[$0]++' >examples

@@ -164,7 +164,7 @@ EXAMPLES
   quadmesh half_disc.step -o half_disc.xml --order 7
   quadmesh half_disc.step -o fewest.msh --nodes fewest
   quadmesh aerofoil.dat --farfield cgrid:20 -o aerofoil.msh
-  quadmesh plate.dxf -o plate.msh
+  quadmesh plate.dxf --drawing-layers plate,bore,bolts -o plate.msh
   quadmesh half_disc.step -o named.msh --name axis=0 --name wall@0,1
   quadmesh half_disc.step -o half_disc.msh --html half_disc.html
   quadmesh half_disc.step -o layers.msh --wall 0:first=0.001,growth=1.3,layers=10

@@ -20,8 +20,8 @@ namespace quadrille::chain {
 
 namespace {
 
-const std::vector<std::string> own_flags{"--help",    "--help-all",    "--verbose", "--quiet", "--version",
-                                         "--dry-run", "--keep-joints", "--sweep"};
+const std::vector<std::string> own_flags{"--help",    "--help-all", "--verbose",     "--quiet",
+                                         "--version", "--dry-run",  "--keep-joints", "--sweep"};
 const std::vector<std::string> own_values{"--output",      "--workdir",    "--html",    "--report",
                                           "--max-seconds", "--max-memory", "--threads", "--nodes",
                                           "--from",        "--until",      "--stage"};
