@@ -44,6 +44,25 @@ by_hand() {
   done
 }
 
+@test "--until without --workdir writes the file of the stage, and leaves no other" {
+  export TMPDIR=$PWD
+  for pair in cad2tri:tri.h5 fieldsolve:solve.h5 padapt:field.h5 critpoints:crit.json separatrix:sep.json \
+    blocksplit:blocks.h5 quadrefine:quad.h5; do
+    run -0 --separate-stderr "$quadmesh" "$shape" --until "${pair%:*}" -o "a.${pair#*:}"
+    cmp "a.${pair#*:}" "$whole/half_disc.${pair#*:}"
+    "$quadmesh" -q "$shape" --until "${pair%:*}" | cmp - "$whole/half_disc.${pair#*:}"
+    rm "a.${pair#*:}"
+    assert_nothing_left
+  done
+  assert_output --regexp '^4 blocks, 2 irregular nodes, [0-9]+ quads, '
+  run -0 --separate-stderr "$quadmesh" "$shape" --until blocksplit
+  assert_equal "$stderr" 'stages up to blocksplit: standard output'
+  run -0 "$quadmesh" "$shape" --until blocksplit -o a.blocks.h5 --dry-run
+  assert_equal "${lines[-1]}" 'blocksplit ./half_disc.sep.json -o a.blocks.h5'
+  "$quadmesh" "$shape" --sweep --one-layer --until hexsweep -o a.hex.h5
+  "$quadmesh" "$shape" --until quadrefine | hexsweep --one-layer | cmp - a.hex.h5
+}
+
 @test "--from goes on with the files of the stages before, and gives the same bytes" {
   for stage in fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport; do
     cp -r "$whole" stages

@@ -140,7 +140,7 @@ table() {
 4 | quadmesh half_disc.step -o nowhere/out.msh | nowhere/out.msh: cannot be written: there is no folder nowhere
 4 | quadmesh half_disc.step -o out.msh --report nowhere/report.json | there is no folder nowhere
 4 | quadmesh half_disc.step -o folder.msh | folder.msh: cannot be written: is a directory
-2 | quadmesh half_disc.step --until critpoints | --until critpoints needs --workdir
+2 | quadmesh half_disc.step --until critpoints -o out.msh | out.msh: --until critpoints writes x.crit.json: end the name in .json
 2 | quadmesh half_disc.step --until critpoint --workdir w | 'critpoint' is no stage (did you mean critpoints?)
 2 | quadmesh half_disc.step --from separatrix -o out.msh | --from separatrix needs --workdir
 2 | quadmesh half_disc.step --from quadrefine --until separatrix --workdir w | --from quadrefine comes after --until separatrix

@@ -44,7 +44,7 @@ stage::Cad2triOptions options_in_chart(stage::Cad2triOptions options) {
 
 /// The chart as its file is, or would be.
 io::InputFile chart_file(const ChainState& chain, const SpaceFace& face, const io::InputFile& shape, Run& run) {
-  stage::require_format_in_space(stage::format_of(output_of(chain.options), chain.values.quadexport));
+  stage::require_format_in_space(stage::format_of(mesh_name_of(chain.options), chain.values.quadexport));
   const std::string path = chain.files.stem + ".chart.h5";
   std::string bytes =
       io::stage_bytes(stage::cad2chart(face, {shape.bytes, shape}, chart_options(chain.values.cad2tri), run));

@@ -89,10 +89,17 @@ struct ChainOptions {
   bool runs(ChainStage stage) const {
     return !is_before(stage, first) && !is_before(last, stage) && (stage != ChainStage::hexsweep || is_swept);
   }
+  /// Whether the file of the last stage is the output, because no folder keeps it.
+  bool writes_stage_file() const { return last != ChainStage::quadexport && workdir.empty(); }
 };
 
-/// Where the mesh is written; "-": standard output.
+/// Where the mesh is written, or the file of the last stage; "-": standard output.
 inline std::string output_of(const ChainOptions& options) { return options.output.empty() ? "-" : options.output; }
+
+/// The name from which the format of the mesh follows. That of a stage file does not determine it.
+inline std::string mesh_name_of(const ChainOptions& options) {
+  return options.writes_stage_file() ? "-" : output_of(options);
+}
 
 /// Reads the command line (argv without the name of the program), which asks for work (cli/outcome). Throws UsageError.
 void read_command_line(const std::vector<std::string>& arguments, ChainOptions& options);

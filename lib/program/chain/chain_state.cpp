@@ -75,6 +75,8 @@ bool run_stage(ChainState& chain, StageTask task) {
   const std::vector<std::string> chosen = chosen_words(chain, task.stage);
   task.words.insert(task.words.end(), chosen.begin(), chosen.end());
   if (chain.options.is_dry_run) {
+    if (chain.options.writes_stage_file() && task.stage == chain.options.last && !task.is_of_phase)
+      task.output = output_of(chain.options);
     std::vector<std::string> words = command_words(task, chain.options);
     words.insert(words.begin(), tool);
     cli::print_to_stdout(fmt::format("{}{}\n", chain.comment, shell_command(words)));

@@ -32,9 +32,6 @@ void check_range(const ChainOptions& options) {
     for (const std::string& word : words->second)
       if (word.starts_with("--") && word != "--allow-invalid")
         throw UsageError(fmt::format("{} is an option of hexsweep: give --sweep too", word));
-  if (options.last != ChainStage::quadexport && options.workdir.empty())
-    throw UsageError(
-        fmt::format("--until {} needs --workdir, the folder in which the files of the stages are kept", options.until));
 }
 
 /// Whether a stage that runs takes the flag too.
@@ -74,8 +71,18 @@ void check_stage_options(const StageOptions& values) {
   values.hexsweep.validate();
 }
 
+/// A stage file under the name of a mesh would mislead.
+void check_name_of_stage_file(const ChainOptions& options) {
+  if (!options.writes_stage_file()) return;
+  const std::string ending = ending_of(options.last), extension = ending.substr(ending.rfind('.'));
+  const std::string name = options.output.substr(options.output.rfind('/') + 1);  // npos + 1 is 0
+  if (name.find('.') != std::string::npos && !name.ends_with(extension))
+    throw UsageError(fmt::format("{}: --until {} writes x.{}: end the name in {}, or give --workdir", options.output,
+                                 options.until, ending, extension));
+}
+
 void check_output_format(const ChainOptions& options, const StageOptions& values) {
-  const std::string format = stage::format_of(output_of(options), values.quadexport);
+  const std::string format = stage::format_of(mesh_name_of(options), values.quadexport);
   if (options.last != ChainStage::quadexport) return;
   if (options.is_swept)
     stage::require_hexahedra(format, values.quadrefine.refine.order, values.quadexport);
@@ -221,6 +228,8 @@ cli::RunFiles files_of(const ChainState& chain) {
     const std::string output = output_of(options);
     files.write(output, "--output");
     for (const std::string& path : stage::side_paths(output, values.quadexport)) files.write(path, "--output");
+  } else if (options.writes_stage_file()) {
+    files.write(output_of(options), "--output");
   }
   files.write(options.report, "--report");
   files.write(options.html, "--html");
@@ -290,6 +299,7 @@ void check_command_line(const ChainOptions& options, const StageOptions& values)
   check_skipped_options(options);
   maker_of_shape(options);
   check_stage_options(values);
+  check_name_of_stage_file(options);
   check_output_format(options, values);
   check_nodes_option(options, values);
 }
@@ -301,7 +311,7 @@ std::string stem_of(const std::string& shape) {
 }
 
 std::string exported_ending(const ChainOptions& options, const StageOptions& values) {
-  const bool is_step = stage::format_of(output_of(options), values.quadexport) == "step";
+  const bool is_step = stage::format_of(mesh_name_of(options), values.quadexport) == "step";
   if (is_step) return "blocks.h5";
   return options.is_swept ? "hex.h5" : "quad.h5";
 }

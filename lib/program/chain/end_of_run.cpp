@@ -48,11 +48,14 @@ void print_summary(const ChainState& chain, const io::ChainReport& report) {
   const ChainOptions& options = chain.options;
   const bool ends_early = options.last != ChainStage::quadexport;
   if (options.is_quiet) return;
-  const bool uses_stdout = options.report == "-" || (!ends_early && output_of(options) == "-");
+  const bool has_output = !ends_early || options.writes_stage_file();
+  const bool uses_stdout = options.report == "-" || (has_output && output_of(options) == "-");
   const int stream = uses_stdout ? STDERR_FILENO : STDOUT_FILENO;
   if (options.is_verbose) cli::print_message(report.times(), stream);
-  const std::string result =
-      ends_early ? fmt::format("stages up to {}: {}", options.until, chain.last) : report.summary();
+  const bool has_mesh = !is_before(options.last, ChainStage::quadrefine) && has_output;
+  const std::string output = output_of(options) == "-" ? "standard output" : output_of(options);
+  const std::string file = has_output ? output : chain.last;
+  const std::string result = has_mesh ? report.summary() : fmt::format("stages up to {}: {}", options.until, file);
   cli::print_message(result + '\n', stream);
 }
 

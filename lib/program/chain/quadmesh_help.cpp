@@ -121,7 +121,8 @@ OPTIONS
                             1e-3 diameters, with a warning; 0: cusps and contacts are refused (see cad2tri --help)
   --write-healed FILE       also write the healed face as a CAD file: x.step or x.brep
   --workdir DIR             keep the files of all stages in DIR (default: a temporary folder)
-  --until STAGE             end after this stage; needs --workdir; -o is then not written and may be left out
+  --until STAGE             end after this stage; its file is in --workdir, and -o is not written; without --workdir
+                            -o is this file, x.blocks.h5 and so on
   --from STAGE              begin with this stage, with the files of earlier ones in --workdir; of SHAPE only the name
                             is used, and it may be left out if --workdir has the files of one shape
   --nodes RULE|FILE         RULE: which irregular nodes critpoints chooses (none, fewest, field, auto; see below); FILE:

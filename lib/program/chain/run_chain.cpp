@@ -152,10 +152,38 @@ void export_mesh(ChainState& chain) {
   run_stage(chain, task);
 }
 
+/// The file of the last stage, where that is the output.
+void write_stage_file(ChainState& chain) {
+  ChainFiles& files = chain.files;
+  const auto write = [&](auto& file) {
+    io::write_stage_bytes(output_of(chain.options), io::stage_bytes(file.release()));
+  };
+  switch (chain.options.last) {
+    case ChainStage::cad2tri:
+      return write(files.triangles);
+    case ChainStage::fieldsolve:
+      return write(files.solve);
+    case ChainStage::padapt:
+      return write(files.field);
+    case ChainStage::critpoints:
+      return write(files.of_nodes.nodes);
+    case ChainStage::separatrix:
+      return write(files.of_nodes.graph);
+    case ChainStage::blocksplit:
+      return write(files.of_nodes.blocks);
+    case ChainStage::quadrefine:
+      return write(files.quads);
+    case ChainStage::hexsweep:
+      return write(files.hexes);
+    case ChainStage::quadexport:
+      return;
+  }
+}
+
 /// Layers with blocks of their own need curves that cad2tri makes, others room below the irregular nodes; for formats
 /// with straight sides, elements along them are short.
 void add_options_of_walls(ChainState& chain) {
-  const std::string output = output_of(chain.options);
+  const std::string output = mesh_name_of(chain.options);
   if (bool& is_straight = chain.values.quadrefine.has_straight_sides;
       !is_straight && !chain.values.quadrefine.walls.empty() &&
       stage::has_straight_sides(stage::format_of(output, chain.values.quadexport))) {
@@ -195,7 +223,9 @@ void run_stages(ChainState& chain) {
   make_quads(chain);
   sweep_quads(chain);
   export_mesh(chain);
-  if (!chain.options.is_dry_run) end_run(chain);
+  if (chain.options.is_dry_run) return;
+  if (chain.options.writes_stage_file()) write_stage_file(chain);
+  end_run(chain);
 }
 
 /// An exception that no stage has caught is one of quadmesh.
@@ -250,8 +280,9 @@ int run(ChainOptions options) {
     const std::string folder = !options.workdir.empty() ? options.workdir : options.is_dry_run ? "." : scratch;
     ChainState chain(options, values, runner, folder + '/' + stem_of(options.shape));
     chain.standard_input = input;
-    chain.keeps_files = !options.workdir.empty() || !options.html.empty() || !options.nodes_file.empty() ||
-                        !options.programs.empty() || is_second_try || budget.is_limited();
+    chain.keeps_files = !options.workdir.empty() || options.writes_stage_file() || !options.html.empty() ||
+                        !options.nodes_file.empty() || !options.programs.empty() || is_second_try ||
+                        budget.is_limited();
     chain.values.fieldsolve.estimates_errors = chain.keeps_files;  // padapt makes its own
     const cli::Outcome added = cli::outcome_of([&] { add_options_of_walls(chain); });
     return added.is_success() ? run_to_the_end(chain) : cli::print_failure("quadmesh", added);

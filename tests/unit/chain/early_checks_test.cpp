@@ -38,9 +38,17 @@ TEST(CheckCommandLine, stages_run_forward_with_a_folder) {
             "--from padapt comes after --until fieldsolve: no stage would run");
   EXPECT_EQ(refusal({"--from", "padapt"}),
             "--from padapt needs --workdir, the folder with the files of the stages before");
-  EXPECT_EQ(refusal({"a.step", "--until", "padapt"}),
-            "--until padapt needs --workdir, the folder in which the files of the stages are kept");
   EXPECT_EQ(refusal({"--from", "padapt", "--until", "padapt", "--workdir", "w"}), "");
+}
+
+TEST(CheckCommandLine, a_stage_file_has_not_the_name_of_a_mesh) {
+  for (const char* name : {"-", "x.field.h5", "./x.h5", "/dev/null"})
+    EXPECT_EQ(refusal({"a.step", "--until", "padapt", "-o", name}), "");
+  EXPECT_EQ(refusal({"a.step", "--until", "padapt"}), "");
+  EXPECT_EQ(refusal({"a.step", "--until", "padapt", "-o", "x.msh"}),
+            "x.msh: --until padapt writes x.field.h5: end the name in .h5, or give --workdir");
+  EXPECT_NE(refusal({"a.step", "--until", "critpoints", "-o", "x.h5"}), "");
+  EXPECT_EQ(refusal({"a.step", "--until", "padapt", "-o", "x.msh", "--workdir", "w"}), "");
 }
 
 TEST(CheckCommandLine, options_of_skipped_stages_are_refused) {

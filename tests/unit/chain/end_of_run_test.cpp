@@ -51,8 +51,16 @@ TEST_F(EndOfRun, a_part_of_the_chain_ends_with_the_name_of_its_file) {
   run_.options.last = ChainStage::padapt;
   run_.options.until = "padapt";
   run_.options.output = "";
+  run_.options.workdir = "w";
   chain_.last = "w/x.field.h5";
   EXPECT_EQ(output_of([&] { end_run(chain_); }), "stages up to padapt: w/x.field.h5\n");
+  run_.options.workdir = "";
+  run_.options.output = "y.field.h5";
+  EXPECT_EQ(output_of([&] { end_run(chain_); }), "stages up to padapt: y.field.h5\n");
+  run_.options.output = "";
+  EXPECT_EQ(errors_of([&] { end_run(chain_); }), "stages up to padapt: standard output\n");
+  run_.options.last = ChainStage::quadrefine;
+  EXPECT_EQ(errors_of([&] { end_run(chain_); }), "8 quads\n");
 }
 
 TEST_F(EndOfRun, the_report_states_the_facts_of_the_run) {
