@@ -184,7 +184,8 @@ def version_text(command):
 def listed_options(tool):
     """The options of a tool: "value" or "flag" for each."""
     require_tools()
-    return dict(line.split()[1:] for line in output_of(tool, "--list-options").splitlines())
+    rows = (line.split()[1:] for line in output_of(tool, "--list-options").splitlines())
+    return {option: "flag" if kind == "flag" else "value" for option, kind in rows}
 
 
 def options_help(tool):

@@ -107,8 +107,8 @@ void read_command_line(const std::vector<std::string>& arguments, ChainOptions& 
 /// The values of the words of each stage. Throws UsageError with the message of the stage.
 StageOptions stage_options(const ChainOptions& options);
 
-/// The texts of --help, a page, of --help-all, and of --list-options: a line "quadmesh --OPTION value" or "... flag" for
-/// each but --output.
+/// The texts of --help, a page, of --help-all, and of --list-options: a line "quadmesh --OPTION KIND" (cli::OptionKind)
+/// for each but --output.
 std::string help_text();
 std::string full_help_text();
 std::string option_list();

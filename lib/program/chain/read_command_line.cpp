@@ -48,7 +48,7 @@ bool has_value(const std::string& flag) {
 /// An option of stages, and the stages that have it.
 struct SharedOption {
   std::vector<std::string> tools;
-  bool takes_value = true;
+  cli::OptionKind kind = cli::OptionKind::value;
 };
 
 std::map<std::string, SharedOption> shared_options() {
@@ -56,7 +56,7 @@ std::map<std::string, SharedOption> shared_options() {
   StageOptions values;
   for (const ChainStage stage : open_stages)
     for (const cli::OptionName& name : cli::option_names([&](Options& o) { declare(o, stage, values); }))
-      all[name.flag].tools.push_back(enum_name(stage)), all[name.flag].takes_value = name.takes_value;
+      all[name.flag].tools.push_back(enum_name(stage)), all[name.flag].kind = name.kind;
   all["--symmetry"].tools.push_back("cad2tri");
   for (const char* flag : {"--align", "--align-strength"}) all[flag].tools.push_back("fieldsolve");
   return all;
@@ -105,7 +105,7 @@ class Reader {
     if (is_flag(flag)) return true;
     if (has_value(flag)) return false;
     const auto found = shared().find(flag);
-    return found != shared().end() && !found->second.takes_value;
+    return found != shared().end() && found->second.kind == cli::OptionKind::flag;
   }
 
   const std::map<std::string, SharedOption>& shared() {
@@ -123,7 +123,7 @@ class Reader {
     if (has_value(flag)) return take_value(flag, value_of(word));
     const auto option = shared().find(flag);
     if (option == shared().end()) unknown(word);
-    if (!option->second.takes_value) return choose(option->second.tools, {flag});
+    if (option->second.kind == cli::OptionKind::flag) return choose(option->second.tools, {flag});
     choose(option->second.tools, {flag, value_of(word)});
   }
 
@@ -282,17 +282,20 @@ void read_command_line(const std::vector<std::string>& arguments, ChainOptions& 
 }
 
 std::string option_list() {
-  std::map<std::string, bool> takes_value;
-  for (const auto& [flag, option] : shared_options()) takes_value[flag] = option.takes_value;
-  for (const std::string& flag : own_flags) takes_value[flag] = false;
-  for (const std::string& flag : own_values) takes_value[flag] = true;
-  for (const std::string& flag : of_cad2tri) takes_value[flag] = has_value(flag);
+  using cli::OptionKind;
+  std::map<std::string, OptionKind> kinds;
+  for (const auto& [flag, option] : shared_options()) kinds[flag] = option.kind;
+  for (const std::string& flag : own_values) kinds[flag] = OptionKind::value;
   for (const ShapeMaker& maker : shape_makers())
-    for (const auto& [flag, has_value] : maker.options) takes_value[flag] = has_value;
-  for (const char* flag : {"--help", "--help-all", "--version", "--output"}) takes_value.erase(flag);
+    for (const auto& [flag, has_value] : maker.options) kinds[flag] = has_value ? OptionKind::value : OptionKind::flag;
+  StageOptions values;
+  for (const cli::OptionName& name : cli::option_names([&](Options& o) { declare(o, ChainStage::cad2tri, values); }))
+    if (of_cad2tri.contains(name.flag)) kinds[name.flag] = name.kind;
+  for (const std::string& flag : own_flags) kinds[flag] = OptionKind::flag;
+  kinds["--stage"] = OptionKind::values;
+  for (const char* flag : {"--help", "--help-all", "--version", "--output"}) kinds.erase(flag);
   std::string lines;
-  for (const auto& [flag, has_value] : takes_value)
-    lines += fmt::format("quadmesh {} {}\n", flag, has_value ? "value" : "flag");
+  for (const auto& [flag, kind] : kinds) lines += fmt::format("quadmesh {} {}\n", flag, enum_name(kind));
   return lines;
 }
 

@@ -7,7 +7,6 @@
 #include <CLI/Formatter.hpp>
 #include <charconv>
 #include <cmath>
-#include <set>
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
@@ -121,8 +120,14 @@ struct CommandLine::Impl {
 
   CLI::Option* add(const std::string& flag, const std::string& placeholder, CLI::callback_t set, std::string help) {
     page.options.push_back({flag + ' ' + placeholder, std::move(help)});
+    note(flag, OptionKind::value);
     CLI::Option* const option = app.add_option(flag, std::move(set));
     return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  }
+
+  /// Keeps the name of an option of the tool itself.
+  void note(const std::string& flag, OptionKind kind) {
+    if (common == nullptr) options.push_back({flag, kind});
   }
 
   void add_threads(int& threads) {
@@ -162,7 +167,7 @@ struct CommandLine::Impl {
   CommonOptions* common = nullptr;
   const std::string* output = nullptr;
   std::vector<std::function<void(RunFiles&)>> files;  ///< that are declared, after parsing
-  std::vector<CLI::Option*> declared;                 ///< before those of every command
+  std::vector<OptionName> options;                    ///< without those of every command
 };
 
 CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
@@ -253,6 +258,7 @@ void CommandLine::text(const std::string& flag, std::string& value, const std::s
 void CommandLine::input_file(const std::string& flag, std::string& path, const std::string& placeholder,
                              const std::string& help, bool recorded) {
   Options::input_file(flag, path, placeholder, help, recorded);
+  impl_->options.back().kind = OptionKind::file;
   impl_->files.emplace_back([&path](RunFiles& files) { files.read(path); });
 }
 
@@ -269,18 +275,19 @@ void CommandLine::texts(const std::string& flag, std::vector<std::string>& value
   };
   impl_->add(flag, placeholder, set, help + " (may be given several times)")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  impl_->options.back().kind = OptionKind::values;
   impl_->record.texts(flag, values, placeholder, help, records_none);
 }
 
 void CommandLine::flag(const std::string& flag, bool& value, const std::string& help) {
   impl_->page.options.push_back({flag, help});
+  impl_->note(flag, OptionKind::flag);
   impl_->app.add_flag(flag, value);
   impl_->record.flag(flag, value, help);
 }
 
 void CommandLine::add_common(CommonOptions& common) {
   impl_->common = &common;
-  impl_->declared = impl_->app.get_options();
   std::vector<HelpRow> own;
   own.swap(impl_->page.options);
   output_file("--report", common.report,
@@ -322,16 +329,13 @@ const HelpPage& CommandLine::page() const { return impl_->page; }
 
 bool CommandLine::writes_to_stdout() const { return impl_->output != nullptr && *impl_->output == "-"; }
 
+const std::vector<OptionName>& CommandLine::option_names() const { return impl_->options; }
+
 std::string CommandLine::option_list() const {
-  const auto line = [&](const std::string& flag, const CLI::Option* option) {
-    return fmt::format("{} {} {}\n", impl_->page.name, flag, option->get_items_expected_max() > 0 ? "value" : "flag");
-  };
-  const std::set<std::string> common{"help", "version", "output"};
-  std::string out;
-  for (const CLI::Option* option : impl_->declared)
-    for (const std::string& name : option->get_lnames())
-      if (!common.contains(name)) out += line("--" + name, option);
-  return out;
+  std::string lines;
+  for (const OptionName& option : impl_->options)
+    lines += fmt::format("{} {} {}\n", impl_->page.name, option.flag, enum_name(option.kind));
+  return lines;
 }
 
 std::string CommandLine::options_json() const { return impl_->record.json(); }

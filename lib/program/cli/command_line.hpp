@@ -2,10 +2,12 @@
 // Options over CLI11: parsing, the values of options from texts, the rows of the help text and the JSON record for the
 // provenance. Private to cli but for the values.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "base/options.hpp"
 #include "cli/run_files.hpp"
 
@@ -35,6 +37,16 @@ std::string help_text(const HelpPage& page);
 
 /// Rows in two columns, at most 100 columns wide.
 std::string help_rows(const std::vector<HelpRow>& rows);
+
+/// What follows an option: nothing, a value, a value where the option may be given several times, the name of a file
+/// that is read.
+enum class OptionKind { flag, value, values, file };
+constexpr auto enum_names(OptionKind) { return std::to_array({"flag", "value", "values", "file"}); }
+
+struct OptionName {
+  std::string flag;  ///< "--order"
+  OptionKind kind = OptionKind::value;
+};
 
 /// The options that every command has.
 struct CommonOptions {
@@ -75,7 +87,9 @@ class CommandLine : public Options {
   void add_files(RunFiles& files) const;
   const HelpPage& page() const;
   bool writes_to_stdout() const;
-  /// The tool's own options without --output, for programs: a line "TOOL --OPTION value" or "TOOL --OPTION flag" each.
+  /// The tool's own options without --output, in the order of their declaration.
+  const std::vector<OptionName>& option_names() const;
+  /// The same for programs: a line "TOOL --OPTION KIND" each.
   std::string option_list() const;
   /// The recorded options after defaults, as a JSON object with sorted keys.
   std::string options_json() const;

@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "base/options.hpp"
+#include "cli/command_line.hpp"
 #include "cli/run_files.hpp"
 
 namespace quadrille::cli {
 
 using Declare = std::function<void(Options&)>;
-
-struct OptionName {
-  std::string flag;  ///< "--order"
-  bool takes_value = true;
-};
 
 /// In the order of their declaration.
 std::vector<OptionName> option_names(const Declare& declare);

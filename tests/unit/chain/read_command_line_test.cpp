@@ -144,9 +144,11 @@ TEST(ReadCommandLine, limits_and_threads_are_numbers) {
 
 TEST(ReadCommandLine, every_option_is_listed_for_programs) {
   const std::string list = option_list();
-  for (const char* line : {"quadmesh --region-name value\n", "quadmesh --offset value\n",
-                           "quadmesh --keep-joints flag\n", "quadmesh --farfield value\n", "quadmesh --straight flag\n",
-                           "quadmesh --size value\n", "quadmesh --block-groups flag\n", "quadmesh --report value\n"})
+  for (const char* line : {"quadmesh --region-name values\n", "quadmesh --offset values\n", "quadmesh --wall values\n",
+                           "quadmesh --symmetry values\n", "quadmesh --stage values\n", "quadmesh --size-field file\n",
+                           "quadmesh --boundary-names file\n", "quadmesh --keep-joints flag\n",
+                           "quadmesh --farfield value\n", "quadmesh --straight flag\n", "quadmesh --size value\n",
+                           "quadmesh --block-groups flag\n", "quadmesh --report value\n"})
     expect_contains(list, line);
   for (const char* name : {"--help", "--version", "--output"}) EXPECT_EQ(list.find(name), std::string::npos) << name;
 }

@@ -32,8 +32,8 @@ struct Sample {
 TEST(OptionNames, AreInTheOrderOfTheirDeclaration) {
   Sample sample;
   std::string names;
-  for (const OptionName& name : option_names(sample.declare())) names += name.flag + (name.takes_value ? "= " : " ");
-  EXPECT_EQ(names, "--size= --order= --loud --name= --mode= --table= --part= ");
+  for (const OptionName& name : option_names(sample.declare())) names += name.flag + ' ' + enum_name(name.kind) + ' ';
+  EXPECT_EQ(names, "--size value --order value --loud flag --name value --mode value --table file --part values ");
 }
 
 TEST(OptionRows, AreThoseOfTheHelpOfOneCommand) {
