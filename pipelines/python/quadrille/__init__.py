@@ -1,12 +1,14 @@
-"""Reads the stage files of Quadrille: nodes, separatrices, blocks, quads, and the field at any point.
+"""Meshes CAD faces by the tools of Quadrille, and reads their stage files: nodes, separatrices, blocks, quads, and the
+field at any point.
 
     import quadrille
+    mesh = quadrille.mesh("x.step", size=0.1, order=3)      # a QuadMesh; help(quadrille.mesh)
+    mesh.write("x.msh", unit="m")
     field = quadrille.read("x.field.h5")        # a Field
     field.cross_angle([[0.2, 0.3]])             # radians
     quadrille.read("x.crit.json").nodes         # irregular nodes: position, valence
 
-`read` returns a Chart, TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh or HexMesh, as the file
-says.
+`cad2tri`, `fieldsolve`, ... `hexsweep`, `export` run one stage each. They and `read` return a Chart, TriMesh, Field, CriticalPoints, SeparatrixGraph, BlockLayout, QuadMesh or HexMesh.
 Positions are those of the CAD file's plane, as quadexport writes them (`face.origin` is added). Numbers count from 0.
 Files are not checked against the rules of their format: stagecheck does that.
 """
@@ -18,23 +20,14 @@ from .graph import Arc, GraphNode, Line, SeparatrixGraph
 from .hexes import HexMesh
 from .nodes import BoundaryNode, Corner, CriticalPoints, Node
 from .quads import QuadMesh
+from .reading import read
 from .stage_file import StageFileError, load
+from .stages import (blocksplit, cad2chart, cad2tri, critpoints, export, fieldsolve, hexsweep, mesh, padapt, quadrefine,
+                     separatrix)
+from .tool_errors import ToolError, ToolWarning
 from .tri_mesh import TriMesh
 
 __all__ = ["Arc", "Block", "BlockLayout", "BoundaryNode", "Chart", "Corner", "CriticalPoints", "Face", "Field",
            "GraphNode", "HexMesh", "Joint", "Line", "Node", "QuadMesh", "SeparatrixGraph", "Spline", "StageFileError",
-           "TriMesh", "load", "read"]
-
-TYPES = {"chart": Chart, "tri-mesh": TriMesh, "field": Field, "critical-points": CriticalPoints,
-         "separatrix-graph": SeparatrixGraph, "block-layout": BlockLayout, "quad-mesh": QuadMesh, "hex-mesh": HexMesh}
-
-
-def read(source):
-    """The object that a stage file holds. `source`: a path, or the bytes of the file. The object's members `producer`
-    and `provenance` say how the file was made. Raises StageFileError for what is no stage file."""
-    content = load(source)
-    if content["format"] not in TYPES:
-        raise StageFileError(f"{content['format']} files have no class here: load gives their content as a dict")
-    made = TYPES[content["format"]](content)
-    made.producer, made.provenance = content.get("producer"), content.get("provenance")
-    return made
+           "ToolError", "ToolWarning", "TriMesh", "blocksplit", "cad2chart", "cad2tri", "critpoints", "export",
+           "fieldsolve", "hexsweep", "load", "mesh", "padapt", "quadrefine", "read", "separatrix"]

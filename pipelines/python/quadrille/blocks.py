@@ -4,6 +4,7 @@ import numpy as np
 from . import reference
 from .graph import ArcGraph
 from .quads import scaled_jacobian
+from .stage_result import Exportable
 
 
 class Block:
@@ -53,7 +54,7 @@ class Block:
         return float(scaled_jacobian(self.quad_nodes(order)[None], points)[0])
 
 
-class BlockLayout(ArcGraph):
+class BlockLayout(ArcGraph, Exportable):
     """Also `blocks`: Block; `arc_chord`: the chord of each arc (arcs of one chord are divided alike); `block_region`: the
     region of each block in `face`.
     """
@@ -72,6 +73,9 @@ class BlockLayout(ArcGraph):
             values = content.get("block_" + member, [])
             for block, value in zip(self.blocks, values):
                 setattr(block, member, float(value))
+
+    def summary(self):
+        return f"{len(self.blocks)} blocks"
 
     def neighbour(self, block, k):
         """The block beyond side k of a block and the number of its side there, or None at the boundary."""

@@ -2,9 +2,10 @@
 import numpy as np
 
 from .face import Face
+from .stage_result import StageResult
 
 
-class Chart:
+class Chart(StageResult):
     """A curved face in its chart.
 
     `face`: Face, in the plane of the chart; `order`; of the K = (P + 1)(P + 2)/2 nodes of each of m triangles: `nodes`
@@ -22,6 +23,9 @@ class Chart:
         self.uv = np.asarray(chart["uv"], float).reshape(-1, per_elem, 2)
         self.log_scale = np.asarray(chart["log_scale"], float).reshape(-1, per_elem)
         self.closedness = float(chart["closedness"])
+
+    def summary(self):
+        return f"{self.num_elements} triangles of order {self.order}"
 
     @property
     def num_elements(self):

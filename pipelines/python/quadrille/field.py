@@ -3,10 +3,11 @@ import numpy as np
 
 from . import reference
 from .stage_file import records
+from .stage_result import StageResult
 from .tri_mesh import TriMesh, chunks
 
 
-class Field:
+class Field(StageResult):
     """The guiding field (u, v) = (cos 4 psi, sin 4 psi) times its length, psi the angle of the cross.
 
     `kind`: "harmonic" or "phase" (a unit field); `method`: "cg" or "dg"; `mesh`: TriMesh; `face`: Face; `elem_order`:
@@ -31,6 +32,10 @@ class Field:
             liftings = records(content["liftings"])
             self._terms = [([], self._angles([l for l in liftings if l["joint"] in self.face.region_curves(r)], "jump"))
                            for r in range(len(self.face.regions))]
+
+    def summary(self):
+        least, most = min(self.elem_order), max(self.elem_order)
+        return f"{self.kind}, {self.mesh.num_elements} triangles, field orders {least} to {most}"
 
     def _terms_of_phase(self, terms):
         points = [(np.asarray(r["position"]) + self.face.origin, np.array([r["turns"]], float))

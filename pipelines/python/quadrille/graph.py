@@ -6,6 +6,7 @@ import numpy as np
 
 from .face import Face, read_splines
 from .stage_file import records
+from .stage_result import StageResult
 
 
 @dataclasses.dataclass
@@ -92,7 +93,7 @@ class ArcGraph:
             self.arcs.append(Arc(i, record, pieces, names))
 
 
-class SeparatrixGraph(ArcGraph):
+class SeparatrixGraph(ArcGraph, StageResult):
     """Also `lines`: the separatrices, Line; `certificate`: a dict, or None; `t_junctions`: numbers of nodes."""
 
     def __init__(self, content):
@@ -100,6 +101,9 @@ class SeparatrixGraph(ArcGraph):
         self.lines = [Line(r["origin"], r["end"], r["kind"], self._followed(r)) for r in content["lines"]]
         self.certificate = content.get("certificate")
         self.t_junctions = list(content["t_junctions"])
+
+    def summary(self):
+        return f"{len(self.nodes)} nodes, {len(self.arcs)} arcs, {len(self.lines)} lines"
 
     def _followed(self, record):
         node, followed = record["origin"], []

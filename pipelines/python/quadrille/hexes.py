@@ -2,9 +2,10 @@
 import numpy as np
 
 from .stage_file import records
+from .stage_result import Mesh
 
 
-class HexMesh:
+class HexMesh(Mesh):
     """Curved hexahedra of one order.
 
     `order`; `num_quads`: elements of a layer; `nodes` [n, 3] in the coordinates of the CAD model; `elem_nodes`
@@ -28,6 +29,10 @@ class HexMesh:
         self.elem_jacobian_bound = np.asarray(content["elem_jacobian_bound"], float)
         self.elem_scaled_jacobian = np.asarray(content["elem_scaled_jacobian"], float)
         self.is_valid = bool(content["is_valid"])
+
+    def summary(self):
+        return (f"{self.num_elements} hexahedra of order {self.order} in {self.num_layers} layers, "
+                f"worst scaled Jacobian {np.min(self.elem_scaled_jacobian):.2g}")
 
     @property
     def num_elements(self):

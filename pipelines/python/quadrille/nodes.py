@@ -3,6 +3,8 @@ import dataclasses
 
 import numpy as np
 
+from .stage_result import StageResult
+
 
 @dataclasses.dataclass
 class Node:
@@ -42,7 +44,7 @@ class BoundaryNode:
     source: str
 
 
-class CriticalPoints:
+class CriticalPoints(StageResult):
     """`nodes`: Node; `corners`: Corner; `boundary_nodes`: BoundaryNode; `form`: "harmonic" or "phase"; `index_sum`: the
     sum of (4 - V) over nodes and (2 - V) over corners and boundary nodes; `changes`, `zeros`, `certificate`: as in the
     file."""
@@ -61,6 +63,11 @@ class CriticalPoints:
         self.expected_index_sum = content["index_sum"]["expected"]
         self.changes = content.get("changes", [])
         self.certificate = content.get("certificate")
+
+    def summary(self):
+        valences = ", ".join(str(valence) for valence in sorted(self.valences))
+        of_valence = f" of valence {valences}" if valences else ""
+        return f"{len(self.nodes)} irregular nodes{of_valence}, {len(self.corners)} corners"
 
     @property
     def positions(self):

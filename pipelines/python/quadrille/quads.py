@@ -3,11 +3,12 @@ import numpy as np
 
 from . import reference
 from .face import Face
+from .stage_result import Mesh
 
 MEASURES = ("jacobian_bound", "scaled_jacobian", "edge_ratio", "area_jump", "node_distance")
 
 
-class QuadMesh:
+class QuadMesh(Mesh):
     """Curved quads of one order.
 
     `face`: Face; `order`; `nodes` [n, 2]; `elem_nodes` [m, (N + 1)^2]: nodes of each element, xi1 fastest, at the
@@ -36,6 +37,14 @@ class QuadMesh:
         self.num_irregular = int(content["num_irregular"])
         for measure in MEASURES:
             setattr(self, "elem_" + measure, content.get("elem_" + measure))
+
+    def summary(self):
+        parts = [f"{len(self.block_names)} blocks", f"{self.num_irregular} irregular nodes", f"{self.num_elements} quads"]
+        if self.elem_scaled_jacobian is not None:
+            parts.append(f"worst scaled Jacobian {np.min(self.elem_scaled_jacobian):.2g}")
+        if self.elem_edge_ratio is not None:
+            parts.append(f"greatest edge ratio {round(float(np.max(self.elem_edge_ratio)), 1):g}")
+        return ", ".join(parts)
 
     @property
     def num_elements(self):

@@ -21,12 +21,19 @@ class StageFileError(ValueError):
 
 def load(source):
     """The content of a stage file. `source`: a path, or the bytes of the file."""
-    name, data = "the bytes", source
-    if not isinstance(source, (bytes, bytearray, memoryview)):
-        name = os.fspath(source)
-        with open(source, "rb") as file:
-            data = file.read()
-    data = bytes(data)
+    return parse(*bytes_of(source))
+
+
+def bytes_of(source):
+    """The bytes of the file, and its name for messages."""
+    if isinstance(source, (bytes, bytearray, memoryview)):
+        return bytes(source), "the bytes"
+    with open(source, "rb") as file:
+        return file.read(), os.fspath(source)
+
+
+def parse(data, name):
+    """The content of a stage file of these bytes."""
     content = _load_hdf5(data, name) if data.startswith(HDF5_SIGNATURE) else _load_json(data, name)
     _check_version(content, name)
     return content

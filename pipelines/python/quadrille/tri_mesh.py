@@ -3,12 +3,13 @@ import numpy as np
 
 from . import reference
 from .face import Face
+from .stage_result import StageResult
 
 INSIDE = 1e-10  # points this far outside of a reference triangle, in barycentric coordinates, count as inside
 PAIRS_AT_ONCE = 20000
 
 
-class TriMesh:
+class TriMesh(StageResult):
     """Triangles, some of them curved.
 
     `face`: Face; `vertices` [n, 2]; `elem2vertices` [m, 3]; `order` of the curved elements; `boundary_edges`: a dict of
@@ -30,6 +31,9 @@ class TriMesh:
         offsets = np.asarray(content.get("region_elems", [0, self.num_elements]))
         self.elem_region = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
         self._make_grid()
+
+    def summary(self):
+        return f"{self.num_elements} triangles of order {self.order}, {len(self.face.curves)} curves"
 
     @property
     def num_elements(self):
