@@ -15,7 +15,7 @@ setup_file() {
 setup() {
   common_setup
   files=$BATS_FILE_TMPDIR
-  export PYTHONPATH=$python CHAINS=$files PYTHONDONTWRITEBYTECODE=1
+  export PYTHONPATH=$python CHAINS=$files QUADRILLE_BIN=$BIN PYTHONDONTWRITEBYTECODE=1
 }
 
 # passes PATTERN: the unit tests in the files of this name pass, and there are some.
@@ -41,6 +41,31 @@ assert MAJOR_VERSIONS == {row['name']: row['version'][0] for row in formats}, MA
 
 @test "tables of sizes from the points and cells of a VTU file" {
   passes vtu_sizes
+}
+
+@test "keywords are the options of the tools" {
+  passes tool_words
+}
+
+@test "the chain in Python: bytes of the tools, exceptions, warnings, nothing left behind" {
+  XDG_CACHE_HOME=$PWD/cache passes stages
+}
+
+@test "the three cases of the tutorial from a notebook" {
+  cp -r "$ROOT/pipelines/examples" work && cd work
+  left_out=()
+  command -v simpleFoam >/dev/null || left_out+=(openfoam)
+  /usr/bin/python3 -c 'import dolfinx, gmsh' 2>/dev/null || left_out+=(dolfinx)
+  XDG_CACHE_HOME=$PWD/cache run -0 --separate-stderr /usr/bin/python3 "$ROOT/tests/cases/run_notebook.py" \
+    "$python/examples/tutorial.ipynb" "${left_out[@]}"
+  assert_line --regexp '^<QuadMesh: 12 blocks, 4 irregular nodes, 6191 quads, '
+  assert_line --regexp '^<QuadMesh: 4 blocks, 0 irregular nodes, 308 quads, '
+  assert_line --regexp '^<QuadMesh: 18 blocks, 3 irregular nodes, [0-9]+ quads, '
+  assert_equal "$(grep -c '^svg of [0-9]* bytes$' <<<"$output")" 3
+  assert_file_not_empty channel/system/blockMeshDict
+  assert_file_not_empty aerofoil/system/blockMeshDict
+  [[ " ${left_out[*]} " == *openfoam* ]] || assert_line --regexp '^drag 5\.5[67][0-9], lift 0\.01[01][0-9]$'
+  [[ " ${left_out[*]} " == *dolfinx* ]] || assert_line --regexp ' relative error [1-9]\.[0-9]e-0[89]$'
 }
 
 @test "fields, blocks and quads agree with what the tools wrote" {
