@@ -109,6 +109,7 @@ numpy.testing.assert_allclose(points.positions - [5000, 300], former.positions, 
 }
 
 @test "the examples of the page run" {
+  cp "$DATA/half_disc.step" .
   cp "$files"/half_disc.{field,blocks,quad}.h5 "$files"/half_disc.{crit,sep}.json .
   ln -s "$ROOT/tests" tests
   sed -n '/^    >>> /,/^$/p' "$python/README.md" | sed 's/^    //' >examples

@@ -45,7 +45,18 @@ load ../tools/common
   for file in twisted.msh bend.vtu plate.re2 twisted.svg; do assert_file_exists "$file"; done
 }
 
-# The lines of "In a program" are run by python.bats and library.bats.
+@test "the lines of Python work" {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  ln -s "$ROOT/tests" .
+  sed -n '/^## In a program/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >lines.py
+  assert [ "$(wc -l <lines.py)" -eq 10 ]
+  QUADRILLE_BIN=$BIN PYTHONPATH=$ROOT/pipelines/python PYTHONDONTWRITEBYTECODE=1 run -0 /usr/bin/python3 -W error lines.py
+  assert_line --index 0 --regexp '^<QuadMesh: [0-9]+ blocks, .*> \([0-9]+, 2\) \([0-9]+, 16\)$'
+  assert_line --index 1 --regexp '^0\.[0-9]+$'
+  run -0 stagecheck plate.quad.h5
+  assert_file_not_empty plate.xml
+}
+
 @test "the sections whose commands are run above are all that have commands, but for the set-up" {
   run -0 awk '/^## / { heading = substr($0, 4) } /^    [^ ]/ && !seen[heading]++ { print heading }' "$ROOT/README.md"
   assert_output "$(printf '%s\n' Set-up 'One command' 'Curved faces' Hexahedra 'Many shapes' 'Step by step' \
