@@ -114,12 +114,16 @@ setup() {
   assert_file_exists "$usr/share/doc/quadrille/LICENSE"
 }
 
-@test "the Python package is installed and reads files" {
+@test "the Python package is installed, reads files, and meshes by the tools beside it" {
   /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
   "$usr/bin/cad2tri" "$DATA/square.step" -o a.tri.h5
   export PYTHONPATH=$usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
   run -0 /usr/bin/python3 -c 'import quadrille; print(quadrille.read("a.tri.h5").locate([[0.2, 0.3], [2, 2]])[0][1])'
   assert_output -1
+  run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin /usr/bin/python3 -c "
+import quadrille.tool_errors
+print(quadrille.tool_errors.tool_path('quadmesh'), quadrille.mesh('$DATA/square.step', size=0.5).num_elements)"
+  assert_output --regexp "^$usr/bin/quadmesh [0-9]+\$"
   assert_file_executable "$usr/share/doc/quadrille/pipelines/python/examples/plot_nodes"
 }
 
