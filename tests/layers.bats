@@ -145,7 +145,8 @@ only_in() {
   only_in field/triangulate 'CGAL/'
   only_in files/io '(H5|hdf5)[A-Za-z0-9]*\.h'
   only_in files/io 'nlohmann/'
-  only_in files/cgns 'cgnslib\.h'
+  only_in files/cgns 'cgns[a-z_]*\.h'
+  only_in files/netcdf 'netcdf[a-z_]*\.h>'
   only_in program/cli 'CLI/'
   only_in layout/quantize 'Cbc'
 }

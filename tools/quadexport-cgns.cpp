@@ -13,8 +13,15 @@ using namespace quadrille;
 
 namespace {
 
+std::string temporary_folder() {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+  if (error) throw OutputError("no folder for temporary files: set TMPDIR to one: " + error.message());
+  return (parent / "quadexport-XXXXXX").string();
+}
+
 std::string cgns_file_of(const std::string& request) {
-  std::string folder = (std::filesystem::temp_directory_path() / "quadexport-XXXXXX").string();
+  std::string folder = temporary_folder();
   if (mkdtemp(folder.data()) == nullptr) throw OutputError(folder + ": cannot make a temporary folder");
   try {
     std::string bytes = cgns::cgns_file(exports::cgns_request(request), folder + "/mesh.cgns");

@@ -129,6 +129,8 @@ ends_of_signal() {
   refuses 4 "cad2tri: disk/out.tri.h5: *No space left*" cad2tri "$DATA/half_disc.step" -o disk/out.tri.h5
   refuses 4 "quadexport: disk/out.step: *No space left*" bash -c \
     "'$quadmesh' -q '$DATA/half_disc.step' -o out.msh --workdir . && quadexport half_disc.blocks.h5 -o disk/out.step"
+  refuses 4 "quadexport: disk/out.exo: *No space left*" quadexport -q half_disc.quad.h5 -o disk/out.exo
+  refuses 4 "quadexport: the CGNS library reports: *" env TMPDIR="$PWD/disk" quadexport -q --format cgns-structured half_disc.quad.h5 -o out.cgns
   refuses 4 "cad2tri: disk/half_disc.tri.h5: *No space left*" "$quadmesh" "$DATA/half_disc.step" -o a.msh --workdir disk
   # Stages in processes of their own pass files on, those in one process do not.
   refuses 4 "*No space left*" env TMPDIR="$PWD/disk" "$quadmesh" "$DATA/half_disc.step" -o a.msh --max-seconds 600

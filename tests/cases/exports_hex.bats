@@ -48,6 +48,23 @@ reads() {
   reads b nektar mfem re2 inp su2 cgns
 }
 
+@test "Exodus, of orders 1 and 2, with and without nodes inside elements" {
+  local order kind
+  for order in 1 2; do
+    quadrefine -q --order "$order" --geometry-tol 1 "$BATS_FILE_TMPDIR/half_disc.blocks.h5" -o b.quad.h5
+    hexsweep -q b.quad.h5 --height 1 --twist 40 --layers 3 -o b.hex.h5
+    for kind in exodus exodus-serendipity; do
+      quadexport -q --format $kind b.hex.h5 -o b.exo
+      run -0 "$compare" $kind b.exo b.hex.h5
+      assert_output ''
+    done
+  done
+  quadexport -q --scale 1.001 b.hex.h5 -o b.exo
+  run -1 "$compare" exodus b.exo b.hex.h5
+  quadexport -q b.hex.h5 -o b.exo
+  run -1 "$compare" exodus-serendipity b.exo b.hex.h5
+}
+
 @test "Gmsh reads every order that it knows, with positive Jacobians" {
   command -v gmsh >/dev/null || skip "no gmsh"
   local order version

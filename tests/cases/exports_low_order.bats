@@ -41,6 +41,9 @@ quadratic() {
   quadexport -q a.quad.h5 -o a.exo
   run -0 "$compare" --off 0 exodus a.exo a.quad.h5
   assert_output ''
+  quadexport -q --format exodus-serendipity a.quad.h5 -o b.exo
+  run -0 "$compare" --off "$off" exodus b.exo a.quad.h5
+  assert_output ''
 }
 
 @test "elements, cells, names and counts of the stage file, in each of the formats" {

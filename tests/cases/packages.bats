@@ -21,7 +21,8 @@ setup() {
     assert_equal "$(dpkg-deb --field "$deb" "${field%=*}")" "${field#*=}"
   done
   run -0 dpkg-deb --field "$deb" Depends
-  for library in coinor-libcbc3 parallel python3 libc6 libgmp10 libocct-data-exchange-7.6 libocct-modeling-algorithms-7.6; do
+  for library in coinor-libcbc3 parallel python3 libc6 libgmp10 libocct-data-exchange-7.6 libocct-modeling-algorithms-7.6 \
+    libnetcdf19; do
     assert_output --regexp "(^|, )$library( |,|\$)"
   done
   run -0 dpkg-deb --field "$deb" Description

@@ -50,6 +50,20 @@ def cut_at_nodes(mesh):
     return HexElements(1, numpy.array(nodes), regions, faces)
 
 
+def without_inner_nodes(nodes):
+    """Nodes [element, 3, 3, 3, axis] with those on faces and inside replaced by what the shape functions of 20 nodes make
+    of those on edges: middles of edges less corners, each face a half and a quarter, inside a quarter and a quarter."""
+    made, indices = nodes.copy(), range(3)
+    for axis in (1, 2, 3):
+        for end in (0, 2):
+            face = numpy.moveaxis(made, axis, 0)[end]  # a view [element, 3, 3, axis]
+            middles = face[:, 0, 1] + face[:, 2, 1] + face[:, 1, 0] + face[:, 1, 2]
+            face[:, 1, 1] = middles / 2 - face[:, ::2, ::2].sum(axis=(1, 2)) / 4
+    of_edges = sum(nodes[:, k, j, i] for k in indices for j in indices for i in indices if (k, j, i).count(1) == 1)
+    made[:, 1, 1, 1] = of_edges / 4 - nodes[:, ::2, ::2, ::2].sum(axis=(1, 2, 3)) / 4
+    return made
+
+
 def sorted_nodes(mesh):
     return sorted(map(tuple, mesh.nodes.reshape(len(mesh.nodes), -1)))
 

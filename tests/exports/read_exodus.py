@@ -3,9 +3,11 @@ import struct
 from pathlib import Path
 
 from element_mesh import ElementMesh, real_names
+from read_abaqus import middle
 
 TYPES = {2: ("c", 1), 4: ("i", 4), 5: ("f", 4), 6: ("d", 8)}
-ROWS = {4: (0, 1, 3, 2), 9: (0, 4, 1, 7, 8, 5, 3, 6, 2)}
+# Nodes in rows, by their place in the file.
+ROWS = {4: (0, 1, 3, 2), 8: (0, 4, 1, 7, None, 5, 3, 6, 2), 9: (0, 4, 1, 7, 8, 5, 3, 6, 2)}
 
 
 class Classic:
@@ -58,13 +60,17 @@ class Classic:
         return name, (shape, attributes, self.values(kind, count, begin))
 
 
+def open_classic(path):
+    return Classic(Path(path).read_bytes())
+
+
 def rows(variable):
     (_, width), _, text = variable
     return [text[k:k + width].rstrip(b"\0").decode() for k in range(0, len(text), width)]
 
 
 def read(path, _order=None):
-    file = Classic(Path(path).read_bytes())
+    file = open_classic(path)
     x, y = (file.variables[f"coord{c}"][2] for c in "xy")
     sizes = dict(file.sizes)
     assert sizes["num_nodes"] == len(x) == len(y) and sizes["num_dim"] == 2
@@ -77,7 +83,8 @@ def read(path, _order=None):
             own = nodes[k:k + size]
             used |= set(own)
             corners |= set(own[:4])
-            elements.append([(x[own[i] - 1], y[own[i] - 1], 0.0) for i in ROWS[size]])
+            at = [(x[n - 1], y[n - 1], 0.0) for n in own]
+            elements.append([middle(at) if i is None else at[i] for i in ROWS[size]])
             regions.append(of_regions.get(word, word))
     assert used == set(range(1, len(x) + 1)) and sizes["num_elem"] == len(elements)
     boundaries = {}

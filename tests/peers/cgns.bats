@@ -1,4 +1,4 @@
-# CGNS' own checker and VTK read our CGNS files, VTK and the NetCDF library our Exodus files.
+# CGNS' own checker and VTK read our CGNS files.
 load common
 
 setup() {
@@ -56,40 +56,6 @@ hexes() {
   local order
   for order in 1 2; do
     hexes $order
-    run -0 "$PYTHON" "$ROOT/tests/peers/judge_vtk_cgns_hex.py" a.hex.h5 a.cgns
-  done
-}
-
-@test "the NetCDF library reads what is on the page of Exodus" {
-  need netcdf-bin
-  quadrefine -q --order 2 "$(blocks_of "$DATA/half_disc.step")" | quadexport -q -o a.exo
-  run -0 ncdump -v ss_names,eb_names a.exo
-  assert_output --partial '"curve_0"'
-  assert_output --partial '"domain"'
-  assert_output --partial 'connect1:elem_type = "QUAD9"'
-}
-
-@test "VTK reads Exodus: cells, points and area" {
-  need python3-vtk9
-  local order
-  for order in 1 2; do
-    quadrefine -q --order $order --size 0.1 --geometry-tol 1 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
-    quadexport -q a.quad.h5 -o a.exo --report a.json
-    run -0 "$PYTHON" - a.exo "$(jq .quads a.json)" "$(jq .nodes a.json)" <<'END'
-import sys
-import vtk
-reader = vtk.vtkExodusIIReader()
-reader.SetFileName(sys.argv[1])
-reader.UpdateInformation()
-reader.Update()
-block = reader.GetOutput().GetBlock(0).GetBlock(0)
-assert block.GetNumberOfCells() == int(sys.argv[2]) and block.GetNumberOfPoints() == int(sys.argv[3])
-sizes = vtk.vtkCellSizeFilter()
-sizes.SetInputData(block)
-sizes.Update()
-areas = sizes.GetOutput().GetCellData().GetArray("Area")
-area = sum(areas.GetValue(k) for k in range(block.GetNumberOfCells()))
-assert abs(area - 3.14159265 / 2) < 0.01, area
-END
+    run -0 "$PYTHON" "$ROOT/tests/peers/judge_vtk_reader_hex.py" a.hex.h5 a.cgns
   done
 }

@@ -337,3 +337,30 @@ PYTHON
   run awk '$3 != 5' <(coordinates c.msh)
   assert_output ''
 }
+
+@test "without the program of its format a file ends with 70 and the path; other formats need none" {
+  mkdir bin libexec
+  cp "$BIN/quadexport" bin
+  quadrefine -q --order 2 "$blocks" -o a.quad.h5
+  local format
+  for format in cgns exodus; do
+    run bin/quadexport --format $format a.quad.h5 -o a.out
+    assert_failure 70
+    assert_output "quadexport: $PWD/bin/../libexec/quadexport-${format/exodus/netcdf} cannot be run: No such file or directory"
+  done
+  bin/quadexport a.quad.h5 -o a.msh
+  assert_nothing_left a.msh a.quad.h5 bin bin/quadexport libexec
+}
+
+@test "CGNS needs a folder for temporary files, which Exodus does not" {
+  quadrefine -q --order 2 "$blocks" -o a.quad.h5
+  run -4 env TMPDIR="$PWD/nowhere" quadexport a.quad.h5 -o a.cgns
+  assert_output 'quadexport: no folder for temporary files: set TMPDIR to one: No such file or directory'
+  TMPDIR="$PWD/nowhere" quadexport a.quad.h5 -o a.exo
+  assert_nothing_left a.exo a.quad.h5
+}
+
+@test "netCDF's and HDF5's libraries are loaded by the programs of their formats alone" {
+  assert_equal "$(ldd "$BIN/quadexport" | grep -cE 'libnetcdf|libhdf5|libcurl')" 0
+  ldd "$BIN/../libexec/quadexport-netcdf" | grep libnetcdf
+}

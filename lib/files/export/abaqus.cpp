@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "export/abaqus_text.hpp"
 #include "export/groups.hpp"
-#include "export/renode.hpp"
+#include "export/serendipity.hpp"
 #include "export/split_elements.hpp"
 #include "export/writers.hpp"
 
@@ -16,9 +16,7 @@ namespace {
 class AbaqusWriter : AbaqusText {
  public:
   AbaqusWriter(const QuadMesh& quads, const Frame& frame, const Groups& lines)
-      : quads_(quads), frame_(frame), lines_(lines) {
-    number_nodes();
-  }
+      : quads_(quads), frame_(frame), lines_(lines), numbers_(serendipity_numbers(quads)) {}
 
   std::string text(const char* type, const PlainNames& words) {
     print("*HEADING\nquadrilaterals of order {}\n", quads_.order);
@@ -29,17 +27,6 @@ class AbaqusWriter : AbaqusText {
   }
 
  private:
-  /// Corners and middles of sides, in the order of the mesh.
-  void number_nodes() {
-    numbers_.assign(quads_.nodes.size(), 0);
-    for (int elem = 0; elem < quads_.num_elems(); ++elem)
-      for (int side = 0; side < 4; ++side)
-        for (int k = 0; k < quads_.order; ++k) numbers_[side_node(quads_, elem, side, k)] = 1;
-    int count = 0;
-    for (int& number : numbers_)
-      if (number > 0) number = ++count;
-  }
-
   void write_nodes() {
     print("*NODE, NSET=NALL\n");
     for (std::size_t node = 0; node < numbers_.size(); ++node) {
@@ -101,22 +88,13 @@ void require_radii(const QuadMesh& quads, const Frame& frame) {
                     least));
 }
 
-/// What the elements of 8 nodes lose of those of 9.
-std::string middle_loss(const QuadMesh& quads) {
-  if (quads.order == 1) return {};
-  const double moved = transfinite_loss(quads, RebuiltFrom::sides, "CalculiX").interior;
-  if (moved <= 1e-12 * quads.face.diameter) return {};
-  return fmt::format("nodes in the middle of elements are not stored, which moves these middles by up to {}",
-                     length_text(moved, quads.face.diameter));
-}
-
 Exported abaqus(const QuadMesh& mesh, const Frame& frame, const char* type) {
   const QuadMesh quads = split_to_quadratic(mesh);
   require_valid_pieces(quads, "Abaqus elements");
   const Groups lines = lines_as_boundaries(mesh_groups(mesh));
   Exported exported;
   exported.add_loss(split_loss(mesh, quads));
-  exported.add_loss(middle_loss(quads));
+  exported.add_loss(serendipity_loss(quads, "CalculiX"));
   const PlainNames words = add_plain_names(lines, true, abaqus_set_names, exported);
   exported.bytes = AbaqusWriter(quads, frame, lines).text(type, words);
   return exported;

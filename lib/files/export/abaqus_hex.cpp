@@ -1,10 +1,9 @@
 #include <array>
 
 #include "export/abaqus_text.hpp"
-#include "export/hex_blend.hpp"
 #include "export/hex_numbering.hpp"
 #include "export/hex_periodic.hpp"
-#include "export/renode.hpp"
+#include "export/serendipity.hpp"
 
 namespace quadrille::exports {
 namespace {
@@ -18,14 +17,10 @@ constexpr std::array<int, 6> surface_numbers{3, 4, 5, 6, 1, 2};
 class AbaqusHexWriter : AbaqusText {
  public:
   explicit AbaqusHexWriter(const HexMesh& mesh)
-      : mesh_(mesh), numbering_(number_hexes(mesh)), faces_(lines_as_boundaries(mesh_groups(mesh))) {
-    numbers_.assign(mesh.nodes.size(), 0);
-    for (int elem = 0; elem < mesh.num_elems(); ++elem)
-      for (const int node : element(elem)) numbers_[node] = 1;
-    int count = 0;
-    for (int& number : numbers_)
-      if (number > 0) number = ++count;
-  }
+      : mesh_(mesh),
+        numbering_(number_hexes(mesh)),
+        faces_(lines_as_boundaries(mesh_groups(mesh))),
+        numbers_(serendipity_numbers(mesh)) {}
 
   const Groups& faces() const { return faces_; }
 
@@ -94,10 +89,7 @@ class AbaqusHexWriter : AbaqusText {
 Exported abaqus_c3d(const HexMesh& mesh) {
   AbaqusHexWriter writer(mesh);
   Exported exported;
-  if (mesh.order == 2)
-    if (const double moved = quadratic_edge_loss(mesh, "CalculiX").others; moved > 1e-12 * mesh.diameter)
-      exported.add_loss(fmt::format("nodes on faces and inside elements are not stored, which moves these by up to {}",
-                                    length_text(moved, mesh.diameter)));
+  exported.add_loss(serendipity_loss(mesh, "CalculiX"));
   exported.add_loss(periodic_loss(mesh));
   exported.bytes = writer.text(add_plain_names(writer.faces(), true, abaqus_set_names, exported));
   return exported;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "export/netcdf_request.hpp"
+
 namespace quadrille::exports {
 
 /// Names in the file have at most this many characters.
@@ -30,7 +32,7 @@ struct ExodusModel {
   std::vector<ExodusSideSet> side_sets;
 };
 
-/// The bytes of the file.
-std::string exodus_file(ExodusModel model);
+/// The file as quadexport-netcdf makes it.
+NetcdfRequest exodus_request(ExodusModel model);
 
 }  // namespace quadrille::exports

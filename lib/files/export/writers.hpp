@@ -107,10 +107,14 @@ Exported cgns_unstructured(const QuadMesh& mesh, const Frame& frame);
 Exported cgns_structured(const QuadMesh& mesh, const Frame& frame);
 Exported cgns_unstructured(const HexMesh& mesh);
 
-/// Exodus II in a NetCDF file: QUAD4 for order 1, QUAD9 for order 2; higher orders are split into elements of order 2.
-/// Regions are blocks, boundaries and interfaces side sets. No element may be folded.
+/// Exodus II, as the request from which quadexport-netcdf makes the file (export/netcdf_request.hpp): QUAD4 for order
+/// 1, QUAD9 for order 2; higher orders are split into elements of order 2. Regions are blocks, boundaries and
+/// interfaces side sets. No element may be folded.
 Exported exodus(const QuadMesh& mesh, const Frame& frame);
 Exported exodus(const HexMesh& mesh);  ///< HEX8 and HEX27, orders 1 and 2
+/// The same with nodes on edges alone: QUAD8 and HEX20.
+Exported exodus_serendipity(const QuadMesh& mesh, const Frame& frame);
+Exported exodus_serendipity(const HexMesh& mesh);
 
 /// SPECFEM2D's text files: elements of 4 nodes for order 1, of 9 for order 2; higher orders are split into elements of
 /// order 2. Nodes, numbers of materials, and the free and absorbing sides in files beside them. No element may be
