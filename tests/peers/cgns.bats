@@ -50,6 +50,37 @@ hexes() {
   done
 }
 
+@test "cgnscheck accepts structured grids of every shape, swept straight and twisted" {
+  need cgns-convert
+  local file motion option
+  while read -r file; do
+    echo "$file"
+    quadrefine -q --order 2 --geometry-tol 1 "$(blocks_of "$file")" -o a.quad.h5
+    for motion in "--height 1 --layers 2" "--one-layer --twist 10"; do
+      # shellcheck disable=SC2086
+      hexsweep -q a.quad.h5 $motion -o a.hex.h5
+      for option in -q --merge-blocks; do
+        quadexport -q $option --format cgns-structured a.hex.h5 -o a.cgns
+        check a.cgns
+      done
+    done
+  done < <(shapes)
+}
+
+@test "cgnscheck accepts structured grids of revolved sweeps, a full turn too" {
+  need cgns-convert
+  local shape motion
+  for shape in half_disc plate_hole s_bend annulus; do
+    quadrefine -q --order 2 --geometry-tol 1 "$(blocks_of "$DATA/$shape.step")" -o a.quad.h5
+    for motion in "--revolve 60 --axis -9,0,-9,1 --layers 4" "--revolve 360 --axis -9,0,-9,1 --layers 12"; do
+      # shellcheck disable=SC2086
+      hexsweep -q a.quad.h5 $motion -o a.hex.h5
+      quadexport -q --format cgns-structured a.hex.h5 -o a.cgns
+      check a.cgns
+    done
+  done
+}
+
 # VTK 9.1 exchanges two upright edges of HEXA_64 and does not know HEXA_125.
 @test "VTK reads hexahedra: positive Jacobians, and the volume of the stage file" {
   need python3-vtk9

@@ -107,8 +107,9 @@ class CgnsFile {
     int number = 0, ignored = 0;
     // Structured: points, cells, 0 of each direction. Unstructured: points, cells, 0.
     std::vector<cgsize_t> size(zone.size.begin(), zone.size.end());
-    if (is_structured) size.insert(size.end(), {size[0] - 1, size[1] - 1, 0, 0});
-    if (!is_structured) size.push_back(0);
+    if (is_structured)
+      for (const std::int64_t points : zone.size) size.push_back(static_cast<cgsize_t>(points - 1));
+    size.resize(size.size() + (is_structured ? zone.size.size() : 1), 0);
     require(cg_zone_write(file_, base_, zone.name.c_str(), size.data(),
                           is_structured ? CGNS_ENUMV(Structured) : CGNS_ENUMV(Unstructured), &number));
     if (!zone.family.empty()) {
@@ -133,8 +134,7 @@ class CgnsFile {
 
   void write_boundary(int zone, const exports::CgnsBoundary& boundary, bool is_structured) {
     int number = 0;
-    std::vector<cgsize_t> range(boundary.range.begin(), boundary.range.end());
-    if (!is_structured) range = {range[0], range[2]};
+    const std::vector<cgsize_t> range(boundary.range.begin(), boundary.range.end());
     require(cg_boco_write(file_, base_, zone, boundary.name.c_str(), CGNS_ENUMV(FamilySpecified),
                           CGNS_ENUMV(PointRange), 2, range.data(), &number));
     if (!is_structured) require(cg_boco_gridlocation_write(file_, base_, zone, number, side_location_));
@@ -146,7 +146,7 @@ class CgnsFile {
     int ignored = 0;
     const std::vector<cgsize_t> range(c.range.begin(), c.range.end()),
         donor(c.donor_range.begin(), c.donor_range.end());
-    const std::array<int, 2> transform{static_cast<int>(c.transform[0]), static_cast<int>(c.transform[1])};
+    const std::vector<int> transform(c.transform.begin(), c.transform.end());
     require(cg_1to1_write(file_, base_, zone, c.name.c_str(), c.donor.c_str(), range.data(), donor.data(),
                           transform.data(), &ignored));
   }

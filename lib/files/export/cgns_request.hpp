@@ -2,7 +2,6 @@
 // What quadexport asks of quadexport-cgns, which is linked with the CGNS library: a CGNS file as structs, with the
 // words of the standard (SIDS), and these structs as bytes. Numbers count from 1, as in the file.
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,24 +21,23 @@ struct CgnsSection {
   std::vector<std::int64_t> nodes;
 };
 
-/// Of a structured zone a range of points (i, j) to (i, j); of an unstructured one a range of elements, in the first
-/// and third number: bars, or faces of hexahedra.
+/// Of a structured zone a range of points: the numbers of the first one, then those of the last; of an unstructured one
+/// the first and last of its elements: bars, or faces of hexahedra.
 struct CgnsBoundary {
   std::string name, family;
-  std::array<std::int64_t, 4> range{};
+  std::vector<std::int64_t> range;
 };
 
-/// Points of a zone, from (i, j) to (i, j), that are those of the donor in the same order. `transform`: the direction
-/// of the donor, 1 or 2 with its sign, of each own direction.
+/// Points of a zone that are those of the donor in the same order; ranges as above. `transform`: the direction of the
+/// donor, 1 to 3 with its sign, of each own direction.
 struct CgnsConnection {
   std::string name, donor;
-  std::array<std::int64_t, 4> range{}, donor_range{};
-  std::array<std::int64_t, 2> transform{1, 2};
+  std::vector<std::int64_t> range, donor_range, transform;
 };
 
 struct CgnsZone {
   std::string name, family;            ///< family: empty for none
-  std::vector<std::int64_t> size;      ///< points in i and j; of an unstructured zone points and cells
+  std::vector<std::int64_t> size;      ///< points in each direction; of an unstructured zone points and cells
   std::vector<std::vector<double>> x;  ///< by coordinate
   std::vector<CgnsSection> sections;   ///< of an unstructured zone
   std::vector<CgnsBoundary> boundaries;

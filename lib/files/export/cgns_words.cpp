@@ -70,7 +70,7 @@ std::vector<int> cgns_quad_order(int order) {
 void CgnsSections::add(CgnsSection section, bool is_boundary, CgnsZone& zone) {
   if (section.count == 0) return;
   const std::int64_t last = next_ + section.count - 1;
-  if (is_boundary) zone.boundaries.push_back({section.name, section.name, {next_, 0, last, 0}});
+  if (is_boundary) zone.boundaries.push_back({section.name, section.name, {next_, last}});
   next_ = last + 1;
   zone.sections.push_back(std::move(section));
 }

@@ -200,6 +200,7 @@ std::vector<ExportFormat> structured_formats() {
        .write = cgns_structured,
        .loses_periodic_sides = true,
        .side_names = {names_table_name},
+       .write_hex = cgns_structured,
        .program = "quadexport-cgns"},
       {.name = "plot3d",
        .ending = ".xyz",
@@ -207,7 +208,8 @@ std::vector<ExportFormat> structured_formats() {
        .holds_space = true,
        .write = plot3d,
        .loses_periodic_sides = true,
-       .side_names = {neutral_map_name, names_table_name}},
+       .side_names = {neutral_map_name, names_table_name},
+       .write_hex = plot3d},
   };
 }
 
@@ -282,7 +284,6 @@ void require_hex_options(const ExportFormat& format, const ExportOptions& option
     throw UsageError(fmt::format("the format {} has no hexahedra: choose one of {}", format.name, others));
   }
   if (options.in_space) throw UsageError("--frame 3d: hexahedra have coordinates of the CAD model always: omit it");
-  if (options.merge_blocks) throw UsageError("--merge-blocks: the format has no grids of hexahedra: omit it");
   if (options.block_groups) throw UsageError("--block-groups: blocks of hexahedra have no names: omit it");
   require_options(format, options);
 }
@@ -296,6 +297,7 @@ Exported export_mesh(HexMesh mesh, const ExportFormat& format, const ExportOptio
                     format.name, format.max_hex_order, mesh.order));
   const LengthScale length = length_scale(mesh, options.length);
   if (length.factor != 1 || length.unit != mesh.length_unit) scale_lengths(mesh, length);
+  if (options.merge_blocks) mesh = merge_blocks(std::move(mesh));
   Exported exported =
       format.write_hex_with_types ? format.write_hex_with_types(mesh, options.patch_types) : format.write_hex(mesh);
   exported.length = length;

@@ -8,6 +8,7 @@
 
 #include "base/name_text.hpp"
 #include "export/groups.hpp"
+#include "export/layer_quads.hpp"
 #include "export/vertex_stars.hpp"
 
 namespace quadrille::exports {
@@ -290,6 +291,16 @@ QuadMesh merge_blocks(QuadMesh mesh) {
   mesh.elem_block = grids;
   mesh.unnamed_blocks = replace_empty_names(names, "block");
   mesh.block_names = std::move(names);
+  mesh.block_region = std::move(regions);
+  return mesh;
+}
+
+HexMesh merge_blocks(HexMesh mesh) {
+  const std::vector<int> grids = BlockMerger(quads_of_layer(mesh)).merged();
+  std::vector<int> regions;
+  for (int quad = 0; quad < mesh.num_quads; ++quad)
+    if (grids[quad] == static_cast<int>(regions.size())) regions.push_back(mesh.region_of(quad));
+  mesh.quad_block = grids;
   mesh.block_region = std::move(regions);
   return mesh;
 }

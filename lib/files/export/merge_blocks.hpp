@@ -8,6 +8,7 @@
 // irregular vertices, of which no two may cross: the partition of a rectilinear polygon into fewest rectangles
 // (Ohtsuki, IEEE Symposium on Circuits and Systems, 1982), with irregular vertices in place of reflex corners.
 
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -18,5 +19,8 @@ namespace quadrille::exports {
 /// irregular vertices ends within 100,000 steps; else few. Blocks are numbered by their first elements; those without a
 /// name stay so. Linear cost, but for the search.
 QuadMesh merge_blocks(QuadMesh mesh);
+
+/// The same of hexahedra: blocks of quads that are swept.
+HexMesh merge_blocks(HexMesh mesh);
 
 }  // namespace quadrille::exports

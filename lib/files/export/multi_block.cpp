@@ -93,10 +93,24 @@ std::array<int, 2> MultiBlock::point(const SideRange& range, int at) const {
   }
 }
 
+std::vector<int> MultiBlock::points(const BlockGrid& grid) const {
+  const std::vector<int> nodes = grid.vertices(quads);
+  if (columns.empty()) return nodes;
+  std::vector<int> all;
+  for (int level = 0; level < num_levels; ++level)
+    for (const int node : nodes) all.push_back(columns[static_cast<std::size_t>(node) * num_levels + level]);
+  return all;
+}
+
 MultiBlock multi_block(const QuadMesh& mesh, const Groups& groups) {
+  QuadMesh quads = split_at_nodes(mesh);
+  require_valid_pieces(quads, "Cells");
+  return multi_block_of_cells(std::move(quads), groups);
+}
+
+MultiBlock multi_block_of_cells(QuadMesh quads, const Groups& groups) {
   MultiBlock blocks;
-  blocks.quads = split_at_nodes(mesh);
-  require_valid_pieces(blocks.quads, "Cells");
+  blocks.quads = std::move(quads);
   std::optional<std::vector<BlockGrid>> grids = block_grids(blocks.quads);
   if (!grids) {
     blocks.quads = merge_blocks(std::move(blocks.quads));

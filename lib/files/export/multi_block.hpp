@@ -34,10 +34,18 @@ struct GridConnection {
 };
 
 struct MultiBlock {
-  QuadMesh quads;  ///< the cells, of order 1
+  QuadMesh quads;  ///< the cells, of order 1; of hexahedra those of a layer, without positions
   std::vector<BlockGrid> grids;
   std::vector<BoundaryRange> boundaries;    ///< grid by grid, side by side, counter-clockwise
   std::vector<GridConnection> connections;  ///< each once, sorted by the first range
+
+  // Of hexahedra (hex_grids.hpp):
+  int num_levels = 1;                    ///< of points
+  std::vector<int> columns;              ///< [node of quads, level]: the mesh node
+  std::vector<std::array<int, 2>> ends;  ///< by grid: the boundary of the first and of the last level; -1: they are one
+
+  /// The mesh nodes of a grid, i fastest, then j.
+  std::vector<int> points(const BlockGrid& grid) const;
 
   /// Numbers of points (i, j), from 0.
   std::array<int, 2> point(const SideRange& range, int at) const;
@@ -46,5 +54,8 @@ struct MultiBlock {
 /// One grid for each block; where a block is no rectangular grid, the grids of merge_blocks. A side that has several
 /// boundaries or neighbours has several ranges. Throws ComputeError with the position if a cell is not convex.
 MultiBlock multi_block(const QuadMesh& mesh, const Groups& groups);
+
+/// The same of quads of order 1, whose positions do not matter.
+MultiBlock multi_block_of_cells(QuadMesh quads, const Groups& groups);
 
 }  // namespace quadrille::exports

@@ -99,6 +99,7 @@ Exported abaqus_c3d(const HexMesh& mesh);  ///< C3D8 and C3D20, orders 1 and 2
 /// PLOT3D, multi-grid, ASCII: a grid of points for each block, its boundaries and neighbours in a neutral map beside
 /// it. Any order; cells must be convex.
 Exported plot3d(const QuadMesh& mesh, const Frame& frame);
+Exported plot3d(const HexMesh& mesh);  ///< the grids of the quads times the layers; no cell may be folded
 
 /// CGNS, as the request from which quadexport-cgns makes the file (export/cgns_request.hpp): one unstructured zone of
 /// orders 1-4 with sections for regions, boundaries and interfaces, or a structured zone for each block with its
@@ -106,6 +107,7 @@ Exported plot3d(const QuadMesh& mesh, const Frame& frame);
 Exported cgns_unstructured(const QuadMesh& mesh, const Frame& frame);
 Exported cgns_structured(const QuadMesh& mesh, const Frame& frame);
 Exported cgns_unstructured(const HexMesh& mesh);
+Exported cgns_structured(const HexMesh& mesh);
 
 /// Exodus II, as the request from which quadexport-netcdf makes the file (export/netcdf_request.hpp): QUAD4 for order
 /// 1, QUAD9 for order 2; higher orders are split into elements of order 2. Regions are blocks, boundaries and

@@ -11,8 +11,8 @@ namespace {
 
 TEST(CgnsRequest, ReadsBackWhatWasWritten) {
   const QuadMesh mesh = two_quads();
-  for (auto* write : {cgns_unstructured, cgns_structured}) {
-    const std::string bytes = write(mesh, plane_frame(mesh.face)).bytes;
+  const Frame frame = plane_frame(mesh.face);
+  for (const std::string& bytes : {cgns_unstructured(mesh, frame).bytes, cgns_structured(mesh, frame).bytes}) {
     EXPECT_EQ(to_bytes(cgns_request(bytes)), bytes);
     EXPECT_THROW(cgns_request(bytes.substr(0, bytes.size() - 1)), Defect);
     EXPECT_THROW(cgns_request(bytes + "x"), Defect);
@@ -36,7 +36,7 @@ TEST(Cgns, SectionsAreRegionsAndBoundaries) {
   EXPECT_EQ(zone.sections[2].count, 4);
   EXPECT_EQ(zone.sections[3].name, "in___out");
   ASSERT_EQ(zone.boundaries.size(), 3u);
-  EXPECT_EQ(zone.boundaries[0].range, (std::array<std::int64_t, 4>{3, 0, 6, 0}));
+  EXPECT_EQ(zone.boundaries[0].range, (std::vector<std::int64_t>{3, 6}));
   EXPECT_EQ(request.families[0].boundary, "BCWall");
   EXPECT_EQ(request.families[1].boundary, "UserDefined");
 }
@@ -65,12 +65,12 @@ TEST(Cgns, TransformsMapRangesOntoThoseOfTheDonor) {
       int count = 0;
       for (const CgnsZone& zone : request.zones)
         for (const CgnsConnection& c : zone.connections) {
-          std::array<std::int64_t, 2> end{c.donor_range[0], c.donor_range[1]};
+          std::vector<std::int64_t> end{c.donor_range[0], c.donor_range[1]};
           for (int own = 0; own < 2; ++own) {
             const int donor = static_cast<int>(std::abs(c.transform[own])) - 1;
             end[donor] += (c.transform[own] > 0 ? 1 : -1) * (c.range[2 + own] - c.range[own]);
           }
-          EXPECT_EQ(end, (std::array<std::int64_t, 2>{c.donor_range[2], c.donor_range[3]}));
+          EXPECT_EQ(end, (std::vector<std::int64_t>{c.donor_range[2], c.donor_range[3]}));
           const std::array<bool, 2> negative{c.transform[0] < 0, c.transform[1] < 0};
           const bool is_swapped = std::abs(c.transform[0]) == 2;
           EXPECT_EQ(is_swapped, negative[0] != negative[1]) << "grids are counter-clockwise";
