@@ -26,13 +26,13 @@ dictionary() {
   printf '%s\n' "${@:2}" >>"case/system/$1"
 }
 
-# builds QUAD: blockMesh takes the dictionary without a word, checkMesh finds nothing wrong. What it says of neighbours
+# builds MESH: blockMesh takes the dictionary without a word, checkMesh finds nothing wrong. What it says of neighbours
 # of unlike size ("small interpolation weight", "small volume ratio") and of long cells on a boundary ("small
 # determinant": about the square of width over length of a cell with two inner faces) is true of the mesh that it was
 # asked to build, whatever the format.
 builds() {
   new_case
-  quadexport -q "$1" -o case/system/blockMeshDict
+  quadexport -q "$1" -o case/system/blockMeshDict --report a.json
   run -0 blockMesh -case case
   refute_output --partial Warning
   run checkMesh -case case -allGeometry -allTopology
@@ -40,7 +40,7 @@ builds() {
   wrong=$(grep -F '***' <<<"$output" | grep -vE 'small (interpolation weight|volume ratio|determinant)' || true)
   assert_equal "$wrong" ''
   assert_output --partial 'Number of regions: 1'
-  run -0 "$PYTHON" "$cells" case/system/blockMeshDict "$1" case/constant/polyMesh/points
+  [[ $1 == *.hex.h5 ]] || run -0 "$PYTHON" "$cells" case/system/blockMeshDict "$1" case/constant/polyMesh/points
 }
 
 @test "blockMesh builds every shape as we say, and checkMesh accepts it" {
@@ -74,6 +74,40 @@ poly_mesh() {
   poly_mesh a.hex.h5
   run -0 grep -c 'type cyclic;' case/constant/polyMesh/boundary
   assert_output 2
+}
+
+# same_points A B DISTANCE: as many points, and each of A within the distance of one of B.
+same_points() {
+  run -0 "$PYTHON" - "$@" <<'END'
+import re
+import sys
+import numpy
+a, b = (numpy.array(re.findall(r"^\(([^()]+)\)$", open(path).read(), re.M)) for path in sys.argv[1:3])
+a, b = (numpy.array([list(map(float, row.split())) for row in x]) for x in (a, b))
+assert len(a) == len(b) > 0, (len(a), len(b))
+far = max(numpy.linalg.norm(b - x, axis=1).min() for x in a)
+assert far < float(sys.argv[3]), far
+END
+}
+
+@test "blockMesh builds straight sweeps with their layers where polyMesh has them, and checkMesh accepts it" {
+  local shape motion file
+  for shape in half_disc plate_hole s_bend; do
+    quadrefine -q --order 2 --geometry-tol 1 "$(blocks_of "$DATA/$shape.step")" -o a.quad.h5
+    for motion in "--height 2 --layers 4" "--height 2 --layers 9 --bottom-layers first=0.02,growth=1.3,layers=5"; do
+      # shellcheck disable=SC2086
+      hexsweep -q a.quad.h5 $motion -o a.hex.h5
+      builds a.hex.h5
+      mkdir -p direct/polyMesh
+      quadexport -q a.hex.h5 -o direct/polyMesh/points
+      moved=$(jq -r '[.warnings[].message | select(test("blockMesh places")) | capture("up to (?<x>\\S+)").x][0] // "0"' a.json)
+      same_points case/constant/polyMesh/points direct/polyMesh/points "$(awk -v x="$moved" 'BEGIN { print 1.1e-3 * x + 1e-12 }')"
+    done
+  done
+  hexsweep -q a.quad.h5 --height 1 --twist 20 -o a.hex.h5
+  run -1 quadexport a.hex.h5 -o blockMeshDict
+  assert_output --partial 'holds straight sweeps of planar faces only, and this one bends, turns, narrows'
+  quadexport -q --format polymesh a.hex.h5 -o points
 }
 
 @test "thin layers along a curved wall have straight sides that do not cross them" {

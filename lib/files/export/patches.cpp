@@ -13,8 +13,10 @@
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "base/tolerance.hpp"
+#include "export/hex_numbering.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/renode.hpp"
+#include "model/length_scale.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -27,6 +29,27 @@ bool begins_with(const std::string& name, std::string_view word) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return name.size() >= word.size() &&
          std::equal(word.begin(), word.end(), name.begin(), [&](char a, char b) { return a == lower(b); });
+}
+
+/// Whether all nodes of the groups of a boundary lie on one plane.
+bool is_on_a_plane(const HexMesh& mesh, const Groups& groups, int boundary) {
+  std::vector<Vec3> points;
+  for (std::size_t g = 0; g < mesh.face_groups.size(); ++g) {
+    const HexFaceGroup& group = mesh.face_groups[g];
+    if (group.is_interface || groups.curve2boundary[g] != boundary) continue;
+    for (std::size_t k = 0; k < group.elems.size(); ++k)
+      for (const int node : face_nodes(mesh, group.elems[k], group.faces[k])) points.push_back(mesh.nodes[node]);
+  }
+  Vec3 normal;  // of the largest triangle with the first point and that farthest from it
+  if (points.empty()) return true;
+  const Vec3 first = points[0];
+  const Vec3 far = *std::max_element(points.begin(), points.end(),
+                                     [&](Vec3 a, Vec3 b) { return distance(first, a) < distance(first, b); });
+  for (const Vec3 x : points)
+    if (const Vec3 n = cross(far - first, x - first); norm2(n) > norm2(normal)) normal = n;
+  return norm(normal) == 0 || std::all_of(points.begin(), points.end(), [&](Vec3 x) {
+           return std::abs(dot(normalized(normal), x - first)) <= 1e-6 * mesh.diameter;
+         });
 }
 
 /// Whether all nodes of a boundary lie on one line.
@@ -141,6 +164,16 @@ bool is_type_chosen(const std::string& name, const std::vector<PatchType>& chose
 
 std::vector<std::string> patch_types(const QuadMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen) {
   return patch_types(groups, chosen, [&](int boundary) { return is_on_a_line(mesh, groups, boundary); });
+}
+
+std::vector<std::string> patch_types(const HexMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen) {
+  return patch_types(groups, chosen, [&](int boundary) { return is_on_a_plane(mesh, groups, boundary); });
+}
+
+double metres_or_one(const std::string& unit) {
+  for (const LengthUnit& known : length_units)
+    if (known.name == unit) return known.metres;
+  return 1;
 }
 
 std::vector<std::string> patch_types(const Groups& groups, const std::vector<PatchType>& chosen,

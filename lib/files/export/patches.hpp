@@ -27,9 +27,15 @@ std::vector<PatchType> patch_type_options(const std::vector<std::string>& option
 /// Throws as require_boundaries.
 std::vector<std::string> patch_types(const QuadMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen);
 
+/// Of hexahedra a boundary on one plane is a symmetryPlane.
+std::vector<std::string> patch_types(const HexMesh& mesh, const Groups& groups, const std::vector<PatchType>& chosen);
+
 /// The same of any mesh; `is_flat`: whether a boundary lies on one line or plane.
 std::vector<std::string> patch_types(const Groups& groups, const std::vector<PatchType>& chosen,
                                      const std::function<bool(int boundary)>& is_flat);
+
+/// Metres of a unit by its name in files; 1 where that is unknown.
+double metres_or_one(const std::string& unit);
 
 /// Whether one of `chosen` fits the name.
 bool is_type_chosen(const std::string& name, const std::vector<PatchType>& chosen);

@@ -70,27 +70,6 @@ std::optional<std::string> transform_entries(const SpaceMotion& motion, double s
                      vector_text(axis), vector_text(centre));
 }
 
-/// Whether all nodes of the groups of a boundary lie on one plane.
-bool is_on_a_plane(const HexMesh& mesh, const Groups& groups, int boundary) {
-  std::vector<Vec3> points;
-  for (std::size_t g = 0; g < mesh.face_groups.size(); ++g) {
-    const HexFaceGroup& group = mesh.face_groups[g];
-    if (group.is_interface || groups.curve2boundary[g] != boundary) continue;
-    for (std::size_t k = 0; k < group.elems.size(); ++k)
-      for (const int node : face_nodes(mesh, group.elems[k], group.faces[k])) points.push_back(mesh.nodes[node]);
-  }
-  Vec3 normal;  // of the largest triangle with the first point and that farthest from it
-  if (points.empty()) return true;
-  const Vec3 first = points[0];
-  const Vec3 far = *std::max_element(points.begin(), points.end(),
-                                     [&](Vec3 a, Vec3 b) { return distance(first, a) < distance(first, b); });
-  for (const Vec3 x : points)
-    if (const Vec3 n = cross(far - first, x - first); norm2(n) > norm2(normal)) normal = n;
-  return norm(normal) == 0 || std::all_of(points.begin(), points.end(), [&](Vec3 x) {
-           return std::abs(dot(normalized(normal), x - first)) <= 1e-6 * mesh.diameter;
-         });
-}
-
 /// Throws ComputeError for a cell whose straight edges do not turn right-handed at a corner.
 void require_convex_corners(const HexMesh& mesh) {
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
@@ -111,8 +90,7 @@ class PolyMeshWriter {
  public:
   PolyMeshWriter(const HexMesh& mesh, const std::vector<PatchType>& types)
       : mesh_(mesh), groups_(mesh_groups(mesh)), numbering_(number_hexes(mesh)), inner_(inner_faces(numbering_)) {
-    for (const LengthUnit& unit : length_units)
-      if (unit.name == mesh.length_unit) metres_ = unit.metres;
+    metres_ = metres_or_one(mesh.length_unit);
     make_patches(types);
   }
 
@@ -132,8 +110,7 @@ class PolyMeshWriter {
  private:
   void make_patches(const std::vector<PatchType>& types) {
     patches_.resize(groups_.num_boundaries());
-    const std::vector<std::string> names =
-        patch_types(groups_, types, [&](int boundary) { return is_on_a_plane(mesh_, groups_, boundary); });
+    const std::vector<std::string> names = patch_types(mesh_, groups_, types);
     std::size_t count = inner_.size();
     for (std::size_t b = 0; b < patches_.size(); ++b) patches_[b].type = names[b];
     for (std::size_t g = 0; g < mesh_.face_groups.size(); ++g)

@@ -82,6 +82,8 @@ Exported nek_re2(const HexMesh& mesh);  ///< edges and faces must differ by thei
 /// with one graded section for each cell, boundaries as patches, regions as cell zones. Any order; cells have straight
 /// sides and must be convex. `types`: of patches, where they shall not follow from the names.
 Exported block_mesh_dict(const QuadMesh& mesh, const Frame& frame, const std::vector<PatchType>& types = {});
+/// Straight sweeps of planar faces, with their layers; others are refused.
+Exported block_mesh_dict(const HexMesh& mesh, const std::vector<PatchType>& types = {});
 
 /// OpenFOAM's polyMesh: points, and beside them faces, owner, neighbour, boundary and cellZones. A cell for each
 /// hexahedron, with straight edges; of a quad mesh a plate one cell thick, its ends `frontAndBack` of type empty.
