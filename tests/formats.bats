@@ -206,7 +206,7 @@ PYTHON
 
 @test "every format of quadexport has a row and a page, with what is written, what is lost and how to get going" {
   sed -n '/^## Formats of other programs/,/^## What/p' "$ROOT/formats/README.md" | grep '^| \[' >rows
-  quadexport --help | grep -oE -- '--format auto[a-z0-9|-]*' | tr '|' '\n' | grep -vE 'auto|step' | sort >formats
+  quadexport --help | sed -nE '/^  --format /,/^  --frame/s/^ +([a-z0-9-]+): .*/\1/p' | grep -vE '^(auto|step)$' | sort >formats
   assert [ "$(wc -l <formats)" -ge 11 ]
   cut -d'|' -f3 rows | grep -oE '[a-z0-9-]+' | sort | diff - formats
   while read -r page; do

@@ -2,26 +2,13 @@
 
 #include "stage/quadexport.hpp"
 
-#include <fmt/format.h>
-
 #include "cli/tool_main.hpp"
-#include "export/format_table.hpp"
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
 
 using namespace quadrille;
 
 namespace {
-
-/// "msh: Gmsh MSH 4.1, ASCII, orders 1 to 10, hexahedra 1 to 9; ..."
-std::string format_list() {
-  std::string list;
-  for (const exports::ExportFormat& f : exports::export_formats()) {
-    list += fmt::format("{}{}: {}, orders 1 to {}", list.empty() ? "" : "; ", f.name, f.summary, f.max_order);
-    if (f.write_hex != nullptr) list += fmt::format(", hexahedra 1 to {}", f.max_hex_order);
-  }
-  return list;
-}
 
 // The files to write, the main one last.
 std::vector<stage::OutputFile> exported(const std::string& input, const std::string& output,
@@ -48,12 +35,10 @@ int main(int argc, char** argv) {
   tool.summary = "writes a mesh or its blocks for other programs";
   tool.description =
       "Writes a quad mesh, or hexahedra, in the format of a solver, with the names of boundaries and blocks and with "
-      "the nodes that "
-      "the format defines. What the format cannot represent is reported on standard error, with the magnitude of the "
-      "loss. A block layout is written as a STEP model of faces that share their edges and have the names of their "
-      "regions. The format follows from the ending of the output, or from --format; standard output is MSH by default. "
-      "Formats: " +
-      format_list() + ".";
+      "the nodes that the format defines. What the format cannot represent is reported on standard error, with the "
+      "magnitude of the loss. A block layout is written as a STEP model of faces that share their edges and have the "
+      "names of their regions. The format follows from the ending of the output, or from --format, which lists all "
+      "with their orders; standard output is MSH by default.";
   tool.examples = {
       "quadexport half_disc.quad.h5 -o half_disc.msh", "quadrefine half_disc.blocks.h5 | quadexport -o half_disc.msh",
       "quadexport --unit m half_disc.quad.h5 -o half_disc.xml", "quadexport half_disc.hex.h5 -o half_disc.vtu",

@@ -32,6 +32,10 @@ complete_bash() {
   assert_line -- --max-deviation
   run -0 complete_bash quadmesh --format n
   assert_output nektar
+  run -0 complete_bash quadexport --format ''
+  assert_line --index 0 auto
+  assert_line --index 1 msh
+  assert_equal "${lines[-1]}" step
 }
 
 @test "every option of every --help-all is completed in every shell" {

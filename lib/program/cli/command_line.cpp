@@ -241,7 +241,9 @@ void CommandLine::one_of(const std::string& flag, const std::vector<std::string>
     set(texts.back());
     return true;
   };
-  impl_->add(flag, list, set_known, fmt::format("{} (default: {})", help, get()));
+  const std::size_t line = std::min(help.find('\n'), help.size());
+  impl_->add(flag, line < help.size() ? "WORD" : list, set_known,
+             fmt::format("{} (default: {}){}", help.substr(0, line), get(), help.substr(line)));
   if (impl_->common == nullptr) impl_->record.one_of(flag, words, get, set, help);
 }
 

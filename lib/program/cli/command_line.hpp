@@ -93,6 +93,7 @@ class CommandLine : public Options {
   std::string option_list() const;
   /// The recorded options after defaults, as a JSON object with sorted keys.
   std::string options_json() const;
+  /// Where `help` has a line "word: meaning" for each word after its first one, the words stand there alone.
   void one_of(const std::string& flag, const std::vector<std::string>& words, const std::function<std::string()>& get,
               const std::function<void(const std::string&)>& set, const std::string& help) override;
 

@@ -87,6 +87,17 @@ void require_valid_mesh(const Mesh& mesh, bool allow_invalid, Run& run) {
   run.report().warn(warning::mesh_not_valid, warning_text);
 }
 
+/// A line for each format: "msh: Gmsh MSH 4.1, ASCII, orders 1 to 10, hexahedra 1 to 9".
+std::string format_help() {
+  std::string text = "format of the file\nauto: from the ending of the output";
+  for (const exports::ExportFormat& f : exports::export_formats()) {
+    text += fmt::format("\n{}: {}, orders 1 to {}", f.name, f.summary, f.max_order);
+    if (f.write_hex == nullptr) continue;
+    text += f.max_hex_order == f.max_order ? ", hexahedra too" : fmt::format(", hexahedra 1 to {}", f.max_hex_order);
+  }
+  return text + fmt::format("\n{}: CAD model of the blocks", step);
+}
+
 std::vector<std::string> unit_choices() {
   std::vector<std::string> choices{"file"};
   for (const LengthUnit& unit : length_units) choices.emplace_back(unit.symbol);
@@ -156,7 +167,7 @@ void declare(Options& o, QuadexportOptions& quadexport) {
   std::vector<std::string> formats{"auto"};
   for (const exports::ExportFormat& format : exports::export_formats()) formats.emplace_back(format.name);
   formats.emplace_back(step);
-  o.choice("--format", quadexport.format, formats, "auto: from the ending of the output");
+  o.choice("--format", quadexport.format, formats, format_help());
   o.choice("--frame", quadexport.frame, {"2d", "3d"},
            "2d: coordinates in the plane of the face; 3d: coordinates of the CAD model");
   o.texts("--patch-type", quadexport.patch_types, "NAME=TYPE",
