@@ -8,8 +8,8 @@
 namespace quadrille::exports {
 
 /// Hexahedra with straight edges between the nodes of a mesh of order N: N^3 for each, of a swept quad N^2 quads, xi1
-/// fastest, of a layer N layers. Nodes, groups and regions are those of the mesh. Bounds of det J and samples are those
-/// of the small hexahedra; is_valid says whether all of them are proved. Linear cost.
+/// fastest, of a layer N layers. Nodes, groups and regions are those of the mesh. Bounds of det J are those of the
+/// small hexahedra, which have no samples; is_valid says whether all of them are proved. Linear cost.
 HexMesh split_at_nodes(const HexMesh& mesh);
 
 /// Throws ComputeError with the position if det J of an element is not proved positive. `reader`: "SU2's cells", for

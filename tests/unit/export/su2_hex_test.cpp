@@ -34,6 +34,24 @@ TEST(Su2Hex, EachElementIsCutBetweenItsNodes) {
   EXPECT_EQ(faces, 9u * (2 * 2 * 4 + 4));
 }
 
+/// Bounds of pieces are below det J everywhere, and close to it where edges are nearly parallel.
+TEST(Su2Hex, BoundsOfPiecesAreBelowTheirDeterminants) {
+  const HexMesh pieces = split_at_nodes(two_hexes({.order = 4, .map = bent}));
+  double closest = 1e300;
+  for (int elem = 0; elem < pieces.num_elems(); ++elem) {
+    const auto node = [&](int k) { return pieces.nodes[pieces.elem_nodes[8 * elem + k]]; };
+    double least = 1e300;
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto edge = [&](int stride) { return node(corner | stride) - node(corner & ~stride); };
+      least = std::min(least, dot(cross(edge(1), edge(2)), edge(4)) / 8);
+    }
+    EXPECT_GT(pieces.elem_jacobian_bound[elem], 0);
+    EXPECT_LE(pieces.elem_jacobian_bound[elem], least);
+    closest = std::min(closest, least / pieces.elem_jacobian_bound[elem]);
+  }
+  EXPECT_LT(closest, 1.2);
+}
+
 /// The faces of the pieces are those of the element, node for node.
 TEST(Su2Hex, FacesOfPiecesLieOnTheFacesOfTheirElement) {
   const HexMesh mesh = two_hexes({.order = 2, .first_corner = 3}), pieces = split_at_nodes(mesh);
