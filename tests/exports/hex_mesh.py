@@ -51,8 +51,9 @@ def cut_at_nodes(mesh):
 
 
 def without_inner_nodes(nodes):
-    """Nodes [element, 3, 3, 3, axis] with those on faces and inside replaced by what the shape functions of 20 nodes make
-    of those on edges: middles of edges less corners, each face a half and a quarter, inside a quarter and a quarter."""
+    """Nodes [element, 3, 3, 3, axis] with those on faces and inside replaced by what the shape functions of 20 nodes
+    make of those on edges: middles of edges less corners, on a face a half and a quarter, inside a quarter and a
+    quarter."""
     made, indices = nodes.copy(), range(3)
     for axis in (1, 2, 3):
         for end in (0, 2):

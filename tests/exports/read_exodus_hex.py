@@ -1,5 +1,5 @@
-"""Exodus II files of hexahedra: HEX8, HEX20 and HEX27 by the manual's figures (SAND92-2137 and its additions), sides 1 to
-6 of element blocks. Nodes that HEX20 has not are those of its shape functions."""
+"""Exodus II files of hexahedra: HEX8, HEX20 and HEX27 by the manual's figures (SAND92-2137 and its additions), sides 1
+to 6 of element blocks. Nodes that HEX20 has not are those of its shape functions."""
 import numpy
 
 from element_mesh import real_names

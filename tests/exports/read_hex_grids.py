@@ -4,9 +4,9 @@ with the writers, and compares them to the stage file.
 
 usage: read_hex_grids x.xyz|x.cgns x.hex.h5
 
-Prints "grids N", or what differs, and ends with 1 then. Checked are: points of connected faces are equal to the last bit,
-each cell face on the outside of a grid has one boundary or one neighbour, transforms are those of the points, grids are
-right-handed, the cells are those between the nodes of the elements, and boundaries have their names."""
+Prints "grids N", or what differs, and ends with 1 then. Checked are: points of connected faces are equal to the last
+bit, each cell face on the outside of a grid has one boundary or one neighbour, transforms are those of the points,
+grids are right-handed, the cells are those between the nodes of the elements, and boundaries have their names."""
 import sys
 from pathlib import Path
 
@@ -123,7 +123,8 @@ def read_cgns(path):
                 grids.add_boundary(number[name], first, last, names.get(word, word))
             for part in zone["ZoneGridConnectivity"].values() if "ZoneGridConnectivity" in zone else []:
                 check_connection(grids, number[name], number[text(part)],
-                                 *(part[what + "/ data"][()] for what in ("PointRange", "PointRangeDonor", "Transform")))
+                                 *(part[what + "/ data"][()]
+                                   for what in ("PointRange", "PointRangeDonor", "Transform")))
     return grids, regions
 
 
