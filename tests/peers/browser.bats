@@ -37,6 +37,23 @@ fine_page() {
   judge page.html 1
 }
 
+@test "the pointer turns hexahedra, a plane cuts them, also 100,000, on a dark and a narrow page" {
+  local quads
+  quads=$(blocks_of "$DATA/half_disc.step")
+  quads=${quads%.blocks.h5}.quad.h5
+  hexsweep "$quads" --height 1 --twist 90 --layers 8 -o twisted.hex.h5
+  stageview "$quads" twisted.hex.h5 -o page.html
+  run "$PYTHON" "$ROOT/tests/peers/judge_page.py" page.html 2 space
+  assert_output ''
+  quadrefine -q --size 0.02 "$(blocks_of "$DATA/half_disc.step")" -o fine.quad.h5
+  hexsweep fine.quad.h5 --height 1 --layers 25 -o fine.hex.h5 --report report.json
+  assert [ "$(jq .hexahedra report.json)" -gt 100000 ]
+  stageview fine.hex.h5 -o page.html
+  assert [ "$(stat -c %s page.html)" -lt 30000000 ]
+  run "$PYTHON" "$ROOT/tests/peers/judge_page.py" page.html 1 space
+  assert_output ''
+}
+
 @test "pages look as stored, also with another font, and the comparison notices a missing layer" {
   need python3-pil python3-numpy
   local x

@@ -41,13 +41,13 @@ class Page:
         ActionChains(self.driver).send_keys(keys).perform()
         time.sleep(pause)
 
-    def point_at_middle(self, dx=0, dy=0):
-        ActionChains(self.driver).move_to_element_with_offset(self.find("#overlay"), dx, dy).perform()
+    def point_at_middle(self, dx=0, dy=0, canvas="#overlay"):
+        ActionChains(self.driver).move_to_element_with_offset(self.find(canvas), dx, dy).perform()
         time.sleep(0.2)
 
-    def drag(self, steps, dx, dy):
+    def drag(self, steps, dx, dy, canvas="#overlay"):
         """Moves the drawing with the pointer in many steps."""
-        actions = ActionChains(self.driver, duration=16).move_to_element(self.find("#overlay")).click_and_hold()
+        actions = ActionChains(self.driver, duration=16).move_to_element(self.find(canvas)).click_and_hold()
         for _ in range(steps):
             actions.move_by_offset(dx, dy)
         actions.release().perform()

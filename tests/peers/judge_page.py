@@ -1,10 +1,10 @@
 """Opens a page of stageview in Chromium and prints what is wrong with it.
 
-usage: judge_page.py PAGE NUMBER-OF-TABS [report | comparison]
+usage: judge_page.py PAGE NUMBER-OF-TABS [report | comparison | space]
 
-The last tab must be a quad mesh or, with "report", the report of a run behind one.
+The last tab must be a quad mesh; with "report", the report of a run behind one; with "space", hexahedra.
 """
-import re, sys
+import re, sys, time
 
 from browser import Page
 
@@ -94,6 +94,58 @@ def judge_comparison(page):
     expect(not page.find("#picture-b").is_displayed(), "the key s does not put one over the other")
 
 
+def shown(page):
+    """How many hexahedra the cut shows, and of how many."""
+    found = re.search(r"(\d+) of (\d+) hexahedra shown", page.text("#cut-text"))
+    return (int(found[1]), int(found[2])) if found else (0, 0)
+
+
+def judge_cut(page):
+    """Keys choose the cut, move it, and show the other side; the slider moves it too; c comes back to no cut."""
+    whole = page.picture("space")
+    counts = []
+    for _ in "xyz":
+        page.press("c")
+        expect(page.picture("space") != whole, "a cut shows what the whole mesh shows")
+        counts.append(shown(page))
+        page.press("x")
+        other = shown(page)
+        expect(counts[-1][0] + other[0] == other[1], f"the two sides of a cut have {counts[-1]} and {other}")
+        page.press("x")
+    page.press(".........")
+    expect(shown(page)[0] > counts[-1][0], "the key . does not move the cut outwards")
+    page.press(",,,,,,,,,,,,,,,,,,")
+    expect(shown(page)[0] < counts[-1][0], "the key , does not move the cut inwards")
+    page.driver.execute_script("""const slider = document.getElementById("cut-at");
+                                  slider.value = 100; slider.dispatchEvent(new Event("input"));""")
+    time.sleep(0.5)
+    expect(shown(page)[0] == shown(page)[1] > 0, "at the end of the slider elements are left out")
+    page.press("cc")
+    expect(page.picture("space") == whole, "without a cut the picture is not the first one")
+
+
+def judge_space(page):
+    """The pointer and keys turn and zoom the mesh; what is under the pointer has figures; w shows the worst element."""
+    judge_cut(page)
+    whole = page.picture("space")
+    for keys in ("+", "\ue012", "t"):
+        before = page.picture("space")
+        page.press(keys)
+        expect(page.picture("space") != before, f"the key {keys!r} changes nothing")
+    page.press("t0")
+    expect(page.picture("space") == whole, "the key 0 does not show the first view again")
+    page.drag(5, 12, 4, "#space")
+    time.sleep(0.5)
+    expect(page.picture("space") != whole, "the pointer does not turn the mesh")
+    page.point_at_middle(1, 1, "#space")
+    expect(re.match(r"hexahedron \d+ · layer \d+", page.text("#tip")), f"under the pointer is {page.text('#tip')}")
+    page.press("w")
+    worst, tip = re.match(r"hexahedron \d+", page.text("#status")), page.text("#tip")
+    expect(worst and tip.startswith(worst[0] + " "), f"the worst is {page.text('#status')}, the page shows {tip}")
+    slowest = max(page.milliseconds("draw turned"), default=0)
+    expect(0 < slowest < 1500, f"a picture while it turns takes {slowest:.0f} ms")  # on a machine that is shared
+
+
 def judge_speed(page):
     """The sharp picture follows the end of a movement within half a second, of which 0.12 s are a pause."""
     page.milliseconds("draw sharp")
@@ -110,9 +162,12 @@ with Page(sys.argv[1]) as opened:
         judge_report(opened, int(sys.argv[2]))
     if "comparison" in sys.argv[3:]:
         judge_comparison(opened)
-    judge_keys(opened)
-    judge_worst(opened)
-    judge_speed(opened)
+    if "space" in sys.argv[3:]:
+        judge_space(opened)
+    else:
+        judge_keys(opened)
+        judge_worst(opened)
+        judge_speed(opened)
     faults.extend(opened.messages())
 print("\n".join(faults), end="\n" if faults else "")
 sys.exit(bool(faults))

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "check/rules.hpp"
-#include "model/hex_mesh.hpp"
+#include "model/hex_faces.hpp"
 #include "spectral/hex_map.hpp"
 
 namespace quadrille::check {
@@ -83,41 +83,26 @@ void hex_root_tells_validity(const HexMesh& mesh, Findings& findings) {
   if (mesh.is_valid != (least > 0)) findings.add("is_valid is {}, but the least bound is {}", mesh.is_valid, least);
 }
 
-/// A face of an element, with its corners as the sort key.
-struct Face {
-  std::array<int, 4> corners{};
-  int elem = 0, face = 0;
-  auto operator<=>(const Face&) const = default;
-};
-
 class Faces {
  public:
-  explicit Faces(const HexMesh& mesh) : mesh_(mesh) {
+  explicit Faces(const HexMesh& mesh) : mesh_(mesh), sorted_(sorted_hex_faces(mesh)) {
     for (int f = 0; f < 6; ++f) local_[f] = hex_face_nodes(mesh.order, f);
-    for (int e = 0; e < mesh.num_elems(); ++e)
-      for (int f = 0; f < 6; ++f) {
-        const int n = mesh.order, w = n + 1;
-        Face face{{node(e, f, 0), node(e, f, n), node(e, f, w * n), node(e, f, w * w - 1)}, e, f};
-        std::sort(face.corners.begin(), face.corners.end());
-        sorted_.push_back(face);
-      }
-    std::sort(sorted_.begin(), sorted_.end());
   }
 
   int node(int elem, int face, int k) const { return mesh_.elem_nodes[elem * nodes_per_hex(mesh_) + local_[face][k]]; }
 
   /// Whether two faces have the same nodes, seen from both sides.
-  bool are_one(const Face& a, const Face& b) const {
+  bool are_one(const HexFace& a, const HexFace& b) const {
     for (int turn = 0; turn < 4; ++turn)
       if (are_one(a, b, turn)) return true;
     return false;
   }
 
-  const std::vector<Face>& sorted() const { return sorted_; }
+  const std::vector<HexFace>& sorted() const { return sorted_; }
 
  private:
   /// Seen from behind: with the indices exchanged, after quarter turns.
-  bool are_one(const Face& a, const Face& b, int turn) const {
+  bool are_one(const HexFace& a, const HexFace& b, int turn) const {
     const int n = mesh_.order, w = n + 1;
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) {
@@ -133,13 +118,13 @@ class Faces {
 
   const HexMesh& mesh_;
   std::array<std::vector<int>, 6> local_;
-  std::vector<Face> sorted_;
+  std::vector<HexFace> sorted_;
 };
 
 /// A face has one neighbour at most, and none if it is on the boundary. Returns element and face of those.
 std::vector<std::array<int, 2>> outer_faces_of(const HexMesh& mesh, Findings& findings) {
   const Faces faces(mesh);
-  const std::vector<Face>& all = faces.sorted();
+  const std::vector<HexFace>& all = faces.sorted();
   std::vector<bool> is_paired(all.size());
   std::vector<std::array<int, 2>> outer;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -185,7 +170,7 @@ void hex_interfaces_are_shared(const HexMesh& mesh, Findings& findings) {
     for (std::size_t f = 0; f < group.elems.size(); ++f) own.insert({group.elems[f], group.faces[f]});
     std::vector<std::array<int, 4>> corners;
     const Faces faces(mesh);
-    for (const Face& face : faces.sorted())
+    for (const HexFace& face : faces.sorted())
       if (own.contains({face.elem, face.face})) corners.push_back(face.corners);
     for (std::size_t k = 0; k < corners.size(); k += 2)
       if (k + 1 == corners.size() || corners[k] != corners[k + 1])

@@ -13,7 +13,7 @@ std::string draw_stage(const HexMesh& mesh, const DrawOptions& options) {
   const SpaceTitle title{"Hexahedral mesh", fmt::format("{}{} hexahedra of order {} in {}",
                                                         mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(),
                                                         mesh.order, counted(mesh.num_layers(), "layer"))};
-  const ViewDirection view = options.view ? *options.view : Vec3{1, -1, 1};
+  const ViewDirection view = options.view ? *options.view : hex_view;
   return draw_in_space(outer, space_view(outer, view), options, title);
 }
 

@@ -17,6 +17,9 @@ struct SpaceView {
   double depth(Vec3 x) const { return dot(x, towards); }  ///< greater: nearer
 };
 
+/// The direction from which hexahedra are seen without --view.
+inline constexpr Vec3 hex_view{1, -1, 1};
+
 /// Seen from the direction of `view`, z up if it can be; without one along a diagonal of the axes, on the side of the
 /// mesh's mean normal. The mesh must have nodes in space.
 SpaceView space_view(const QuadMesh& mesh, const ViewDirection& view);

@@ -1,37 +1,38 @@
-// Hexahedra: their outer faces as quads, in space and in the projection that the pane in space begins with.
+// Hexahedra: a tab in space alone, with the measures of all elements.
 
 #include <fmt/format.h>
 
-#include "draw/draw_in_space.hpp"
-#include "mesh/outer_faces.hpp"
+#include "base/message_text.hpp"
 #include "page/sheet.hpp"
+#include "page/space_data.hpp"
 
 namespace quadrille::page {
 
 namespace {
 
-QuadMesh projected_faces(const HexMesh& mesh) {
-  QuadMesh outer = mesh::outer_faces(mesh);
-  const draw::SpaceView view = draw::space_view(outer, {});
-  for (std::size_t i = 0; i < outer.nodes.size(); ++i) outer.nodes[i] = view.at(outer.space_nodes[i]);
-  return outer;
+JsonObject solids_layer(const HexMesh& mesh) {
+  std::vector<std::int32_t> quad_regions;
+  for (const int block : mesh.quad_block) quad_regions.push_back(mesh.block_region[block]);
+  JsonObject layer;
+  layer.text("type", "solids").text("key", "mesh").text("title", "hexahedra").text("noun", "hexahedron");
+  layer.flag("shown", true);
+  layer.json("quantities", quantities_json({{"scaled Jacobian", "low", 0, 1, mesh.elem_scaled_jacobian},
+                                            {"proved bound of det J", "low", 0, 0, mesh.elem_jacobian_bound}}));
+  layer.data("regions", packed(quad_regions)).json("regionNames", json_texts(mesh.region_names));
+  return layer;
 }
 
 }  // namespace
 
-draw::PictureBox hex_box(const HexMesh& mesh) {
-  draw::PictureBox box;
-  for (const Vec2 x : projected_faces(mesh).nodes) box.include(x);
-  return box;
-}
-
-Sheet stage_sheet(const HexMesh& mesh, const PageFrame& frame) {
-  Sheet sheet = stage_sheet(projected_faces(mesh), frame);
+Sheet stage_sheet(const HexMesh& mesh, const PageFrame&) {
+  Sheet sheet;
   sheet.title = "Hexahedra";
   sheet.is_only_in_space = true;
-  sheet.caption = fmt::format("{}{} hexahedra of order {} in {} layers; their outer faces",
-                              mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(), mesh.order, mesh.num_layers());
+  sheet.caption = fmt::format("{}{} hexahedra of order {} in {}", mesh.is_valid ? "" : "NOT VALID: ", mesh.num_elems(),
+                              mesh.order, counted(mesh.num_layers(), "layer"));
   sheet.facts = draw::figures_of(mesh);
+  sheet.layers.push_back(solids_layer(mesh));
+  sheet.space = space_data(mesh).str();
   return sheet;
 }
 

@@ -47,11 +47,21 @@ Vec2 origin_of(const StageModel& stage) {
   return points ? points->origin : Vec2{};
 }
 
-/// Of the face, or of the points without one; of hexahedra that of their projection.
+/// Of the face, or of the points without one; hexahedra have nothing in the plane.
 draw::PictureBox own_box(const StageModel& stage) {
   if (const CadFace* face = face_of(stage)) return draw::bounding_box(*face);
-  const auto* hexes = std::get_if<HexMesh>(&stage);
-  return hexes ? hex_box(*hexes) : box_of(std::get<CriticalPoints>(stage));
+  const auto* points = std::get_if<CriticalPoints>(&stage);
+  return points ? box_of(*points) : draw::PictureBox{};
+}
+
+/// The symbol of the unit of length, "" if none is known.
+std::string unit_of(const std::vector<StageModel>& stages) {
+  CadFace own;
+  if (const CadFace* face = first_face(stages))
+    own.length_unit = face->length_unit;
+  else if (const auto* hexes = std::get_if<HexMesh>(&stages.front()))
+    own.length_unit = hexes->length_unit;
+  return own.length_unit.empty() ? "" : unit_symbol(own);
 }
 
 /// In the coordinates of the CAD file, origins included.
@@ -101,7 +111,6 @@ std::string data_json(const std::vector<StageModel>& stages, bool is_comparison,
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = page_frame(box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
-  const CadFace* face = first_face(stages);
   std::vector<std::string> sheets;
   for (const StageModel& stage : stages) {
     PageFrame own = frame;
@@ -109,7 +118,7 @@ std::string data_json(const std::vector<StageModel>& stages, bool is_comparison,
     sheets.push_back(sheet_json(stage, own));
   }
   JsonObject object;
-  object.text("title", title_of(stages)).text("unit", face ? unit_symbol(*face) : "");
+  object.text("title", title_of(stages)).text("unit", unit_of(stages));
   object.json("palettes", palettes_json());
   object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);

@@ -28,9 +28,6 @@ Sheet stage_sheet(const BlockLayout& layout, const PageFrame& frame);
 Sheet stage_sheet(const QuadMesh& mesh, const PageFrame& frame);
 Sheet stage_sheet(const HexMesh& mesh, const PageFrame& frame);
 
-/// The extent of what the tab of hexahedra shows in the plane: the projection of their outer faces.
-draw::PictureBox hex_box(const HexMesh& mesh);
-
 /// The boundary of the face with the names of its curves, in every tab.
 JsonObject boundary_layer(const CadFace& face, const PageFrame& frame);
 

@@ -7,6 +7,7 @@
 #include "../chart_samples.hpp"
 #include "../region_samples.hpp"
 #include "draw/palette.hpp"
+#include "page/page_data.hpp"
 
 namespace quadrille::page {
 namespace {
@@ -46,7 +47,18 @@ TEST(Page, MeshesOfCurvedFacesHaveTheirShapeInSpace) {
   const std::string page = html_page({mesh});
   EXPECT_EQ(count(page, "\"space\":{\"points\":\""), 1u);
   EXPECT_EQ(count(page, "\"samples\":4,\"extent\":"), 1u);
+  EXPECT_EQ(count(page, "\"elems\":\"" + packed(std::vector<std::int32_t>{0, -1, 1, -1}) + '"'), 1u);
   EXPECT_EQ(count(html_page({samples::quad_mesh()}), "\"space\":{"), 0u);
+}
+
+TEST(Page, HexahedraHaveEveryFaceOnceWithTheElementsThatItBounds) {
+  const std::string page = html_page({samples::hex_mesh()});
+  const std::string elems = page.substr(page.find("\"elems\":\"") + 9, 200);
+  EXPECT_EQ(elems.find('"'), (11 * 8 + 2) / 3 * 4u) << "bytes of eleven pairs in base64: two hexahedra share one face";
+  EXPECT_EQ(count(page, "\"unit\":\"m\""), 1u);
+  EXPECT_EQ(count(page, "\"type\":\"solids\""), 1u);
+  EXPECT_EQ(count(page, "\"type\":\"cells\""), 0u);
+  EXPECT_EQ(count(html_page({samples::quad_mesh(), samples::hex_mesh()}), "\"type\":\"solids\""), 1u);
 }
 
 TEST(Page, ItReadsNothingFromElsewhereAndIsTheSameTwice) {

@@ -72,13 +72,14 @@ const layerTypes = {
   discs: (json, step) => new Discs(json, step),
   arrows: (json, step) => new Arrows(json, step),
   samples: (json, step) => new Samples(json, step),
+  solids: (json) => new Solids(json),
 };
 
 /** The tabs with their layers. The boundary is a layer of every tab that has a face, or of the page's first face. */
 function decodeSheets(page) {
   const withFace = page.sheets.find((sheet) => sheet.boundary);
   const sheets = page.sheets.map((sheet) => {
-    const boundary = sheet.boundary || (withFace && withFace.boundary);
+    const boundary = sheet.only_in_space ? null : sheet.boundary || (withFace && withFace.boundary);
     const layers = boundary ? [boundary, ...sheet.layers] : sheet.layers;
     const decoded = layers.map((json) => layerTypes[json.type](json, page.step));
     for (const layer of decoded) layer.isAdded = page.comparison && ["arcs", "lines", "mesh"].includes(layer.key);

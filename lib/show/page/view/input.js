@@ -5,6 +5,7 @@ const moves = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], Arro
 const actions = {
   fit: (page) => {
     page.fit();
+    if (page.isSpatial) page.space.fit();
     page.drawSharp();
   },
   worst: (page) => page.worst(1),
@@ -33,6 +34,14 @@ const actions = {
     page.forget();
     page.drawOverlay();
   },
+  cut: (page) => page.chooseCut(page.space.cut.along + 1),
+  cutBack: (page) => page.chooseCut(page.space.cut.along - 1),
+  cutDown: (page) => page.moveCut(-0.01),
+  cutUp: (page) => page.moveCut(0.01),
+  cutSide: (page) => {
+    page.space.cut.sign *= -1;
+    page.moveCut(0);
+  },
   next: (page) => page.choose(page.tab + 1),
   before: (page) => page.choose(page.tab - 1),
 };
@@ -40,6 +49,7 @@ const actions = {
 const keyActions = {
   0: "fit", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
   Q: "quantityBack", Escape: "close", s: "beside", r: "report", "]": "next", "[": "before",
+  c: "cut", C: "cutBack", ",": "cutDown", ".": "cutUp", x: "cutSide",
 };
 
 function listen(page) {
@@ -62,12 +72,13 @@ function listen(page) {
 function onKey(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.target.matches("input[type=text], select") && event.key !== "Escape") return;
+  if (event.target.matches("input[type=range]") && moves[event.key]) return;
   if (event.key === "Escape") event.target.blur();
-  const action = keyActions[event.key], centre = [page.view.width / 2, page.view.height / 2];
+  const action = keyActions[event.key];
   if (action) actions[action](page);
-  else if (moves[event.key]) page.view.pan(...moves[event.key]);
-  else if (event.key === "+" || event.key === "=") page.view.zoom(1.4, ...centre, page.limits);
-  else if (event.key === "-") page.view.zoom(1 / 1.4, ...centre, page.limits);
+  else if (moves[event.key]) page.pan(...moves[event.key]);
+  else if (event.key === "+" || event.key === "=") page.zoomBy(1.4);
+  else if (event.key === "-") page.zoomBy(1 / 1.4);
   else if (/^[1-9]$/.test(event.key) && event.key <= page.tabCount) page.choose(event.key - 1);
   else return;
   event.preventDefault();

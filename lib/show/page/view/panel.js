@@ -58,7 +58,7 @@ function showLayers(layers, changed) {
 function showOthers(sheets, current, changed) {
   const titles = tabTitles(sheets), rows = [];
   sheets.forEach((sheet, i) => {
-    for (const layer of i === current ? [] : sheet.layers.filter((other) => other.key !== "boundary"))
+    for (const layer of i === current ? [] : sheet.layers.filter((other) => other.key !== "boundary" && !(other instanceof Solids)))
       rows.push(layerBox(layer, "isAdded", `${titles[i]}: ${layer.title}`, changed));
   });
   byId("others").replaceChildren(...rows);
@@ -178,7 +178,8 @@ function optionsText(json) {
 const keys = [
   ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["1 … 9", "stage by its number"],
   ["[  ]", "stage before, next stage"], ["w  W", "next worst element, one back"], ["q  Q", "next quantity, one back"],
-  ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["r", "report of the run"], ["s", "side by side, of a comparison"], ["p", "panel"], ["Esc", "close"],
+  ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["r", "report of the run"], ["s", "side by side, of a comparison"], ["p", "panel"],
+  ["c  C", "next direction of the cut in space, one back"], [",  .", "move the cut"], ["x", "other side of the cut"], ["Esc", "close"],
   ["?", "these keys"],
 ];
 
@@ -187,6 +188,6 @@ function fillHelp() {
     const caps = names.split("  ").flatMap((name) => [element("kbd", {}, name), " "]);
     return element("tr", {}, element("td", {}, ...caps), element("td", {}, text));
   });
-  const about = "Drag to move, turn the wheel or pinch to zoom, point at an element to see its figures. A mesh in space turns by dragging it.";
+  const about = "Drag to move, turn the wheel or pinch to zoom, point at an element to see its figures. A mesh in space turns by dragging it; a plane cuts it, and elements on one side of that are left out.";
   byId("help").replaceChildren(element("h2", {}, "Keys"), element("table", {}, ...rows), element("p", {}, about));
 }

@@ -1,13 +1,14 @@
 // The page at work: its state, and what keys, pointer and buttons change in it.
 
-class Page {
+class Page extends SpacePage {
   constructor(data) {
+    super();
     this.data = data;
     this.sheets = decodeSheets(data);
     this.sheets.isComparison = data.comparison;
     this.current = data.comparison ? 0 : this.sheets.length - 1;
     this.scenes = [new Scene(byId("picture"), byId("overlay")), new Scene(byId("picture-b"), byId("overlay-b"))];
-    this.space = new SpacePane(byId("space"));
+    this.space = new SpacePane(byId("space"), () => this.spaceMoved(), (x, y) => this.pointInSpace(x, y));
     this.isBeside = data.comparison;
     this.isReport = false;
     this.pointer = null; // {pane, at}: the pane that the pointer is over, and where in the plane
@@ -33,20 +34,13 @@ class Page {
   }
   /** The layers of a pane: side by side, each has those of its own stage. */
   shownIn(pane) {
-    if (this.isBeside) return this.sheets[pane].layers.filter((layer) => layer.isShown);
-    return [...this.added, ...this.sheet.layers.filter((layer) => layer.isShown)];
+    const isShown = (layer) => layer.isShown && !(layer instanceof Solids);
+    if (this.isBeside) return this.sheets[pane].layers.filter(isShown);
+    return [...this.added, ...this.sheet.layers.filter(isShown)];
   }
   /** The visible panes: numbers of scenes. */
   get panes() {
     return this.isBeside ? [0, 1] : [0];
-  }
-  /** Whether the chosen stage is shown in space too, beside its chart. */
-  get isSpatial() {
-    return !this.isBeside && !this.isReport && Boolean(this.sheet.space);
-  }
-  /** Whether it is shown in space alone: hexahedra have no chart. */
-  get isAlone() {
-    return this.isSpatial && Boolean(this.sheet.only_in_space);
   }
   get limits() {
     const fit = Math.min(this.view.width / this.data.width, this.view.height / this.data.height);
@@ -57,6 +51,7 @@ class Page {
     byId("title").textContent = this.data.title;
     fillHelp();
     document.querySelector("[data-do=beside]").hidden = !this.data.comparison;
+    listenToCut(this);
     this.resize();
     this.fit();
     this.choose(this.current);
@@ -68,7 +63,7 @@ class Page {
     byId("picture-b").parentElement.hidden = !this.isBeside;
     byId("window").classList.toggle("spatial", this.isSpatial);
     byId("window").classList.toggle("alone", this.isAlone);
-    byId("space").hidden = !this.isSpatial;
+    byId("space").hidden = byId("cut").hidden = !this.isSpatial;
     const { clientWidth, clientHeight } = byId("picture").parentElement;
     this.view.resize(clientWidth, clientHeight);
     for (const scene of this.scenes) scene.resize(clientWidth, clientHeight);
@@ -120,7 +115,7 @@ class Page {
     const added = new Set(this.isBeside ? [] : this.added);
     for (const pane of this.panes)
       this.scenes[pane].drawSharp(this.view, this.theme, this.shownIn(pane), added);
-    if (this.isSpatial) this.space.draw(this.theme, this.sheet.layers.find((layer) => layer.key === "mesh"));
+    this.drawSpace(false);
     this.drawOverlay();
   }
 
@@ -138,6 +133,7 @@ class Page {
 
   /** The view moved: the last picture moves with it; a sharp one follows when it rests, or at once if it is quick. */
   moved() {
+    if (this.isAlone) return this.spaceMoved();
     if (!this.isPinned) this.forget();
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => {
@@ -191,6 +187,7 @@ class Page {
     const [x, y] = this.view.toPlane(px, py);
     byId("place").textContent = this.positionText(x, y);
     this.pointer = { pane, at: [x, y] };
+    this.mark(-1);
     const layers = this.shownIn(pane);
     const found = this.scenes[pane].itemAt(this.view, layers, px, py);
     this.forget();
@@ -235,6 +232,7 @@ class Page {
   }
 
   focusPoint() {
+    if (this.focus.layer instanceof Solids) return this.space.placeOf(this.focus.item);
     const [x0, y0, x1, y1] = this.boxOf(this.focus);
     return this.view.toScreen((x0 + x1) / 2, (y0 + y1) / 2);
   }
@@ -248,6 +246,7 @@ class Page {
   /** Zooms to an item and pins its figures. */
   goTo(layer, item) {
     this.focus = { layer, item };
+    if (layer instanceof Solids) return this.goToSolid(item);
     const [x0, y0, x1, y1] = this.boxOf(this.focus);
     const size = Math.max(x1 - x0, y1 - y0) || Math.max(this.data.width, this.data.height) / 10;
     this.view.fit((x0 + x1 - size) / 2, (y0 + y1 - size) / 2, (x0 + x1 + size) / 2, (y0 + y1 + size) / 2, 0);
@@ -278,9 +277,9 @@ class Page {
   find(text) {
     const wanted = text.trim().toLowerCase();
     if (!wanted) return;
-    const layers = [...this.shown].reverse();
+    const layers = this.isAlone ? [this.spatialLayer] : [...this.shown].reverse();
     const number = /^\d+$/.test(wanted) ? Number(wanted) : -1;
-    const numbered = layers.find((layer) => layer.boxes && number >= 0 && number < layer.count);
+    const numbered = layers.find((layer) => (layer.boxes || layer instanceof Solids) && number >= 0 && number < layer.count);
     if (numbered) return this.goTo(numbered, number);
     for (const layer of layers) {
       const item = layer.names.findIndex((name) => name.toLowerCase().includes(wanted));
