@@ -110,6 +110,15 @@ heights_of() {
   assert_nothing_left
 }
 
+@test "a mesh that would fill the memory is refused at once, with how much it takes" {
+  run -1 bash -c "ulimit -v 4000000; exec hexsweep '$quads' --height 1 --layers 2000 -o a.hex.h5"
+  assert_output --regexp '^hexsweep: [0-9]+ quads of order 4 in 2000 layers take about [0-9.]+ GiB of memory, and there are 3.8 GiB: take fewer layers, coarser quads or a lower order$'
+  run -1 hexsweep "$quads" --height 1 --layers 100000 -o a.hex.h5
+  assert_output --partial 'in 100000 layers have too many nodes for one mesh'
+  assert [ ! -e a.hex.h5 ]
+  run -0 bash -c "ulimit -v 4000000; exec hexsweep '$quads' --height 1 --layers 100 -o a.hex.h5"
+}
+
 @test "a curve that turns back is refused" {
   printf '0,0,0\n0,0,1\n0,0,0\n' >back.csv
   run -1 hexsweep "$quads" --curve back.csv -o a.hex.h5

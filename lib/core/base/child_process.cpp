@@ -40,6 +40,13 @@ MemoryUse memory_use() {
   return {data * page, shared * page};
 }
 
+std::uint64_t memory_limit() {
+  std::uint64_t least = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+  for (const auto resource : {RLIMIT_AS, RLIMIT_DATA})
+    if (rlimit limit{}; getrlimit(resource, &limit) == 0) least = std::min<std::uint64_t>(least, limit.rlim_cur);
+  return least;
+}
+
 void limit_data([[maybe_unused]] std::uint64_t bytes) {
 #ifndef QUADRILLE_SANITIZE  // whose own data would count
   if (memory_use().data > bytes / 2) malloc_trim(0);

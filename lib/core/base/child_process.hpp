@@ -18,6 +18,8 @@ struct MemoryUse {
   std::uint64_t data = 0, of_files = 0;
 };
 MemoryUse memory_use();
+/// The bytes that a process can have at most: those of the machine, or fewer by its limits (ulimit -v, -d).
+std::uint64_t memory_limit();
 
 /// Limits the data of this process: an allocation beyond `bytes` fails. Returns what the heap has in reserve to the
 /// system where that is more than half of them. Programs that it starts may raise the limit. Nothing with sanitizers.

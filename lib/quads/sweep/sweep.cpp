@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "model/block_regions.hpp"
@@ -58,13 +59,20 @@ std::vector<double> levels_of(const std::vector<double>& ends, int order, bool i
   return levels;
 }
 
-void require_countable(const SweptQuads& swept, std::size_t layers, int order) {
-  const double entries = static_cast<double>(swept.elem_nodes.size()) * static_cast<double>(layers) * (order + 1);
-  if (entries > std::numeric_limits<int>::max())
-    throw ComputeError(
-        fmt::format("{} quads of order {} in {} layers have too many nodes for one mesh: take fewer layers, coarser "
-                    "quads or a lower order",
-                    swept.quads.num_elems(), order, layers));
+double node_entries(const QuadMesh& quads, std::size_t layers) {
+  return static_cast<double>(quads.elem_nodes.size()) * static_cast<double>(layers) * (quads.order + 1);
+}
+
+void require_room(const QuadMesh& quads, std::size_t layers) {
+  const auto refuse = [&](const std::string& what) {
+    throw ComputeError(fmt::format("{} quads of order {} in {} {}: take fewer layers, coarser quads or a lower order",
+                                   quads.num_elems(), quads.order, counted(layers, "layer"), what));
+  };
+  if (node_entries(quads, layers) > std::numeric_limits<int>::max()) refuse("have too many nodes for one mesh");
+  const double bytes = memory_of(quads, layers), available = static_cast<double>(memory_limit());
+  constexpr double gib = 0x1p30;
+  if (bytes > available)
+    refuse(fmt::format("take about {:.2g} GiB of memory, and there are {:.2g} GiB", bytes / gib, available / gib));
 }
 
 void add_nodes(const SweptQuads& swept, const SweepMotion& motion, const SweepPlan& plan,
@@ -161,6 +169,13 @@ std::vector<Vec3> nodes_in_model(const QuadMesh& quads) {
   return nodes;
 }
 
+double memory_of(const QuadMesh& quads, std::size_t layers) {
+  constexpr double copies = 6;  // measured: the mesh itself, its groups of faces, and what is written of both
+  const double levels = static_cast<double>(layers) * quads.order + 1;
+  const double nodes = static_cast<double>(std::max(quads.nodes.size(), quads.space_nodes.size())) * levels;
+  return copies * (nodes * sizeof(Vec3) + node_entries(quads, layers) * sizeof(int));
+}
+
 SweptQuads swept_quads(const QuadMesh& quads, const SweepMotion& motion) {
   SweptQuads swept{quads, nodes_in_model(quads), quads.elem_nodes};
   if (!runs_backwards(quads, swept.nodes, motion)) return swept;
@@ -173,7 +188,7 @@ HexMesh sweep(const QuadMesh& quads, const SweepMotion& motion, const SweepPlan&
               std::vector<std::string>& lost) {
   const SweptQuads swept = swept_quads(quads, motion);
   const std::size_t layers = plan.ends.size() - 1;
-  require_countable(swept, layers, quads.order);
+  require_room(quads, layers);
   HexMesh mesh;
   mesh.length_unit = quads.face.length_unit;
   mesh.order = quads.order;

@@ -2,6 +2,7 @@
 // The hexahedra that a quad mesh sweeps: its nodes at the levels of the sweep, which are the Gauss-Lobatto-Legendre
 // points of each layer, on the exact motion; every element proved valid.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "sweep/sweep_motion.hpp"
 
 namespace quadrille::sweep {
+
+/// About the bytes that the hexahedra take while they are made and written.
+double memory_of(const QuadMesh& quads, std::size_t layers);
 
 struct SweepPlan {
   std::vector<double> ends;  ///< of the layers: ascending from 0 to 1
@@ -29,7 +33,8 @@ Vec3 in_model(const CadFace& face, Vec2 x);  ///< x relative to face.origin
 
 /// The mesh, measured; without provenance. Elements that run against the face's normal are those of the mirrored quads
 /// (xi1 and xi2 exchanged). `lost`: names of periodic sides of the face that no motion maps onto each other any more.
-/// Throws UsageError if a name of an end is that of a side, or if ends are to be periodic that are none.
+/// Throws ComputeError before the work if the mesh would have too many nodes, or take more memory than there is,
+/// UsageError if a name of an end is that of a side, or if ends are to be periodic that are none.
 HexMesh sweep(const QuadMesh& quads, const SweepMotion& motion, const SweepPlan& plan, int threads, Progress* progress,
               std::vector<std::string>& lost);
 
