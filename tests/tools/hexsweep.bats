@@ -64,7 +64,10 @@ heights_of() {
   assert_output --partial "the top must lie above it"
   head -n 24 hills.csv >broken.csv
   run -2 hexsweep "$quads" --height 2 --terrain broken.csv -o b.hex.h5
-  assert_output --partial "no rectangular grid"
+  assert_output --partial "24 points are no rectangular grid, which has a height at each pair of its x and y, here 5 different x and 5"
+  awk 'BEGIN { srand(1); for (i = 0; i < 200000; ++i) print 4 * rand() - 2 "," 4 * rand() - 2 ",0" }' >scattered.csv
+  run -2 bash -c "ulimit -v 4000000; exec hexsweep '$quads' --height 2 --terrain scattered.csv -o b.hex.h5"
+  assert_output --partial "interpolate them to one of at least 2 x 2 points first"
   printf '0,0,0\n0,.1,0\n.1,0,0\n.1,.1,0\n' >small.csv
   run -2 hexsweep "$quads" --height 2 --terrain small.csv -o b.hex.h5
   assert_output --partial "the face reaches beyond its points"
@@ -91,8 +94,10 @@ heights_of() {
     run -2 hexsweep "$quads" --revolve 360 --axis -3,0,-3,1 $options --layers 8 -o a.hex.h5
     assert_output --partial "its end is not its beginning"
   done
-  run -2 hexsweep "$quads" --revolve -360 --axis -3,0,-3,1 --one-layer -o a.hex.h5
-  assert_output --partial "has no ends"
+  for options in --one-layer --periodic-ends "--bottom-name inlet" "--top-name outlet"; do
+    run -2 hexsweep "$quads" --revolve -360 --axis -3,0,-3,1 $options -o a.hex.h5
+    assert_output --partial "has no ends"
+  done
   assert_nothing_left
 }
 
@@ -117,6 +122,19 @@ heights_of() {
   assert_output --partial 'in 100000 layers have too many nodes for one mesh'
   assert [ ! -e a.hex.h5 ]
   run -0 bash -c "ulimit -v 4000000; exec hexsweep '$quads' --height 1 --layers 100 -o a.hex.h5"
+}
+
+@test "a sweep that does not lead out of the face is refused, on a curved face too" {
+  printf '0,0,0\n1,0,0\n2,1,0\n' >flat.csv
+  for motion in "--along 1,0,0" "--curve flat.csv" "--along 1,2,1e-9" "--revolve 90 --axis 5,0,0,5,0,1"; do
+    run -2 hexsweep "$quads" $motion -o a.hex.h5
+    assert_output --regexp 'hexsweep: at \(.*\) the sweep does not lead out of the face, whose normal is \(0, 0, 1\) there: choose a direction or an axis'
+  done
+  "$ROOT/pipelines/quadmesh" -q --face 0 "$DATA/curved/cap_circle.step" --until quadrefine --workdir .
+  run -2 hexsweep cap_circle.quad.h5 --along 1,0,0 -o a.hex.h5
+  assert_output --partial 'the sweep does not lead out of the face, whose normal is ('
+  hexsweep cap_circle.quad.h5 --along 0.2,0,1 -o a.hex.h5
+  hexsweep cap_circle.quad.h5 --along=-0.2,0,-1 -o b.hex.h5
 }
 
 @test "a curve that turns back is refused" {

@@ -66,6 +66,9 @@ void require_closed_turn(const HexsweepOptions& options) {
     throw UsageError("--revolve 360 closes, and with --twist or --taper its end is not its beginning: turn by less");
   if (options.is_one_layer || options.has_periodic_ends)
     throw UsageError("--revolve 360 has no ends: leave out --one-layer and --periodic-ends");
+  const HexsweepOptions unnamed;
+  if (options.bottom_name != unnamed.bottom_name || options.top_name != unnamed.top_name)
+    throw UsageError("--revolve 360 has no ends: leave out --bottom-name and --top-name");
 }
 
 /// Shorter sweeps have heights of layers that are rounding errors.

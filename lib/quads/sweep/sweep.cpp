@@ -24,15 +24,42 @@ namespace {
 
 Vec3 vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-/// Whether the sweep runs against the normals of the quads, on the whole.
-bool runs_backwards(const QuadMesh& quads, const std::vector<Vec3>& nodes, const SweepMotion& motion) {
-  constexpr double step = 1e-4;
-  const SpaceMotion begin = motion.at(step);
-  double volume = 0;
+/// Of each quad a normal, and how fast the sweep moves it in the beginning: a sum over its corners.
+struct QuadStart {
+  Vec3 normal, velocity;
+};
+
+std::vector<QuadStart> starts_of(const QuadMesh& quads, const std::vector<Vec3>& nodes, const SweepMotion& motion) {
+  constexpr double step = 1e-4;  // of a one-sided difference, exact for parabolas
+  const SpaceMotion near = motion.at(step), far = motion.at(2 * step);
+  std::vector<QuadStart> starts;
   for (int e = 0; e < quads.num_elems(); ++e) {
     const auto corner = [&](int k) { return nodes[side_start(quads, e, k)]; };
-    const Vec3 normal = cross(corner(2) - corner(0), corner(3) - corner(1));
-    for (int k = 0; k < 4; ++k) volume += dot(normal, image(begin, corner(k)) - corner(k));
+    QuadStart start{quads.face.chart ? cross(corner(2) - corner(0), corner(3) - corner(1)) : normal_of(quads.face), {}};
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 x = corner(k);
+      start.velocity += 4 * (image(near, x) - x) - (image(far, x) - x);
+    }
+    starts.push_back(start);
+  }
+  return starts;
+}
+
+/// Whether the sweep runs against the normals of the quads, on the whole. Throws UsageError where it runs along a quad,
+/// or through it the other way: hexahedra there are flat or turned over, with any layers and sizes.
+bool runs_backwards(const QuadMesh& quads, const std::vector<Vec3>& nodes, const SweepMotion& motion) {
+  constexpr double least_slope = 1e-6;
+  const std::vector<QuadStart> starts = starts_of(quads, nodes, motion);
+  double volume = 0;
+  for (const auto& [normal, velocity] : starts) volume += dot(normal, velocity);
+  const double sign = volume < 0 ? -1 : 1;
+  for (int e = 0; e < quads.num_elems(); ++e) {
+    const auto& [normal, velocity] = starts[e];
+    if (sign * dot(normal, velocity) > least_slope * norm(normal) * norm(velocity)) continue;
+    throw UsageError(fmt::format(
+        "at {} the sweep does not lead out of the face, whose normal is {} there: choose a direction or an axis with "
+        "which it crosses the whole face from one side",
+        position_text(nodes[side_start(quads, e, 0)]), position_text(normalized(normal))));
   }
   return volume < 0;
 }

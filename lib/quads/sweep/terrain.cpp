@@ -49,6 +49,14 @@ Terrain::Terrain(const std::vector<Vec3>& points, std::string file) : file_(std:
   for (const Vec3 p : points) xs.push_back(p.x), ys.push_back(p.y);
   x_ = distinct(std::move(xs)), y_ = distinct(std::move(ys));
   const std::size_t nx = x_.size(), ny = y_.size();
+  const auto require_grid = [&](bool is_grid) {
+    if (is_grid) return;
+    throw UsageError(
+        fmt::format("--terrain {}: {} points are no rectangular grid, which has a height at each pair of its x and y, "
+                    "here {} different x and {} different y: interpolate them to one of at least 2 x 2 points first",
+                    file_, points.size(), nx, ny));
+  };
+  require_grid(nx >= 2 && ny >= 2 && points.size() / nx == ny && points.size() % nx == 0);
   std::vector<bool> is_there(nx * ny, false);
   z_.resize(nx * ny);
   const auto place = [](const std::vector<double>& values, double x) {
@@ -58,12 +66,7 @@ Terrain::Terrain(const std::vector<Vec3>& points, std::string file) : file_(std:
     const std::size_t at = place(y_, p.y) * nx + place(x_, p.x);
     is_there[at] = true, z_[at] = p.z;
   }
-  const bool is_complete = std::ranges::find(is_there, false) == is_there.end();
-  if (nx < 2 || ny < 2 || !is_complete || points.size() != z_.size())
-    throw UsageError(
-        fmt::format("--terrain {}: {} points are no rectangular grid with one height at each of {} x {} places: "
-                    "interpolate them to a grid first",
-                    file_, points.size(), nx, ny));
+  require_grid(std::ranges::find(is_there, false) == is_there.end());
   zx_ = slopes(z_, x_, 1, ny, nx);
   zy_ = slopes(z_, y_, nx, nx, 1);
   zxy_ = slopes(zx_, y_, nx, nx, 1);
