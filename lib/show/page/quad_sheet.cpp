@@ -114,9 +114,6 @@ std::vector<Quantity> quantities_of(const QuadMesh& mesh, const Cells& cells) {
                                    {"area jump", "high", 0, 0, mesh.elem_area_jump, true},
                                    {"skewness", "high", 0, 1, cells.skewness},
                                    {"proved bound of det J", "low", 0, 0, mesh.elem_jacobian_bound}};
-  if (!mesh.space_nodes.empty() && !mesh.face.chart)  // angles of a projection say nothing
-    std::erase_if(quantities, [](const Quantity& quantity) { return quantity.title == "skewness"; });
-  std::erase_if(quantities, [](const Quantity& quantity) { return quantity.values.empty(); });
   if (!mesh.elem_prescribed_length.empty())
     quantities.push_back({"size against prescribed", "high", 0, 0, mesh::relative_sizes(mesh), true});
   return quantities;
