@@ -170,6 +170,22 @@ TEST(Sweep, AnElementThatCannotBeProvedIsNamed) {
   EXPECT_THROW(require_valid_elements(mesh), ComputeError);
 }
 
+TEST(Sweep, WhatDoesNotLeadOutOfTheFaceIsRefused) {
+  EXPECT_THROW(swept(quads(2), straight({1, 2, 0}), {0, 1}), UsageError);
+  EXPECT_THROW(swept(quads(2), revolved(1, {-1, 0, 0}, {0, 0, 1}), {0, 1}), UsageError);
+  EXPECT_THROW(swept(quads(2), revolved(1, {0.5, 0, 0}, {0, 1, 0}), {0, 1}), UsageError) << "the axis crosses the face";
+  EXPECT_NO_THROW(swept(quads(2), straight({1, 2, 1e-3}), {0, 1}));
+  SweepShape curved = straight({});
+  curved.curve = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}};
+  EXPECT_THROW(swept(quads(2), curved, {0, 1}), UsageError);
+}
+
+TEST(Sweep, MemoryGrowsWithLayersAndWhatExceedsItIsRefused) {
+  const QuadMesh mesh = quads(4);  // 45 nodes, 50 entries
+  EXPECT_NEAR(memory_of(mesh, 1000), 6 * (45 * 24 * 4001.0 + 4 * 250 * 1000.0), 1);
+  EXPECT_THROW(swept(mesh, straight({0, 0, 1}), std::vector<double>(1 << 24)), ComputeError);
+}
+
 TEST(Sweep, TheErrorOfTheMotionIsTheSagOfItsArcs) {
   const SweepMotion quarter(revolved(pi / 2, {-1, 0, 0}, {0, 1, 0}));
   EXPECT_NEAR(motion_error(quads(1), quarter, {0, 1}), 2 * (1 - std::cos(pi / 4)), 1e-12);
