@@ -19,14 +19,27 @@ bool has_equal_weights(const Nurbs& curve) {
   return std::all_of(curve.weights.begin(), curve.weights.end(), [&](double w) { return w == curve.weights[0]; });
 }
 
+/// The Taylor coefficients at m of the derivative of a curve of equal weights, whose degree is at most 8.
+std::array<Vec2, 8> taylor_of_derivative(const Nurbs& curve, double m) {
+  const int k = find_span(curve, m);
+  std::array<Vec2, 8> terms;
+  with_degree(curve.degree, [&](auto p) {
+    LocalPoles poles = local_poles(curve, k, p);
+    double factor = curve.weights[0];  // times (n - 1)!
+    for (int n = 1; n <= p; factor *= n++) {
+      differentiate(curve, k, p - n + 1, poles);
+      const Homogeneous h = de_boor(curve, k, p - n, poles, [m](int) { return m; });
+      terms[n - 1] = Vec2{h.x, h.y} / factor;
+    }
+  });
+  return terms;
+}
+
 }  // namespace
 
-ArcLength::Quadratic ArcLength::quadratic(const Nurbs& curve, bool is_polynomial, double a, double b) {
+ArcLength::Hodograph ArcLength::hodograph(const Nurbs& curve, bool is_polynomial, double a, double b) {
   const double m = (a + b) / 2;
-  if (is_polynomial) {
-    const auto d = derivatives(curve, m);
-    return {m, {d[1], d[2], d[3] / 2}};
-  }
+  if (is_polynomial) return {m, taylor_of_derivative(curve, m)};
   // Bernstein coefficients by blossoms, relative to the point in the middle: A(u) / w(u) with A(0) = 0.
   const int k = find_span(curve, m);
   constexpr std::integral_constant<int, 2> degree;
@@ -42,19 +55,20 @@ ArcLength::Quadratic ArcLength::quadratic(const Nurbs& curve, bool is_polynomial
   const Vec2 a2 = Vec2{c[2].x - 2 * c[1].x + c[0].x, c[2].y - 2 * c[1].y + c[0].y} / (h * h);
   const double w0 = (c[0].w + 2 * c[1].w + c[2].w) / 4, w1 = (c[2].w - c[0].w) / h;
   const double w2 = (c[2].w - 2 * c[1].w + c[0].w) / (h * h);
-  return {m, {w0 * a1, 2 * w0 * a2, w1 * a2 - w2 * a1}, {w0, w1, w2}};  // A' w - A w' over w^2
+  return {m, {{w0 * a1, 2 * w0 * a2, w1 * a2 - w2 * a1}}, {w0, w1, w2}};  // A' w - A w' over w^2
 }
 
 // The sums of gauss_integral() and speed() to the last digit, but of all points at once, in vector registers.
 template <int n>
 double ArcLength::gauss(size_t span, double a, double b) const {
-  if (quadratics_.empty()) return gauss_integral<n>([&](double t) { return norm(derivative(*curve_, t)); }, a, b);
+  if (hodographs_.empty()) return gauss_integral<n>([&](double t) { return norm(derivative(*curve_, t)); }, a, b);
   using Points = Eigen::Array<double, n, 1>;
   const GaussRule<n>& rule = gauss_rule<n>();
-  const Quadratic& q = quadratics_[span];
+  const Hodograph& q = hodographs_[span];
   const double middle = (a + b) / 2, half = (b - a) / 2;
   const Points u = middle + half * Eigen::Map<const Points>(rule.points.data()) - q.middle;
-  const Points x = q.d[0].x + u * (q.d[1].x + u * q.d[2].x), y = q.d[0].y + u * (q.d[1].y + u * q.d[2].y);
+  Points x = Points::Constant(q.d[num_terms_ - 1].x), y = Points::Constant(q.d[num_terms_ - 1].y);
+  for (int k = num_terms_ - 2; k >= 0; --k) x = q.d[k].x + u * x, y = q.d[k].y + u * y;
   Points speeds = x * x + y * y;
   for (double& speed : speeds) speed = std::sqrt(speed);  // that of Eigen is not rounded correctly
   if (is_rational_) speeds /= (q.w[0] + u * (q.w[1] + u * q.w[2])).square();
@@ -68,6 +82,7 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   const bool is_polynomial = has_equal_weights(curve);
   is_rational_ = !is_polynomial;
   is_polyline_ = curve.degree == 1 && is_polynomial;
+  num_terms_ = std::max(3, curve.degree);
   add(curve.begin(), 0, 0);
   if (is_polyline_) {
     for (size_t i = 1; i < curve.poles.size(); ++i)
@@ -90,8 +105,8 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
   for (size_t i = 1; i < curve.knots.size(); ++i) {
     const double a = curve.knots[i - 1], b = curve.knots[i];
     if (!(a < b)) continue;
-    if (is_polynomial ? curve.degree <= 3 : curve.degree == 2)
-      quadratics_.push_back(quadratic(curve, is_polynomial, a, b));
+    if (is_polynomial ? curve.degree <= most_terms : curve.degree == 2)
+      hodographs_.push_back(hodograph(curve, is_polynomial, a, b));
     stack.push_back({a, b, gauss<16>(stack.size(), a, b), 0, scale, stack.size()});
   }
   speeds_.front() = speed(0, curve.begin());
@@ -124,10 +139,12 @@ void ArcLength::add(double parameter, double length, size_t span) {
 }
 
 double ArcLength::speed(size_t span, double t) const {
-  if (quadratics_.empty()) return norm(derivative(*curve_, t));
-  const Quadratic& q = quadratics_[span];
+  if (hodographs_.empty()) return norm(derivative(*curve_, t));
+  const Hodograph& q = hodographs_[span];
   const double u = t - q.middle;
-  const double numerator = norm(q.d[0] + u * (q.d[1] + u * q.d[2]));
+  Vec2 d = q.d[num_terms_ - 1];
+  for (int k = num_terms_ - 2; k >= 0; --k) d = q.d[k] + u * d;
+  const double numerator = norm(d);
   if (!is_rational_) return numerator;
   const double w = q.w[0] + u * (q.w[1] + u * q.w[2]);
   return numerator / (w * w);

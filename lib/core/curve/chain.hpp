@@ -29,17 +29,18 @@ class ArcLength {
   double parameter(double length) const;
 
  private:
-  /// The derivative on one knot span of a polynomial curve of degree 3 or less, or a rational one of degree 2, as the
-  /// quotient of d[0] + d[1] u + d[2] u^2, where u = t - middle, and the square of w[0] + w[1] u + w[2] u^2: a tenth of
-  /// the cost of evaluating the curve.
-  struct Quadratic {
+  static constexpr int most_terms = 8;
+  /// The derivative on one knot span of a polynomial curve of degree 8 or less, or a rational one of degree 2, as the
+  /// quotient of d[0] + d[1] u + d[2] u^2 + ..., where u = t - middle, and the square of w[0] + w[1] u + w[2] u^2: a
+  /// tenth of the cost of evaluating the curve.
+  struct Hodograph {
     double middle = 0;
-    std::array<Vec2, 3> d;
+    std::array<Vec2, most_terms> d;
     std::array<double, 3> w = {1, 0, 0};
   };
 
   /// `a`, `b`: the ends of the span.
-  static Quadratic quadratic(const Nurbs& curve, bool is_polynomial, double a, double b);
+  static Hodograph hodograph(const Nurbs& curve, bool is_polynomial, double a, double b);
   void add(double parameter, double length, std::size_t span);
   /// `t` is a parameter in span number `span`; only spans that are not empty are counted.
   double speed(std::size_t span, double t) const;
@@ -52,7 +53,8 @@ class ArcLength {
   double guess(std::size_t i, double length) const;
 
   const Nurbs* curve_;
-  std::vector<Quadratic> quadratics_;  // one per span; empty for other curves
+  std::vector<Hodograph> hodographs_;  // one per span; empty for other curves
+  int num_terms_ = 3;                  // of their d
   std::vector<double> parameters_, lengths_, speeds_;
   std::vector<std::size_t> spans_;  // span of the interval that ends at each parameter
   bool is_polyline_ = false, is_rational_ = false;

@@ -13,15 +13,6 @@ namespace {
 
 Vec2 projected(Homogeneous h) { return {h.x / h.w, h.y / h.w}; }
 
-// Poles of the derivative of the polynomial piece on span k: The NURBS Book, eq. 3.8.
-template <class Degree>
-void differentiate(const Nurbs& curve, int k, Degree degree, LocalPoles& d) {
-  for (int i = 0; i < degree; ++i) {
-    const double s = degree / (curve.knots[k + 1 + i] - curve.knots[k + 1 - degree + i]);
-    d[i] = {s * (d[i + 1].x - d[i].x), s * (d[i + 1].y - d[i].y), s * (d[i + 1].w - d[i].w)};
-  }
-}
-
 // De Boor's last step joins two points: the curve is on their segment, at the fraction u, the derivative along it.
 struct LastSegment {
   Homogeneous a, b;

@@ -77,4 +77,13 @@ Homogeneous de_boor(const Nurbs& curve, int k, Degree degree, const LocalPoles& 
   return d[degree];
 }
 
+/// The first `degree` become the poles of the derivative of the polynomial piece on span k: The NURBS Book, eq. 3.8.
+template <class Degree>
+void differentiate(const Nurbs& curve, int k, Degree degree, LocalPoles& d) {
+  for (int i = 0; i < degree; ++i) {
+    const double s = degree / (curve.knots[k + 1 + i] - curve.knots[k + 1 - degree + i]);
+    d[i] = {s * (d[i + 1].x - d[i].x), s * (d[i + 1].y - d[i].y), s * (d[i + 1].w - d[i].w)};
+  }
+}
+
 }  // namespace quadrille::curve

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/angle.hpp"
+#include "curve/gauss.hpp"
 #include "curve/nurbs.hpp"
 
 namespace quadrille::curve {
@@ -74,6 +76,35 @@ TEST(ArcLength, is_symmetric_on_a_symmetric_curve) {
     const Vec2 a = point(curve, length.parameter(s)), b = point(curve, length.parameter(length.total() - s));
     EXPECT_NEAR(a.x, -b.x, 3e-15);
     EXPECT_NEAR(a.y, b.y, 3e-15);
+  }
+}
+
+/// A polynomial curve of two spans whose weights are all 2.
+Nurbs two_spans(int degree) {
+  Nurbs curve{degree, {}, {}, {}};
+  for (int i = 0; i <= degree + 1; ++i) {
+    curve.poles.push_back({1.0 * i, std::sin(2.0 * i)});
+    curve.weights.push_back(2);
+  }
+  curve.knots.assign(degree + 1, 0);
+  curve.knots.push_back(0.7);
+  curve.knots.insert(curve.knots.end(), degree + 1, 2);
+  return curve;
+}
+
+TEST(ArcLength, of_polynomial_curves_of_any_degree_is_that_of_their_derivatives) {
+  for (int degree = 2; degree <= 10; ++degree) {
+    const Nurbs curve = two_spans(degree);
+    const ArcLength length(curve);
+    double sum = 0;
+    for (const auto& [a, b] : {std::pair{0.0, 0.7}, std::pair{0.7, 2.0}})
+      for (int k = 0; k < 64; ++k) {
+        const double low = a + (b - a) * k / 64, high = a + (b - a) * (k + 1) / 64;
+        sum += gauss_integral([&](double t) { return norm(derivative(curve, t)); }, low, high);
+        EXPECT_NEAR(length.at(high), sum, 1e-13 * sum) << degree;
+        EXPECT_NEAR(length.parameter(sum), high, 1e-12) << degree;
+      }
+    EXPECT_NEAR(length.total(), sum, 1e-13 * sum) << degree;
   }
 }
 
