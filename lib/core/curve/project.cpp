@@ -13,17 +13,38 @@ struct Sample {
   double t, distance2;
 };
 
+/// A bound of the distance of x from the curve between knots i - 1 and i, which is in the box of this span's poles.
+double least_distance2(const Nurbs& curve, std::size_t i, Vec2 x) {
+  Vec2 low = curve.poles[i - 1], high = low;
+  for (std::size_t j = i - 1 - curve.degree; j < i - 1; ++j) {
+    const Vec2 pole = curve.poles[j];
+    low = {std::min(low.x, pole.x), std::min(low.y, pole.y)};
+    high = {std::max(high.x, pole.x), std::max(high.y, pole.y)};
+  }
+  return norm2(Vec2{std::max({low.x - x.x, x.x - high.x, 0.0}), std::max({low.y - x.y, x.y - high.y, 0.0})});
+}
+
+/// The ends of all spans, and points between them where these may be nearer than all ends.
 std::vector<Sample> sampled(const Nurbs& curve, Vec2 x, double t0, double t1) {
-  std::vector<Sample> samples;
-  const auto add = [&](double t) { samples.push_back({t, norm2(point(curve, t) - x)}); };
-  const int per_span = curve.degree == 1 ? 2 : std::max(8, 3 * curve.degree);
-  add(t0);
-  for (size_t i = 1; i < curve.knots.size(); ++i) {
+  const auto at = [&](double t) { return Sample{t, norm2(point(curve, t) - x)}; };
+  std::vector<Sample> ends{at(t0)};
+  std::vector<std::size_t> spans;
+  double nearest2 = ends[0].distance2;
+  for (std::size_t i = 1; i < curve.knots.size(); ++i) {
     const double a = std::max(t0, curve.knots[i - 1]), b = std::min(t1, curve.knots[i]);
     if (!(a < b)) continue;
+    ends.push_back(at(b));
+    spans.push_back(i);
+    nearest2 = std::min(nearest2, ends.back().distance2);
+  }
+  const int per_span = curve.degree == 1 ? 2 : std::max(8, 3 * curve.degree);
+  std::vector<Sample> samples{ends[0]};
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    const double a = ends[k].t, b = ends[k + 1].t;
     // A sliver of a span, cut off by t0 or t1, must not fill the few best samples with minima that are only rounding.
-    const int steps = b - a > 1e-6 * (t1 - t0) ? per_span : 1;
-    for (int j = 1; j <= steps; ++j) add(j == steps ? b : a + (b - a) * j / steps);
+    const bool has_points = b - a > 1e-6 * (t1 - t0) && least_distance2(curve, spans[k], x) <= nearest2;
+    for (int j = 1; has_points && j < per_span; ++j) samples.push_back(at(a + (b - a) * j / per_span));
+    samples.push_back(ends[k + 1]);
   }
   return samples;
 }

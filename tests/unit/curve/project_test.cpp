@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
@@ -50,6 +52,27 @@ TEST(Project, finds_the_nearest_of_two_branches) {
       cubic_spline({0, 1, 2, 3, 4}, {{0, 0.1}, {1, 0.1}, {1.2, 0}, {1, -0.1}, {0, -0.1}}, {1, 0}, {-1, 0});
   EXPECT_LT(project(hairpin, {0.3, -0.02}).position.y, 0);
   EXPECT_GT(project(hairpin, {0.3, 0.02}).position.y, 0);
+}
+
+TEST(Project, finds_the_nearest_of_many_spans) {
+  std::vector<double> parameters;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 40; ++k) {
+    parameters.push_back(k);
+    points.push_back({0.1 * k, k % 2 == 0 ? 0.5 : -0.5});
+  }
+  const Nurbs wave = cubic_spline(parameters, points, {0, 1}, {1, 0});
+  std::vector<Vec2> samples;
+  for (int k = 0; k <= 40'000; ++k) samples.push_back(point(wave, 1e-3 * k));
+  for (int i = -6; i <= 6; ++i)
+    for (int j = -6; j <= 6; ++j) {
+      const Vec2 x{2 + 0.37 * i, 0.11 * j};
+      double least = 10;
+      for (const Vec2 sample : samples) least = std::min(least, distance(x, sample));
+      const Projection p = project(wave, x);
+      EXPECT_LE(p.distance, least + 1e-15) << i << " " << j;
+      EXPECT_NEAR(p.distance, least, 5e-4) << i << " " << j;
+    }
 }
 
 }  // namespace
