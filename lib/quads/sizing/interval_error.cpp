@@ -61,11 +61,22 @@ double distance_to_parabola(Vec2 x, Vec2 a, Vec2 b, Vec2 c) {
   return distance(x, at(s));
 }
 
-double distance_to_parabolas(Vec2 x, const std::vector<Vec2>& points) {
-  double nearest = distance(x, points[0]);
-  for (std::size_t k = 1; k + 1 < points.size(); ++k)
-    if (distance(x, points[k]) - distance(points[k - 1], points[k + 1]) < nearest)
+/// The nodes' polynomial as a polygon, and the distances of the points before and after each point.
+struct Polygon {
+  std::vector<Vec2> points;
+  std::vector<double> chords;
+};
+
+double distance_from(const Polygon& polygon, Vec2 x) {
+  const std::vector<Vec2>& points = polygon.points;
+  double nearest2 = norm2(x - points[0]);
+  for (const Vec2 point : points) nearest2 = std::min(nearest2, norm2(x - point));
+  double nearest = std::sqrt(nearest2);
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+    const double reach = nearest + polygon.chords[k];
+    if (norm2(x - points[k]) < reach * reach)
       nearest = std::min(nearest, distance_to_parabola(x, points[k - 1], points[k], points[k + 1]));
+  }
   return nearest;
 }
 
@@ -80,15 +91,16 @@ double bend_error(const curve::Chain& chain, double low, double high, const std:
   ends.push_back(high);
 
   const Eigen::MatrixXd& from_nodes = polygon_samples(order).from_nodes;
-  std::vector<Vec2> polygon(from_nodes.rows());
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    for (int k = 0; k <= order; ++k) polygon[i] += from_nodes(static_cast<int>(i), k) * nodes[k].position;
+  Polygon polygon{std::vector<Vec2>(from_nodes.rows()), std::vector<double>(from_nodes.rows())};
+  std::vector<Vec2>& points = polygon.points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (int k = 0; k <= order; ++k) points[i] += from_nodes(static_cast<int>(i), k) * nodes[k].position;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) polygon.chords[i] = distance(points[i - 1], points[i + 1]);
 
   double worst = 0;
   for (std::size_t i = 1; i < ends.size(); ++i)
     for (const double part : {0.0, 0.25, 0.5, 0.75})
-      worst =
-          std::max(worst, distance_to_parabolas(chain.position(ends[i - 1] + part * (ends[i] - ends[i - 1])), polygon));
+      worst = std::max(worst, distance_from(polygon, chain.position(ends[i - 1] + part * (ends[i] - ends[i - 1]))));
   return worst;
 }
 
@@ -97,12 +109,12 @@ double between(double low, double high, double xi) { return low * (1 - xi) / 2 +
 /// Distance of x from a curve whose nearest point has about the parameter t: a Newton step, then the distance from the
 /// tangent.
 double distance_from(const Nurbs& curve, Vec2 x, double t) {
-  const auto d = curve::derivatives(curve, t);
-  const double speed2 = norm2(d[1]);
-  if (speed2 == 0) return distance(x, d[0]);
-  const auto near = curve::derivatives(curve, t + dot(x - d[0], d[1]) / speed2);
-  const double speed = norm(near[1]);
-  return speed == 0 ? distance(x, near[0]) : std::abs(cross(x - near[0], near[1])) / speed;
+  const auto [at, slope] = curve::point_and_derivative(curve, t);
+  const double speed2 = norm2(slope);
+  if (speed2 == 0) return distance(x, at);
+  const auto [near, along] = curve::point_and_derivative(curve, t + dot(x - at, slope) / speed2);
+  const double speed = norm(along);
+  return speed == 0 ? distance(x, near) : std::abs(cross(x - near, along)) / speed;
 }
 
 /// The same for a chain by its fraction, which measures length: no step is needed.
