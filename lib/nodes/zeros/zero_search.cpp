@@ -101,7 +101,7 @@ void ZeroSearch::search(int elem, double change, KnownCells& known) {
   change_ = change;
   before_.swap(known);
   now_.clear();
-  visit(element_cell(*evaluator_, elem), 0, 0);
+  if (!keep_known(0)) visit(element_cell(*evaluator_, elem), 0, 0);
   known.assign(now_.begin(), now_.end());
 }
 
@@ -193,15 +193,19 @@ double ZeroSearch::examine(const Cell& cell, int depth, bool& is_decided) {
   return 0;
 }
 
+/// Adds the cell at a place of before_ with its parts, if the change leaves no zero in it. Returns whether it does.
+bool ZeroSearch::keep_known(std::size_t at) {
+  if (at >= before_.size() || !(before_[at].least > change_)) return false;
+  const std::size_t here = now_.size();
+  now_.insert(now_.end(), &before_[at], &before_[at] + before_[at].num_cells);
+  for (std::size_t i = here; i < now_.size(); ++i) now_[i].least -= change_, now_[i].most -= change_;
+  return true;
+}
+
 /// `at`: where before_ has the cell; its size if it has not.
 void ZeroSearch::visit(const Cell& cell, int depth, std::size_t at) {
-  if (budget_ == 0) return;
+  if (budget_ == 0 || keep_known(at)) return;
   const std::size_t unknown = before_.size(), here = now_.size();
-  if (at < unknown && before_[at].least > change_) {
-    now_.insert(now_.end(), &before_[at], &before_[at] + before_[at].num_cells);
-    for (std::size_t i = here; i < now_.size(); ++i) now_[i].least -= change_, now_[i].most -= change_;
-    return;
-  }
   now_.emplace_back();
   const bool is_bisected = at < unknown && before_[at].num_cells > 1 && before_[at].most > change_;
   if (!is_bisected) {

@@ -101,6 +101,7 @@ class ZeroSearch {
   SearchResult take() { return std::exchange(found_, {}); }
 
  private:
+  bool keep_known(std::size_t at);
   void visit(const Cell& cell, int depth, std::size_t at);
   double examine(const Cell& cell, int depth, bool& is_decided);
   void isolate(const Cell& cell, const Mat2& inverse_jacobian, double contraction);
