@@ -104,8 +104,8 @@ VertexMoves CoarseMoves::operator()(const VertexMoves& gradient) const {
     if (slides(v)) rest[v] = gradient[v].x * tangents_[v];
   std::vector<VertexMoves> parts;
   for (const Level& level : levels_) {
-    VertexMoves& part = parts.emplace_back();
-    for (const int v : level.vertices) part.push_back(times(inverse_[v], rest[v]));
+    VertexMoves& part = parts.emplace_back(level.vertices.size());
+    for (std::size_t k = 0; k < part.size(); ++k) part[k] = times(inverse_[level.vertices[k]], rest[level.vertices[k]]);
     for (const Follower& f : level.followers)
       for (int k = 0; k < 4; ++k) rest[f.leaders[k]] += f.weights[k] * rest[f.vertex];
   }
