@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
@@ -36,6 +37,14 @@ void number_curves(const std::vector<std::string>& names, const std::vector<bool
   const std::vector<int> numbers = number(boundaries, all);
   groups.curve2boundary.assign(numbers.begin() + groups.num_boundaries(), numbers.end());
   groups.interface_names.assign(all.begin() + groups.num_boundaries(), all.end());
+}
+
+/// By curve. A short one may have none: it lies inside an edge, which has the name of one of its curves.
+std::vector<bool> curves_with_edges(const QuadMesh& mesh) {
+  std::vector<bool> has_edges(mesh.face.curves.size(), false);
+  for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
+    for (const QuadBoundaryEdge& edge : *edges) has_edges[edge.curve] = true;
+  return has_edges;
 }
 
 std::string listed(const NameList& names, const NameList& words, int first = 1) {
@@ -108,11 +117,22 @@ std::vector<QuadBoundaryEdge> interface_edges_once(const QuadMesh& mesh) {
 }
 
 Groups mesh_groups(const QuadMesh& mesh) {
-  std::vector<std::string> curve_names = mesh.face.curve_names;
-  for (std::size_t curve = 0; curve < curve_names.size(); ++curve)
-    if (curve_names[curve].empty()) curve_names[curve] = fmt::format("curve_{}", curve);
+  const std::vector<bool> is_inner_curve = inner_curves(mesh), has_edges = curves_with_edges(mesh);
+  std::vector<std::string> names;
+  std::vector<bool> is_inner;
+  std::vector<std::size_t> curves;
+  for (std::size_t curve = 0; curve < mesh.face.curve_names.size(); ++curve) {
+    if (!has_edges[curve]) continue;
+    const std::string& given = mesh.face.curve_names[curve];
+    names.push_back(given.empty() ? fmt::format("curve_{}", curve) : given);
+    is_inner.push_back(is_inner_curve[curve]);
+    curves.push_back(curve);
+  }
   Groups groups;
-  number_curves(curve_names, inner_curves(mesh), groups);
+  number_curves(names, is_inner, groups);
+  std::vector<int> curve2boundary(mesh.face.curve_names.size(), -1);
+  for (std::size_t k = 0; k < curves.size(); ++k) curve2boundary[curves[k]] = groups.curve2boundary[k];
+  groups.curve2boundary = std::move(curve2boundary);
   groups.block2region = number(region_of_blocks(mesh), groups.region_names);
   groups.is_region_named.assign(groups.region_names.size(), false);
   for (std::size_t block = 0; block < groups.block2region.size(); ++block)

@@ -275,8 +275,10 @@ std::string cyclic_transform(const CadFace& face, const CyclicPatch& patch, doub
 std::string cyclic_loss(const CadFace& face, const Groups& groups, const std::vector<CyclicPatch>& cyclic,
                         std::string_view condition) {
   std::vector<PeriodicPair> others;
-  for (const PeriodicPair& pair : face.periodic_pairs)
-    if (cyclic[groups.curve2boundary[pair.curves[0]]].neighbour < 0) others.push_back(pair);
+  for (const PeriodicPair& pair : face.periodic_pairs) {
+    const int boundary = groups.curve2boundary[pair.curves[0]];
+    if (boundary >= 0 && cyclic[boundary].neighbour < 0) others.push_back(pair);
+  }
   return periodic_loss(face, others, condition);
 }
 

@@ -14,6 +14,15 @@ TEST(Groups, CurvesOfOneNameAreOneBoundaryAndThoseWithoutANameGetOne) {
   EXPECT_EQ(groups.curve2boundary, (std::vector<int>{0, 1, 0, 2}));
 }
 
+TEST(MeshGroups, ACurveWithoutEdgesIsNoGroup) {
+  QuadMesh mesh = two_quads();
+  for (QuadBoundaryEdge& edge : mesh.boundary_edges)
+    if (edge.curve == 1) edge.curve = 3;
+  const Groups groups = mesh_groups(mesh);
+  EXPECT_EQ(groups.boundary_names, (std::vector<std::string>{"wall", "curve_3"}));
+  EXPECT_EQ(groups.curve2boundary, (std::vector<int>{0, -1, 0, 1}));
+}
+
 TEST(Groups, BlocksOfOneNameAreOneRegion) {
   EXPECT_EQ(mesh_groups(two_quads()).block2region, (std::vector<int>{0, 1}));
   const Groups groups = mesh_groups(two_quads_of_the_pages());
