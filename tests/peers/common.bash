@@ -51,6 +51,32 @@ blocks_of() {
   echo "$LAYOUTS/$name/$name.blocks.h5"
 }
 
+# coarse ORDER...: for each shape and order prints NAME ORDER and the path, without its ending, of a mesh of few elements
+# in X.quad.h5, and of one twisted layer of it in X.hex.h5; made when they are asked for first.
+coarse() {
+  local file name blocks folder size order
+  while read -r file; do
+    name=$(basename "$file" .step)
+    blocks=$(blocks_of "$file")
+    folder=${blocks%/*}
+    size=$(jq '.face.diameter / 6' "$folder/$name.sep.json")
+    for order; do
+      coarse_mesh "$blocks" "$order" "$size" "$folder/coarse.$order" || return 1
+      echo "$name $order $folder/coarse.$order"
+    done
+  done < <(shapes)
+}
+
+# coarse_mesh BLOCKS ORDER SIZE PATH
+coarse_mesh() {
+  (
+    flock 9
+    [[ ! -e $4.hex.h5 ]] || exit 0
+    quadrefine -q --order "$2" --per-curve 0 --size "$3" --geometry-tol 1 "$1" -o "$4.quad.h5" &&
+      hexsweep -q "$4.quad.h5" --layers 1 --height "$3" --twist 20 -o "$4.hex.h5"
+  ) 9>"$4.lock"
+}
+
 # example N LANGUAGE PAGE: the Nth piece of code in that language on formats/export/PAGE.md.
 example() {
   awk -v wanted="$1" -v fence="\`\`\`$2" '$0 == "```" { inside = 0 } inside; $0 == fence { inside = ++n == wanted }' \
