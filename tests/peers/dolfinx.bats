@@ -34,6 +34,14 @@ judge() {
   assert_output 16 # four shapes, two orders, two refinements
 }
 
+@test "hexahedra of order 2, straight, twisted and revolved: a Poisson solve converges at order 3" {
+  run -0 "$ROOT/tests/benchmarks/poisson_hexes" --bin "$BIN" -o .
+  run -0 jq -r '.rows[] | select(.rate) | select(.rate - 3 | fabs > 0.2) | tostring' poisson_hexes.json
+  assert_output ""
+  run -0 jq '[.rows[] | select(.rate)] | length' poisson_hexes.json
+  assert_output 6 # three sweeps, two refinements
+}
+
 @test "wall layers make the error of a boundary layer less than a tenth, at equal unknowns" {
   run -0 "$ROOT/tests/benchmarks/boundary_layer" --bin "$BIN" -o .
   run -0 jq -c '[.rows[] | .layers.unknowns <= .without.unknowns and .ratio < 0.1] | [length, all]' boundary_layer.json
