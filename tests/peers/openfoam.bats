@@ -1,4 +1,4 @@
-# OpenFOAM builds its own mesh from our blockMeshDict and checks it: every shape, and the points are where we say.
+# OpenFOAM builds its own mesh from our blockMeshDict, reads our polyMesh, checks both for every shape, and computes.
 load common
 
 setup() {
@@ -26,20 +26,24 @@ dictionary() {
   printf '%s\n' "${@:2}" >>"case/system/$1"
 }
 
-# builds MESH: blockMesh takes the dictionary without a word, checkMesh finds nothing wrong. What it says of neighbours
-# of unlike size ("small interpolation weight", "small volume ratio") and of long cells on a boundary ("small
-# determinant": about the square of width over length of a cell with two inner faces) is true of the mesh that it was
-# asked to build, whatever the format.
-builds() {
-  new_case
-  quadexport -q "$1" -o case/system/blockMeshDict --report a.json
-  run -0 blockMesh -case case
-  refute_output --partial Warning
+# check_mesh: checkMesh finds nothing wrong. What it says of neighbours of unlike size ("small interpolation weight",
+# "small volume ratio") and of long cells on a boundary ("small determinant": about the square of width over length of a
+# cell with two inner faces) is true of the mesh, whatever the format.
+check_mesh() {
   run checkMesh -case case -allGeometry -allTopology
   local wrong
   wrong=$(grep -F '***' <<<"$output" | grep -vE 'small (interpolation weight|volume ratio|determinant)' || true)
   assert_equal "$wrong" ''
   assert_output --partial 'Number of regions: 1'
+}
+
+# builds MESH: blockMesh takes the dictionary without a word, and checkMesh its mesh.
+builds() {
+  new_case
+  quadexport -q "$1" -o case/system/blockMeshDict --report a.json
+  run -0 blockMesh -case case
+  refute_output --partial Warning
+  check_mesh
   [[ $1 == *.hex.h5 ]] || run -0 "$PYTHON" "$cells" case/system/blockMeshDict "$1" case/constant/polyMesh/points
 }
 
@@ -58,20 +62,21 @@ poly_mesh() {
   new_case
   mkdir -p case/constant/polyMesh
   quadexport -q "$1" -o case/constant/polyMesh/points
-  run checkMesh -case case -allGeometry -allTopology
-  assert_output --partial 'Number of regions: 1'
-  assert_output --partial 'Mesh OK.'
+  check_mesh
 }
 
 @test "checkMesh accepts a polyMesh of quads, of sweeps and of periodic ends" {
   cp "$(blocks_of "$DATA/half_disc.step")" half_disc.blocks.h5
   quadrefine -q --order 2 half_disc.blocks.h5 -o a.quad.h5
   poly_mesh a.quad.h5
+  assert_output --partial 'Mesh OK.'
   assert_output --partial '2 geometric (non-empty/wedge) directions (1 1 0)'
   hexsweep -q a.quad.h5 --height 2 --layers 4 --twist 40 -o a.hex.h5
   poly_mesh a.hex.h5
+  assert_output --partial 'Mesh OK.'
   hexsweep -q a.quad.h5 --one-layer -o a.hex.h5
   poly_mesh a.hex.h5
+  assert_output --partial 'Mesh OK.'
   run -0 grep -c 'type cyclic;' case/constant/polyMesh/boundary
   assert_output 2
 }
@@ -108,6 +113,69 @@ END
   run -1 quadexport a.hex.h5 -o blockMeshDict
   assert_output --partial 'holds straight sweeps of planar faces only, and this one bends, turns, narrows'
   quadexport -q --format polymesh a.hex.h5 -o points
+}
+
+@test "checkMesh accepts the polyMesh of every shape, of quads and of twisted layers" {
+  local file blocks name height
+  while read -r file; do
+    echo "$file"
+    blocks=$(blocks_of "$file")
+    name=$(basename "$file" .step)
+    height=$(jq '.face.diameter / 7' "${blocks%/*}/$name.sep.json")
+    cp "${blocks%/*}/$name.quad.h5" a.quad.h5
+    poly_mesh a.quad.h5
+    hexsweep -q a.quad.h5 --height "$height" --twist 5 --layers 3 -o a.hex.h5
+    poly_mesh a.hex.h5
+    assert_output --regexp ' top +'"$(h5dump -d elem_block -H a.quad.h5 | grep -oP 'SIMPLE \{ \( \K[0-9]+')"
+  done < <(shapes)
+}
+
+# field NAME CLASS DIMENSIONS INTERNAL PATCH=VALUE...: a field; VALUE is what stands in the patch, .* is the rest.
+field() {
+  local patch
+  mkdir -p case/0
+  {
+    printf 'FoamFile { version 2.0; format ascii; class %s; object %s; }\n' "$2" "$1"
+    printf 'dimensions %s; internalField uniform %s;\nboundaryField\n{\n' "$3" "$4"
+    for patch in "${@:5}"; do printf '    "%s" { %s }\n' "${patch%%=*}" "${patch#*=}"; done
+    echo '}'
+  } >"case/0/$1"
+}
+
+# cavity FILE LID [PATCH=VALUE]...: 50 steps of icoFoam with the patch LID in motion; nothing diverges.
+cavity() {
+  new_case
+  mkdir -p case/constant/polyMesh
+  quadexport -q --scale 1 "$1" -o case/constant/polyMesh/points # lengths of about 1
+  sed -i 's/endTime 1; deltaT 1/endTime 0.5; deltaT 0.01/' case/system/controlDict
+  dictionary fvSchemes 'ddtSchemes { default Euler; } gradSchemes { default Gauss linear; }' \
+    'divSchemes { default none; div(phi,U) Gauss upwind; } laplacianSchemes { default Gauss linear corrected; }' \
+    'interpolationSchemes { default linear; } snGradSchemes { default corrected; }'
+  dictionary fvSolution 'solvers { p { solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0; }' \
+    'pFinal { $p; } U { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-8; relTol 0; } }' \
+    'PISO { nCorrectors 2; nNonOrthogonalCorrectors 1; pRefCell 0; pRefValue 0; }'
+  printf 'FoamFile { version 2.0; format ascii; class dictionary; object transportProperties; }\nnu %s;\n' \
+    '[0 2 -1 0 0 0 0] 0.05' >case/constant/transportProperties
+  field U volVectorField '[0 1 -1 0 0 0 0]' '(0 0 0)' '.*=type noSlip;' \
+    "$2=type fixedValue; value uniform (1 0 0);" "${@:3}"
+  field p volScalarField '[0 2 -2 0 0 0 0]' 0 '.*=type zeroGradient;' "${@:3}"
+  run -0 icoFoam -case case
+  refute_output --partial nan
+  assert_equal "$(grep -c '^Time = ' <<<"$output")" 50
+  assert_output --partial $'\nEnd'
+  # The lid has the speed 1: nothing moves faster, and what flows into a cell leaves it.
+  awk '/Courant/ && $NF > 1 { wrong = 1 } /continuity errors/ { last = $9; found = 1 }
+    END { exit wrong || !found || last + 0 > 1e-6 }' <<<"$output" || fail "$output"
+}
+
+@test "icoFoam computes 50 steps in a cavity: one plate of quads, a periodic layer, and twisted layers" {
+  quadrefine -q --order 2 --size 0.1 "$(blocks_of "$DATA/square.step")" -o a.quad.h5
+  cavity a.quad.h5 curve_2 'frontAndBack=type empty;'
+  hexsweep -q a.quad.h5 --one-layer -o a.hex.h5
+  cavity a.hex.h5 curve_2 '(bottom|top)=type cyclic;'
+  quadrefine -q --order 2 --size 0.2 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
+  hexsweep -q a.quad.h5 --height 1 --layers 5 --twist 40 -o a.hex.h5
+  cavity a.hex.h5 top
 }
 
 @test "thin layers along a curved wall have straight sides that do not cross them" {
