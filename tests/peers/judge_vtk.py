@@ -1,6 +1,6 @@
 """Reads our VTU files with VTK and evaluates VTK's own shape functions on them, against x.quad.h5.
 
-usage: judge_vtk.py X.quad.h5 LAGRANGE.vtu BEZIER.vtu       (each with its FILE.curves.vtu beside it)
+usage: judge_vtk.py {X.quad.h5 LAGRANGE.vtu BEZIER.vtu}...       (each with its FILE.curves.vtu beside it)
 """
 import sys
 
@@ -98,14 +98,13 @@ def judge_curves(path, cell_type, quads):
     assert worst < 1e-9, (path, worst, found, wanted)
 
 
-def main():
-    vtk.vtkObject.GlobalWarningDisplayOff()  # it warns of degrees that might depend on the direction; they do not
-    quads = QuadFile(sys.argv[1])
+def judge(stage, *paths):
+    quads = QuadFile(stage)
     at, _ = numpy.polynomial.legendre.leggauss(2 * quads.order + 1)
     value, _ = lagrange(gll(quads.order), at)
     ours = numpy.einsum("ja,ib,eabk->ejik", value, value, quads.nodes[quads.elems]).reshape(len(quads.elems), -1, 2)
     size = numpy.ptp(quads.nodes, axis=0).max()
-    for path, quad_type, curve_type in zip(sys.argv[2:], (70, 77), (68, 75)):
+    for path, quad_type, curve_type in zip(paths, (70, 77), (68, 75)):
         positions, area = judge_quads(path, quad_type, quads)
         assert numpy.abs(positions[..., 2]).max() == 0, path
         worst = numpy.abs(positions[..., :2] - ours).max() / size
@@ -114,4 +113,6 @@ def main():
         print(f"{path}: area {area:.12g}, the map differs by {worst:.1e}")
 
 
-main()
+vtk.vtkObject.GlobalWarningDisplayOff()  # it warns of degrees that might depend on the direction; they do not
+for case in zip(*(iter(sys.argv[1:]),) * 3):
+    judge(*case)

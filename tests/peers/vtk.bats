@@ -6,41 +6,49 @@ setup() {
   need python3-vtk9 python3-h5py
 }
 
-# judge BLOCKS NAME OPTION...
-judge() {
+# refined BLOCKS NAME OPTION...
+refined() {
   quadrefine -q "$1" -o "$2.quad.h5" "${@:3}"
   quadexport "$2.quad.h5" -o "$2.vtu"
   quadexport --format vtu-bezier "$2.quad.h5" -o "$2.bezier.vtu"
-  run "$PYTHON" "$ROOT/tests/peers/judge_vtk.py" "$2.quad.h5" "$2.vtu" "$2.bezier.vtu"
+  cases+=("$2.quad.h5" "$2.vtu" "$2.bezier.vtu")
+}
+
+judge() {
+  run "$PYTHON" "$ROOT/tests/peers/judge_vtk.py" "${cases[@]}"
   assert_success # and shows what was said where it is not
 }
 
 @test "VTK finds positive determinants and our area in every shape" {
-  local file blocks
+  local file cases=()
   while read -r file; do
-    echo "$file"
-    blocks=$(blocks_of "$file")
-    judge "$blocks" "$(basename "$file" .step)"
+    refined "$(blocks_of "$file")" "$(basename "$file" .step)"
   done < <(shapes)
+  judge
 }
 
 @test "VTK reads every order from 1 to 10" {
-  local order blocks
+  local order blocks cases=()
   blocks=$(blocks_of "$DATA/half_disc.step")
   for order in 1 2 3 4 5 6 7 8 9 10; do
-    judge "$blocks" "order_$order" --order "$order" --size 0.5 --geometry-tol 1
+    refined "$blocks" "order_$order" --order "$order" --size 0.5 --geometry-tol 1
   done
+  judge
 }
 
-@test "VTK finds the volumes and areas of hexahedra, whose nodes are in its order" {
-  local order format
-  for order in 1 2 3 4; do
-    quadrefine -q --order "$order" --size 0.5 --geometry-tol 1 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
-    hexsweep -q a.quad.h5 --height 1 --twist 20 --layers 2 -o a.hex.h5
-    for format in vtu vtu-bezier; do quadexport -q --format "$format" a.hex.h5 -o "$format.vtu"; done
-    run "$PYTHON" "$ROOT/tests/peers/judge_vtk_hex.py" a.hex.h5 vtu.vtu vtu-bezier.vtu
-    assert_success
-  done
+@test "VTK reads every shape at every order, quads and hexahedra, Lagrange and Bezier cells, with all names" {
+  local name order path kind format file cases=()
+  while read -r name order path; do
+    for kind in quad hex; do
+      for format in vtu vtu-bezier; do
+        file=$name.$order.$kind.$format.vtu
+        quadexport -q --format $format "$path.$kind.h5" -o "$file"
+        cases+=("$path.$kind.h5" "$file")
+      done
+    done
+  done < <(coarse 1 2 3 4 5 6 7 8 9 10)
+  run "$PYTHON" "$ROOT/tests/peers/judge_vtk_shapes.py" "${cases[@]}"
+  assert_success
 }
 
 @test "the commands of the page work" {
