@@ -1,6 +1,6 @@
 """Reads our MSH files with Gmsh and compares its Jacobians with those of x.quad.h5.
 
-usage: judge_gmsh.py X.quad.h5 REPORT.json FILE.msh...       (REPORT: quadrefine's)
+usage: judge_gmsh.py {X.quad.h5 REPORT.json FILE.msh FILE.22.msh}...       (REPORT: quadrefine's)
 """
 import json, sys
 
@@ -48,13 +48,13 @@ def ratios_by_gmsh(path):
     return ratios, least, groups, said
 
 
-def main():
-    quads, report = QuadFile(sys.argv[1]), json.load(open(sys.argv[2]))
+def judge(stage, report, *paths):
+    quads, report = QuadFile(stage), json.load(open(report))
     ours = quads.jacobian_ratios()
     sequence = numpy.argsort(quads.block, kind="stable")  # elements are written block by block
     boundaries, regions = quads.groups()
     wanted = {(1, name): count for name, count in boundaries.items()} | {(2, name): c for name, c in regions.items()}
-    for path in sys.argv[3:]:
+    for path in paths:
         ratios, least, groups, said = ratios_by_gmsh(path)
         complaints = [line for line in said if not line.startswith(("Info", "Progress"))]
         assert not complaints, (path, complaints)
@@ -68,4 +68,5 @@ def main():
         print(f"{path}: {len(ours)} quads, least ratio {least:.6f}, plugin {above.min():.1e} to {above.max():.1e}")
 
 
-main()
+for case in zip(*(iter(sys.argv[1:]),) * 4):
+    judge(*case)
