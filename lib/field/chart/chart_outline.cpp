@@ -30,11 +30,13 @@ struct Samples {
   Vec2 start_uv;
 };
 
-/// Different knots inside (t0, t1).
-int num_knots_inside(const std::vector<double>& knots, double t0, double t1) {
-  int count = 0;
-  for (std::size_t i = 1; i < knots.size(); ++i) count += knots[i] > knots[i - 1] && knots[i] > t0 && knots[i] < t1;
-  return count;
+/// t0, the different knots inside (t0, t1), t1.
+std::vector<double> breaks_between(const std::vector<double>& knots, double t0, double t1) {
+  std::vector<double> breaks{t0};
+  for (const double knot : knots)
+    if (knot > breaks.back() && knot < t1) breaks.push_back(knot);
+  breaks.push_back(t1);
+  return breaks;
 }
 
 class ImageSampler {
@@ -61,15 +63,22 @@ class ImageSampler {
   void add(const BoundaryEdge& edge, Samples& samples) const {
     const SpaceLength& length = (*lengths_)[edge.curve];
     const double s0 = length.at(edge.t0), s1 = length.at(edge.t1);
-    const int n = std::max(samples_per_span, 2 * mesh_->order) +
-                  samples_per_span * num_knots_inside(length.curve().knots, edge.t0, edge.t1);
+    const auto image_at = [&](double s) {
+      return image(edge, node_functions(*tables_, spectral::tri_edge_point(edge.edge, (s - s0) / (s1 - s0))));
+    };
     const std::size_t first = static_cast<std::size_t>(mesh_->nodes_per_elem()) * edge.elem;
     const bool is_first = samples.points.empty();
-    for (int i = is_first ? 0 : 1; i <= n; ++i) {
-      const double part = (1 - std::cos(pi * i / n)) / 2;
-      double t = i == 0 ? edge.t0 : edge.t1;
-      if (i > 0 && i < n) t = length.parameter(s0 + part * (s1 - s0));
-      samples.points.push_back({t, image(edge, node_functions(*tables_, spectral::tri_edge_point(edge.edge, part)))});
+    if (is_first) samples.points.push_back({edge.t0, image_at(s0)});
+    // Each span between knots has its own, however short it is: a spline with knots there is else not determined.
+    const std::vector<double> breaks = breaks_between(length.curve().knots, edge.t0, edge.t1);
+    const int n = breaks.size() > 2 ? samples_per_span : std::max(samples_per_span, 2 * mesh_->order);
+    for (std::size_t b = 1; b < breaks.size(); ++b) {
+      const double low = length.at(breaks[b - 1]), high = length.at(breaks[b]);
+      for (int i = 1; i < n; ++i) {
+        const double s = low + (1 - std::cos(pi * i / n)) / 2 * (high - low);
+        samples.points.push_back({length.parameter(s), image_at(s)});
+      }
+      samples.points.push_back({breaks[b], image_at(high)});
     }
     const auto derivative = [&](bool at_end) {
       const double speed = norm(surface::derivatives(length.curve(), at_end ? edge.t1 : edge.t0, at_end)[1]);

@@ -154,6 +154,22 @@ TEST(MakeChart, HolesAreNotFilled) {
   EXPECT_EQ(face.num_loops(), 2);
 }
 
+// A bent strip, whose third derivatives jump at knots that are close together: its image is as fast as its edges.
+TEST(MakeChart, KnotsMayBeCloseTogether) {
+  NurbsSurface strip{3, 1, {0, 0, 0, 0, 0.5, 0.502, 0.51, 1, 1, 1, 1}, {0, 0, 1, 1}, {}, {}};
+  for (std::size_t i = 0; i < 7; ++i)
+    for (const double y : {0.0, 1.0}) {
+      const double x = (strip.knots_u[i + 1] + strip.knots_u[i + 2] + strip.knots_u[i + 3]) / 3;
+      strip.poles.push_back({3 * x, y, 0.3 * std::sin(5 * x)}), strip.weights.push_back(1);
+    }
+  const CadFace face = chart_of(face_of(strip, {{0, 1, 2, 3}}, 16, 5), 1e-4);
+  for (const int curve : {0, 2})
+    for (int k = 0; k <= 1000; ++k) {
+      const double t = k / 1000.0, speed = norm(surface::derivatives(face.chart->space_curves[curve], t)[1]);
+      EXPECT_NEAR(norm(curve::derivatives(face.curves[curve], t)[1]), speed, 1e-2 * speed) << curve << " at " << t;
+    }
+}
+
 TEST(MakeChart, ChartOfASymmetricFaceIsSymmetric) {
   const CadFace face = chart_of(torus_patch(), 1e-9);
   // The longest curve, on the outer side or beside it, runs to the right: the mirror axis of z -> -z is an axis of the
