@@ -11,21 +11,27 @@
 #include "base/warning_codes.hpp"
 #include "mesh/element_sizes.hpp"
 #include "refine/validity.hpp"
+#include "sizing/chart_scale.hpp"
 #include "surface/positions.hpp"
 
 namespace quadrille::refine {
 namespace {
 
-constexpr double shorter_yet = 0.9;   ///< than the length at which the distance would be the tolerance
+/// Of the tolerance: another mesh has elements in other places, of which some are farther than those before.
+constexpr double aim = 0.5;
 constexpr double least_factor = 0.4;  ///< by which lengths are multiplied at once
 constexpr double unproved_factor = 0.5;
 /// Between the first power of the length, with which the distance falls at a tip or a kink whatever the order, and the
 /// second, with which it does where the curvature jumps.
 constexpr double slow_power = 1.5;
 
-/// By which the lengths of an element are multiplied.
+/// By which the lengths of an element are multiplied, at most 1.
 double shortened(double distance, double tolerance, int power) {
-  return std::max(least_factor, shorter_yet * std::pow(distance / tolerance, -1.0 / power));
+  return std::max(least_factor, std::pow(std::max(distance / (aim * tolerance), 1.0), -1.0 / power));
+}
+
+auto num_unproved(const LiftedMesh& lifted) {
+  return std::ranges::count_if(lifted.mesh.elem_jacobian_bound, [](double bound) { return !(bound > 0); });
 }
 
 /// The longer diagonal of the element that is farthest from the surface.
@@ -58,9 +64,9 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
                                              const sizing::SizeField& sizes, double tolerance, int power) {
   std::vector<sizing::SizeSegment> segments;
   const QuadMesh& mesh = lifted.mesh;
+  if (lifted.distance.worst() <= tolerance * (1 + tolerance::tied) && num_unproved(lifted) == 0) return segments;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const double distance = lifted.distance.elem[elem];
-    double factor = distance > tolerance * (1 + tolerance::tied) ? shortened(distance, tolerance, power) : 1;
+    double factor = shortened(lifted.distance.elem[elem], tolerance, power);
     if (!(mesh.elem_jacobian_bound[elem] > 0)) factor = std::min(factor, unproved_factor);
     if (factor == 1) continue;
     const Vec2 x = middle(mesh, elem);
@@ -71,10 +77,12 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
   return segments;
 }
 
+bool is_nearer(const LiftedMesh& a, const LiftedMesh& b) {
+  const auto of_a = num_unproved(a), of_b = num_unproved(b);
+  return of_a < of_b || (of_a == of_b && a.distance.worst() < b.distance.worst());
+}
+
 bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance, int power) {
-  const auto num_unproved = [](const LiftedMesh& lifted) {
-    return std::ranges::count_if(lifted.mesh.elem_jacobian_bound, [](double bound) { return !(bound > 0); });
-  };
   if (num_unproved(last) > 0 || num_unproved(next) > 0) return num_unproved(next) >= num_unproved(last);
   const double before = last.distance.worst(), after = next.distance.worst();
   if (after <= tolerance) return false;
@@ -89,12 +97,12 @@ void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const
   report.set("surface.position", surface::position_in_file(face, distance.position));
   report.set("surface.tolerance", tolerance);
   if (distance.worst() <= tolerance * (1 + tolerance::tied)) return;
+  const double diameter = sizing::diameter_in_space(face);
   report.warn(
       warning::geometry_tol_missed,
       fmt::format("elements deviate from the surface by up to {:.2g} diameters at {}, more than the "
                   "geometric tolerance {:.2g}: {}",
-                  distance.worst() / face.diameter, surface::position_text(face, distance.position),
-                  tolerance / face.diameter,
+                  distance.worst() / diameter, surface::position_text(face, distance.position), tolerance / diameter,
                   is_smooth ? "raise --order or lower --size"
                             : "shorter edges hardly help, as the surface has a tip or a kink there, which no element "
                               "follows: round it or cut it off in the CAD system"));

@@ -26,11 +26,14 @@ struct LiftedMesh {
 
 LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress);
 
-/// Sources of the edge lengths with which elements that are not proved would be, or that are farther than `tolerance`
-/// (a length) from the surface would be within it, if their distance fell with this power of their length. Lengths are
-/// in space. Empty: the mesh is as it must be.
+/// Sources of the edge lengths with which elements that are not proved would be, and all elements well within
+/// `tolerance` (a length) of the surface, if their distance fell with this power of their length. Lengths are in space.
+/// Empty: the mesh is as it must be.
 std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
                                              const sizing::SizeField& sizes, double tolerance, int power);
+
+/// Whether fewer elements of `a` are not proved or, if as many are, they are nearer to the surface.
+bool is_nearer(const LiftedMesh& a, const LiftedMesh& b);
 
 /// Whether edges that finer_sizes made shorter hardly helped: as many elements are not proved, or the distance fell
 /// little more than their length.

@@ -14,6 +14,7 @@
 #include "refine/lifted_split.hpp"
 #include "refine/lower_error.hpp"
 #include "refine/validity.hpp"
+#include "sizing/chart_scale.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/halved_blocks.hpp"
 #include "sizing/report_sizes.hpp"
@@ -29,9 +30,14 @@ sizing::SizeField size_field(const RefineOptions& options, const CadFace& face) 
       .in_chart(sizing::chart_scale(face));
 }
 
+/// In diameters.
+double geometric_tolerance(const RefineOptions& options) {
+  return options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order);
+}
+
 mesh::ScoreLimits score_limits(const RefineOptions& options, const CadFace& face) {
-  return {face.diameter * (options.geometry_tol > 0 ? options.geometry_tol : default_geometry_tol(options.order)),
-          options.target_edge_ratio, options.walls.empty() ? 0 : options.target_growth};
+  return {face.diameter * geometric_tolerance(options), options.target_edge_ratio,
+          options.walls.empty() ? 0 : options.target_growth};
 }
 
 /// Of the chords with the layers along walls, if boundaries share out their numbers.
@@ -116,27 +122,28 @@ std::optional<SplitMesh> finer_split(const SplitRequest& request) {
   }
 }
 
-/// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space; `there`:
-/// the lifted mesh.
-SplitMesh lifted_split(const mesh::ChartMap& map, SplitRequest& request, LiftedMesh& there) {
-  SplitMesh split = placed_split(request);
-  there = lifted(map, split.mesh, request.report.progress());
-  for (int round = 0, num_slow = 0; round < max_lifts && num_slow < max_slow_lifts; ++round) {
-    const int power = expected_power(round, split.mesh.order);
-    const std::vector<sizing::SizeSegment> finer =
-        finer_sizes(map, there, request.sizes, request.limits.distance, power);
+/// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space: the
+/// nearest of these meshes. `tolerance`: a length in space. `there`: the mesh, lifted.
+SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, SplitRequest& request, LiftedMesh& there) {
+  SplitMesh best = placed_split(request);
+  there = lifted(map, best.mesh, request.report.progress());
+  LiftedMesh last = there;
+  int num_slow = 0;
+  for (int round = 0; round < max_lifts && num_slow < max_slow_lifts; ++round) {
+    const int power = expected_power(round, best.mesh.order);
+    const std::vector<sizing::SizeSegment> finer = finer_sizes(map, last, request.sizes, tolerance, power);
     if (finer.empty()) break;
     request.sizes = request.sizes.with(finer);
     request.sizes_at_bends = sizing::sizes_at_bends(request.equal.blocks().face, request.sizes);
     std::optional<SplitMesh> next = finer_split(request);
-    if (!next || (next->mesh.num_elems() == split.mesh.num_elems() && next->mesh.nodes == split.mesh.nodes)) break;
-    split = std::move(*next);
-    LiftedMesh finer_there = lifted(map, split.mesh, request.report.progress());
-    num_slow = fell_slowly(there, finer_there, request.limits.distance, power) ? num_slow + 1 : 0;
-    there = std::move(finer_there);
-    there.is_smooth = num_slow == 0;
+    if (!next || (next->mesh.num_elems() == last.mesh.num_elems() && next->mesh.nodes == last.mesh.nodes)) break;
+    LiftedMesh next_there = lifted(map, next->mesh, request.report.progress());
+    num_slow = fell_slowly(last, next_there, tolerance, power) ? num_slow + 1 : 0;
+    if (is_nearer(next_there, there)) best = std::move(*next), there = next_there;
+    last = std::move(next_there);
   }
-  return split;
+  there.is_smooth = num_slow == 0;
+  return best;
 }
 
 }  // namespace
@@ -160,14 +167,15 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   std::optional<mesh::ChartMap> map;
   if (layout.face.chart) map.emplace(layout.face);
   LiftedMesh there;
-  SplitMesh split = map ? lifted_split(*map, request, there) : placed_split(request);
+  const double tolerance = geometric_tolerance(options) * sizing::diameter_in_space(layout.face);
+  SplitMesh split = map ? lifted_split(*map, tolerance, request, there) : placed_split(request);
   warn_of_joints(split.mesh, report);
   refine_nested(split.mesh, options, report);
   if (map) {
     const bool is_smooth = there.is_smooth;
     if (options.levels > 0) there = lifted(*map, std::move(split.mesh), report.progress());
     split.mesh = std::move(there.mesh);
-    report_surface(there.distance, is_smooth, layout.face, request.limits.distance, report);
+    report_surface(there.distance, is_smooth, layout.face, tolerance, report);
   }
   report_split(request, split);
   report_prescribed(request, split, prescribed.counts, layered);

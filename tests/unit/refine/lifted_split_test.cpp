@@ -11,6 +11,7 @@
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
 #include "spectral/quad_map.hpp"
+#include "surface/space_extent.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -107,9 +108,33 @@ TEST(LiftedSplit, ElementsAreShorterWhereTheyWouldLeaveTheSurface) {
   Report report;
   const QuadMesh mesh = refined(options, report);
   EXPECT_GT(mesh.num_elems(), 2 * coarse.num_elems());
-  EXPECT_GT(distance_from_sphere(coarse), 2e-3 * mesh.face.diameter);
-  EXPECT_LE(distance_from_sphere(mesh), 2e-3 * mesh.face.diameter);
+  const double diameter = surface::diameter(*mesh.face.chart);
+  EXPECT_GT(distance_from_sphere(coarse), 2e-3 * diameter);
+  EXPECT_LE(distance_from_sphere(mesh), 2e-3 * diameter);
   EXPECT_TRUE(report.warnings().empty());
+}
+
+TEST(LiftedSplit, TheToleranceIsOfTheDiameterInSpace) {
+  Report report;
+  const QuadMesh mesh = refined({}, report);
+  const auto entry = std::ranges::find(report.entries(), "surface.tolerance", [](const auto& e) { return e.first; });
+  ASSERT_NE(entry, report.entries().end());
+  const double diameter = surface::diameter(*mesh.face.chart);
+  EXPECT_GT(diameter, 1.2 * mesh.face.diameter);
+  EXPECT_DOUBLE_EQ(std::get<double>(entry->second), 5e-7 * diameter);
+}
+
+TEST(LiftedSplit, TheNearestMeshHasTheFewestUnprovedElements) {
+  const auto with = [](double bound, double distance) {
+    LiftedMesh lifted;
+    lifted.mesh.elem_jacobian_bound = {1, bound};
+    lifted.distance.elem = {distance};
+    return lifted;
+  };
+  EXPECT_TRUE(is_nearer(with(1, 1e-6), with(1, 2e-6)));
+  EXPECT_FALSE(is_nearer(with(1, 2e-6), with(1, 1e-6)));
+  EXPECT_TRUE(is_nearer(with(1, 1), with(0, 1e-6)));
+  EXPECT_FALSE(is_nearer(with(1, 1e-6), with(1, 1e-6)));
 }
 
 TEST(LiftedSplit, PlanarFacesHaveNoNodesInSpace) {
