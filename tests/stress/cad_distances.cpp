@@ -6,6 +6,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Extrema_ExtPC.hxx>
@@ -78,10 +79,14 @@ int main(int argc, char** argv) {
     BRepBndLib::AddOptimal(face, box, false, false);
     fmt::print("{:.17g}\n", std::sqrt(box.SquareExtent()));
     GeomAPI_ProjectPointOnSurf nearest;
-    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    surface->Bounds(u0, u1, v0, v1);
-    const double far = 1e3 * std::sqrt(box.SquareExtent());
-    nearest.Init(surface, std::max(u0, -far), std::min(u1, far), std::max(v0, -far), std::min(v1, far), 1e-12);
+    // The projection starts at samples of its range, and finds nothing near where they are far apart: as on a surface
+    // without end, of which the face is a small part.
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0, low_u = 0, high_u = 0, low_v = 0, high_v = 0;
+    surface->Bounds(low_u, high_u, low_v, high_v);
+    BRepTools::UVBounds(face, u0, u1, v0, v1);
+    const double more_u = (u1 - u0) / 20, more_v = (v1 - v0) / 20;
+    nearest.Init(surface, std::max(u0 - more_u, low_u), std::min(u1 + more_u, high_u), std::max(v0 - more_v, low_v),
+                 std::min(v1 + more_v, high_v), 1e-12);
     std::string kind;
     for (double x = 0, y = 0, z = 0; std::cin >> kind >> x >> y >> z;) {
       const gp_Pnt point(x, y, z);
