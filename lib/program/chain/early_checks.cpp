@@ -311,8 +311,7 @@ std::string stem_of(const std::string& shape) {
 }
 
 std::string exported_ending(const ChainOptions& options, const StageOptions& values) {
-  const bool is_step = stage::format_of(mesh_name_of(options), values.quadexport) == "step";
-  if (is_step) return "blocks.h5";
+  if (stage::format_of(mesh_name_of(options), values.quadexport) == "step") return "blocks.h5";
   return options.is_swept ? "hex.h5" : "quad.h5";
 }
 
