@@ -91,7 +91,7 @@ setup() {
   done
   run -0 grep -rohE 'getenv\([^)]*\)' "$ROOT/lib" "$ROOT/tools" --include='*pp'
   assert_output 'getenv("TMPDIR")'
-  run -0 grep -rohE 'environ\.get\("[A-Z_]+"\)' "$ROOT/pipelines"
+  run -0 bash -c 'grep -rohE "environ\.get\(\"[A-Z_]+\"\)" "$1" | sort -u' - "$ROOT/pipelines"
   assert_output 'environ.get("QUADRILLE_BIN")'
   for name in quadmesh:TMPDIR quadplace:QUADRILLE_BIN quadplace:TMPDIR quadbatch:TMPDIR; do
     run -0 grep -l "^${name#*:}$" "$usr/share/man/man1/${name%:*}.1" "$usr/share/man/man7/quadrille.7"
