@@ -85,8 +85,10 @@ int main(int argc, char** argv) {
     surface->Bounds(low_u, high_u, low_v, high_v);
     BRepTools::UVBounds(face, u0, u1, v0, v1);
     const double more_u = (u1 - u0) / 20, more_v = (v1 - v0) / 20;
-    nearest.Init(surface, std::max(u0 - more_u, low_u), std::min(u1 + more_u, high_u), std::max(v0 - more_v, low_v),
-                 std::min(v1 + more_v, high_v), 1e-12);
+    u0 -= more_u, u1 += more_u, v0 -= more_v, v1 += more_v;
+    if (!surface->IsUPeriodic()) u0 = std::max(u0, low_u), u1 = std::min(u1, high_u);
+    if (!surface->IsVPeriodic()) v0 = std::max(v0, low_v), v1 = std::min(v1, high_v);
+    nearest.Init(surface, u0, u1, v0, v1, 1e-12);
     std::string kind;
     for (double x = 0, y = 0, z = 0; std::cin >> kind >> x >> y >> z;) {
       const gp_Pnt point(x, y, z);

@@ -66,7 +66,7 @@ heights_of() {
   run -2 hexsweep "$quads" --height 2 --terrain broken.csv -o b.hex.h5
   assert_output --partial "24 points are no rectangular grid, which has a height at each pair of its x and y, here 5 different x and 5"
   awk 'BEGIN { srand(1); for (i = 0; i < 200000; ++i) print 4 * rand() - 2 "," 4 * rand() - 2 ",0" }' >scattered.csv
-  run -2 bash -c "ulimit -v 4000000; exec hexsweep '$quads' --height 2 --terrain scattered.csv -o b.hex.h5"
+  run -2 hexsweep "$quads" --height 2 --terrain scattered.csv -o b.hex.h5
   assert_output --partial "interpolate them to one of at least 2 x 2 points first"
   printf '0,0,0\n0,.1,0\n.1,0,0\n.1,.1,0\n' >small.csv
   run -2 hexsweep "$quads" --height 2 --terrain small.csv -o b.hex.h5
@@ -116,6 +116,7 @@ heights_of() {
 }
 
 @test "a mesh that would fill the memory is refused at once, with how much it takes" {
+  if nm "$BIN/hexsweep" | grep -q __asan_init; then skip "built with sanitizers, which take terabytes of addresses"; fi
   run -1 bash -c "ulimit -v 4000000; exec hexsweep '$quads' --height 1 --layers 2000 -o a.hex.h5"
   assert_output --regexp '^hexsweep: [0-9]+ quads of order 4 in 2000 layers take about [0-9.]+ GiB of memory, and there are 3.8 GiB: take fewer layers, coarser quads or a lower order$'
   run -1 hexsweep "$quads" --height 1 --layers 100000 -o a.hex.h5

@@ -119,7 +119,7 @@ TEST(RunChild, is_stopped_when_a_descendant_has_more_memory) {
 }
 
 TEST(RunChild, may_reserve_more_memory) {
-  Budget budget({.memory = 200 << 20});
+  Budget budget({.memory = 1 << 30});  // more than this program has, also with sanitizers
   const auto reserve = [] {
     const void* memory = mmap(nullptr, std::size_t{4} << 30, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     return usleep(50000), memory == MAP_FAILED ? 1 : 0;
