@@ -16,8 +16,8 @@ namespace quadrille {
 /// Declares options. Variables contain their defaults on entry. Numbers outside [low, high] are usage errors; --help
 /// states unit, default and interval. Every option declared here is recorded in the provenance unless `recorded` is
 /// switched off for it (-o, -v, --threads, --report and the like are never recorded). Programs that forward options
-/// list those of a tool with its --list-options, which --help does not show, and what follows each (OptionKind). Implementations override what they need:
-/// what they leave out does nothing.
+/// list those of a tool with its --list-options, which --help does not show, and what follows each (OptionKind).
+/// Implementations override what they need: what they leave out does nothing.
 class Options {
  public:
   virtual ~Options() = default;
