@@ -35,6 +35,14 @@ std::array<Vec2, 8> taylor_of_derivative(const Nurbs& curve, double m) {
   return terms;
 }
 
+/// Of a sum of speeds from coordinates.
+double rounding_of_length(const Nurbs& curve) {
+  double rounding = 0;
+  for (const Vec2 pole : curve.poles)
+    rounding = std::max(rounding, 16 * std::numeric_limits<double>::epsilon() * norm(pole));
+  return rounding;
+}
+
 }  // namespace
 
 ArcLength::Hodograph ArcLength::hodograph(const Nurbs& curve, bool is_polynomial, double a, double b) {
@@ -89,11 +97,7 @@ ArcLength::ArcLength(const Nurbs& curve) : curve_(&curve) {
       add(curve.knots[i + 1], lengths_.back() + distance(curve.poles[i - 1], curve.poles[i]), i - 1);
     return;
   }
-  double scale = 0;
-  for (size_t i = 1; i < curve.poles.size(); ++i) scale += distance(curve.poles[i - 1], curve.poles[i]);
-  double rounding = 0;  // of a sum of speeds from coordinates
-  for (const Vec2 pole : curve.poles)
-    rounding = std::max(rounding, 16 * std::numeric_limits<double>::epsilon() * norm(pole));
+  const double scale = polygon_length(curve), rounding = rounding_of_length(curve);
   constexpr int deepest_slow = 8;
   struct Interval {
     double a, b, length;

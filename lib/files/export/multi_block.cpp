@@ -94,7 +94,7 @@ std::array<int, 2> MultiBlock::point(const SideRange& range, int at) const {
 }
 
 std::vector<int> MultiBlock::points(const BlockGrid& grid) const {
-  const std::vector<int> nodes = grid.vertices(quads);
+  std::vector<int> nodes = grid.vertices(quads);
   if (columns.empty()) return nodes;
   std::vector<int> all;
   for (int level = 0; level < num_levels; ++level)
