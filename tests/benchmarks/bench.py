@@ -92,4 +92,5 @@ def write(path, result):
     text = json.dumps(result, indent=1, ensure_ascii=False)
     innermost = re.compile(r"\{[^{}]*\}|\[[^\[\]{}]*\]")
     flat = lambda match: match.group(0)[0] + re.sub(r"\s*\n\s*", " ", match.group(0)[1:-1]).strip() + match.group(0)[-1]
+    path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(innermost.sub(flat, text) + "\n", encoding="utf-8")
