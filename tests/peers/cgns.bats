@@ -83,6 +83,6 @@ check() {
     quadexport -q "$path.hex.h5" -o "$name.$order.cgns"
     cases+=("$path.hex.h5" "$name.$order.cgns")
   done < <(coarse 1 2)
-  run "$PYTHON" "$ROOT/tests/peers/judge_vtk_cgns_hex.py" "${cases[@]}"
+  run "$PYTHON" "$ROOT/tests/peers/judge_vtk_reader_hex.py" "${cases[@]}"
   assert_success
 }

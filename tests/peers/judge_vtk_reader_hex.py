@@ -1,7 +1,7 @@
-"""Reads a CGNS or Exodus file of hexahedra of order 1 or 2 with VTK and compares its volume, by VTK's own shape functions,
+"""Reads CGNS and Exodus files of hexahedra of order 1 or 2 with VTK and compares the volume, by VTK's own shape functions,
 to x.hex.h5, and of Exodus the names of blocks and side sets and how many sides these have.
 
-usage: judge_vtk_reader_hex.py X.hex.h5 X.cgns|X.exo
+usage: judge_vtk_reader_hex.py {X.hex.h5 X.cgns|X.exo}...
 """
 import sys
 from collections import Counter
@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "exports"))
 import hex_mesh  # noqa: E402
 from stage_hexes import stage  # noqa: E402
 
+POINTS = 6  # of Gauss quadrature in each direction: exact for the polynomials of order 2
 
 
 def cgns_grid(path):
@@ -42,20 +43,25 @@ def exodus_grid(path, of_stage):
     return reader.GetOutput().GetBlock(0).GetBlock(0)
 
 
-of_stage = stage(sys.argv[1])
-grid = cgns_grid(sys.argv[2]) if sys.argv[2].endswith(".cgns") else exodus_grid(sys.argv[2], of_stage)
-assert isinstance(grid, vtk.vtkUnstructuredGrid), grid
-if grid.GetCell(0).GetNumberOfPoints() == 20:
-    of_stage.nodes = hex_mesh.without_inner_nodes(of_stage.nodes)
-wanted = sum(hex_mesh.measures(of_stage)[0].values())
-points, volume = vtk_to_numpy(grid.GetPoints().GetData()), 0.0
-at, weights = numpy.polynomial.legendre.leggauss(10)
-cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(grid.GetNumberOfCells(), -1)
-cell = grid.GetCell(0)
-for places in product(range(10), repeat=3):
-    slopes = [0.0] * (3 * cells.shape[1])
-    cell.InterpolateDerivs([(1 + at[k]) / 2 for k in places], slopes)
-    dets = numpy.linalg.det(numpy.einsum("dn,enk->edk", numpy.reshape(slopes, (3, -1)), points[cells]))
-    assert dets.min() > 0, dets.min()
-    volume += float(dets.sum() * numpy.prod(weights[list(places)]) / 8)
-assert abs(volume - wanted) < 1e-8 * wanted, (volume, wanted)
+def judge(stage_file, path):
+    of_stage = stage(stage_file)
+    grid = cgns_grid(path) if path.endswith(".cgns") else exodus_grid(path, of_stage)
+    assert isinstance(grid, vtk.vtkUnstructuredGrid), grid
+    if grid.GetCell(0).GetNumberOfPoints() == 20:
+        of_stage.nodes = hex_mesh.without_inner_nodes(of_stage.nodes)
+    wanted = sum(hex_mesh.measures(of_stage)[0].values())
+    points, volume = vtk_to_numpy(grid.GetPoints().GetData()), 0.0
+    at, weights = numpy.polynomial.legendre.leggauss(POINTS)
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(grid.GetNumberOfCells(), -1)
+    cell = grid.GetCell(0)
+    for places in product(range(POINTS), repeat=3):
+        slopes = [0.0] * (3 * cells.shape[1])
+        cell.InterpolateDerivs([(1 + at[k]) / 2 for k in places], slopes)
+        dets = numpy.linalg.det(numpy.einsum("dn,enk->edk", numpy.reshape(slopes, (3, -1)), points[cells]))
+        assert dets.min() > 0, (path, dets.min())
+        volume += float(dets.sum() * numpy.prod(weights[list(places)]) / 8)
+    assert abs(volume - wanted) < 1e-8 * wanted, (path, volume, wanted)
+
+
+for case in zip(*(iter(sys.argv[1:]),) * 2):
+    judge(*case)

@@ -1,5 +1,5 @@
 #pragma once
-// Curves of a face that options and files of users mean by a pattern, a place or a shape.
+// Selects curves of a face by a pattern of names, a box, or the diameter of circles, for options and files of users.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace quadrille::curve {
 
-/// The curves that `text` means, ascending. Those of this very name come first; if there are none:
+/// The curves that `text` selects, ascending. Those of this very name come first; if there are none:
 ///   - box(X0,Y0,X1,Y1): all that lie in a rectangle of the face's plane, whose corners are positions as face_position
 ///     takes them; box(X0,Y0,Z0,X1,Y1,Z1): in a box of the CAD model's space;
 ///   - circles(<D), circles(>D), circles(D): the curves of loops that are whole circles, of a diameter below, above or

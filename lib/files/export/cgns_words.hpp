@@ -32,7 +32,7 @@ class CgnsSections {
  public:
   /// An empty section for the elements that follow.
   CgnsSection begin(const std::string& name, const char* type) const { return {name, type, next_, 0, {}}; }
-  /// Without elements there is none. `is_boundary`: its elements are a boundary of that name.
+  /// Adds the section to the zone, unless it is empty. `is_boundary`: the zone gets a boundary of its name too.
   void add(CgnsSection section, bool is_boundary, CgnsZone& zone);
 
  private:

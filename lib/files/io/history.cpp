@@ -35,7 +35,7 @@ bool is_phase(const ProvenanceStep& step) {
 
 /// Of what a step writes; `before` is the name of what the step before wrote.
 std::string ending_of_output(const ProvenanceStep& step, const std::string& before) {
-  if (makes_shapes(step.tool)) return ".step";
+  if (converts_shapes(step.tool)) return ".step";
   const StageTool* stage = find_stage_tool(step.tool);
   std::string ending = '.' + (stage ? std::string(stage->ending) : step.tool);
   if (step.tool == "fieldsolve" && is_phase(step)) return ".phase" + ending;

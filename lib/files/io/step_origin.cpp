@@ -52,7 +52,7 @@ Provenance step_origin(const std::string& bytes) {
   if (text.empty()) return {};
   try {
     Provenance provenance = parse_provenance(text, "STEP file");
-    if (provenance.size() == 1 && makes_shapes(provenance[0].tool)) return provenance;
+    if (provenance.size() == 1 && converts_shapes(provenance[0].tool)) return provenance;
   } catch (const FormatError&) {  // somebody wrote it by hand: how the file was made is unknown
   }
   return {};

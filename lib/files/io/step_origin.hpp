@@ -10,8 +10,8 @@
 
 namespace quadrille::io {
 
-/// Whether the command makes a STEP file of what is no CAD file.
-constexpr bool makes_shapes(std::string_view tool) { return tool == "points2step" || tool == "drawing2step"; }
+/// Whether the command converts points or drawings to STEP files.
+constexpr bool converts_shapes(std::string_view tool) { return tool == "points2step" || tool == "drawing2step"; }
 
 /// Empty for other files, and for texts that are no such provenance.
 Provenance step_origin(const std::string& bytes);

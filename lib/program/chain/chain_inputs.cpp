@@ -7,7 +7,7 @@
 
 #include "cad/load_face.hpp"
 #include "chain/end_of_run.hpp"
-#include "chain/shape_makers.hpp"
+#include "chain/shape_converters.hpp"
 #include "cli/messages.hpp"
 #include "cli/outcome.hpp"
 #include "io/alignment_io.hpp"

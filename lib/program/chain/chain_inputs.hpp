@@ -8,7 +8,7 @@
 
 namespace quadrille::chain {
 
-/// Runs points2step or drawing2step if the shape is no CAD file (shape_makers), and cad2tri. Throws ChainFailure.
+/// Runs points2step or drawing2step if the shape is no CAD file (shape_converters), and cad2tri. Throws ChainFailure.
 void triangulate_shape(ChainState& chain);
 
 /// What a file contains, with its identity; nothing without a file.

@@ -76,13 +76,13 @@ struct ChainOptions {
   int num_threads = 0;                ///< 0: auto
   Limits limits;                      ///< of seconds and memory
   ChainStage first = ChainStage::cad2tri, last = ChainStage::quadexport;
-  std::string from, until;   ///< their names if they were given
-  std::string maker_option;  ///< an option of a command that makes a CAD file (shape_makers) that was given
-  std::string cad_option;    ///< an option of cad2tri that was given
+  std::string from, until;       ///< their names if they were given
+  std::string converter_option;  ///< a given option of a command that converts shapes (shape_converters)
+  std::string cad_option;        ///< an option of cad2tri that was given
   bool is_verbose = false, is_quiet = false, is_dry_run = false;
   bool is_swept = false;                       ///< hexsweep runs
   std::map<ChainStage, std::string> programs;  ///< external programs in place of stages, commands for a shell
-  Words words;                                 ///< of each stage and of shape_makers, as given
+  Words words;                                 ///< of each stage and of shape_converters, as given
   std::string typed;                           ///< the command, for the page: files without folders
 
   bool has(const std::string& tool, const std::string& flag) const;  ///< whether the words of the tool hold the flag

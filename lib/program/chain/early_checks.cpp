@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "chain/chain_inputs.hpp"
 #include "chain/chain_nodes.hpp"
-#include "chain/shape_makers.hpp"
+#include "chain/shape_converters.hpp"
 #include "cli/outcome.hpp"
 #include "cli/run_files.hpp"
 #include "cli/stage_words.hpp"
@@ -47,9 +47,9 @@ void check_skipped_options(const ChainOptions& options) {
   if (!options.cad_option.empty())
     throw UsageError(fmt::format("{} is an option of cad2tri, which --from {} does not run: leave one of them out",
                                  options.cad_option, options.from));
-  if (!options.maker_option.empty())
+  if (const ShapeConverter* converter = converter_with_option(options.converter_option))
     throw UsageError(fmt::format("{} makes a CAD file of {}, which --from {} does not read: leave one of them out",
-                                 options.maker_option, maker_with_option(options.maker_option)->input, options.from));
+                                 options.converter_option, converter->input, options.from));
   for (const ChainStage stage : {ChainStage::critpoints, ChainStage::separatrix, ChainStage::blocksplit,
                                  ChainStage::quadrefine, ChainStage::hexsweep}) {
     const auto words = options.words.find(enum_name(stage));
@@ -188,7 +188,7 @@ void check_inputs(const ChainState& chain) {
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
 }
 
-/// Endings of the files that a stage writes, or shape_makers, cad2chart and fieldsolve for it.
+/// Endings of the files that a stage writes, or shape_converters, cad2chart and fieldsolve for it.
 std::vector<std::string> endings_of(ChainStage stage) {
   std::vector<std::string> endings{ending_of(stage)};
   if (stage == ChainStage::cad2tri) endings.insert(endings.end(), {"outline.step", "chart.h5"});
@@ -217,8 +217,8 @@ cli::RunFiles files_of(const ChainState& chain) {
   cli::RunFiles files;
   files.read(options.shape);
   files.read(options.nodes_file);
-  for (const ShapeMaker& maker : shape_makers())
-    if (const auto words = options.words.find(std::string(maker.command)); words != options.words.end())
+  for (const ShapeConverter& converter : shape_converters())
+    if (const auto words = options.words.find(std::string(converter.command)); words != options.words.end())
       for (const std::string& word : words->second)
         if (is_file(word)) files.read(word);
   StageOptions values = chain.values;
@@ -297,7 +297,7 @@ void check_command_line(const ChainOptions& options, const StageOptions& values)
     throw UsageError(fmt::format("--html: '{}' does not end in .html", options.html));
   check_range(options);
   check_skipped_options(options);
-  maker_of_shape(options);
+  converter_of_shape(options);
   check_stage_options(values);
   check_name_of_stage_file(options);
   check_output_format(options, values);

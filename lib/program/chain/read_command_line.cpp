@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "chain/chain_options.hpp"
-#include "chain/shape_makers.hpp"
+#include "chain/shape_converters.hpp"
 #include "cli/command_line.hpp"
 #include "cli/stage_words.hpp"
 #include "triangulate/size_triangles.hpp"
@@ -37,12 +37,12 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
 }
 
 bool is_flag(const std::string& flag) {
-  const ShapeMaker* maker = maker_with_option(flag);
-  return contains(own_flags, flag) || (maker && !maker->options.at(flag));
+  const ShapeConverter* converter = converter_with_option(flag);
+  return contains(own_flags, flag) || (converter && !converter->options.at(flag));
 }
 
 bool has_value(const std::string& flag) {
-  return !is_flag(flag) && (of_cad2tri.contains(flag) || maker_with_option(flag) || contains(own_values, flag));
+  return !is_flag(flag) && (of_cad2tri.contains(flag) || converter_with_option(flag) || contains(own_values, flag));
 }
 
 /// An option of stages, and the stages that have it.
@@ -143,12 +143,12 @@ class Reader {
     if (flag == "--quiet") options_.is_quiet = true;
     if (flag == "--dry-run") options_.is_dry_run = true;
     if (flag == "--sweep") options_.is_swept = true;
-    if (const ShapeMaker* maker = maker_with_option(flag)) choose_for(*maker, {flag});
+    if (const ShapeConverter* converter = converter_with_option(flag)) choose_for(*converter, {flag});
   }
 
-  void choose_for(const ShapeMaker& maker, const std::vector<std::string>& words) {
-    options_.maker_option = words.front();
-    choose({std::string(maker.command)}, words);
+  void choose_for(const ShapeConverter& converter, const std::vector<std::string>& words) {
+    options_.converter_option = words.front();
+    choose({std::string(converter.command)}, words);
   }
 
   void take_value(const std::string& flag, const std::string& value) {
@@ -156,8 +156,8 @@ class Reader {
       options_.cad_option = flag;
       if (!value.empty() || flag == "--name" || flag == "--region-name" || flag == "--periodic" || flag == "--offset")
         choose({"cad2tri"}, {flag, value});
-    } else if (const ShapeMaker* maker = maker_with_option(flag)) {
-      choose_for(*maker, {flag, value});
+    } else if (const ShapeConverter* converter = converter_with_option(flag)) {
+      choose_for(*converter, {flag, value});
     } else if (flag == "--nodes") {
       take_nodes(value);
     } else if (flag == "--stage") {
@@ -210,8 +210,8 @@ class Reader {
   [[noreturn]] void unknown(const std::string& word) {
     std::vector<std::string> known = own_values;
     known.insert(known.end(), of_cad2tri.begin(), of_cad2tri.end());
-    for (const ShapeMaker& maker : shape_makers())
-      for (const auto& [flag, has_value] : maker.options) known.push_back(flag);
+    for (const ShapeConverter& converter : shape_converters())
+      for (const auto& [flag, has_value] : converter.options) known.push_back(flag);
     known.insert(known.end(), own_flags.begin(), own_flags.end());
     for (const auto& [flag, option] : shared()) known.push_back(flag);
     const std::string nearest = nearest_word(word, known);
@@ -286,8 +286,9 @@ std::string option_list() {
   std::map<std::string, OptionKind> kinds;
   for (const auto& [flag, option] : shared_options()) kinds[flag] = option.kind;
   for (const std::string& flag : own_values) kinds[flag] = OptionKind::value;
-  for (const ShapeMaker& maker : shape_makers())
-    for (const auto& [flag, has_value] : maker.options) kinds[flag] = has_value ? OptionKind::value : OptionKind::flag;
+  for (const ShapeConverter& converter : shape_converters())
+    for (const auto& [flag, has_value] : converter.options)
+      kinds[flag] = has_value ? OptionKind::value : OptionKind::flag;
   StageOptions values;
   for (const cli::OptionName& name : cli::option_names([&](Options& o) { declare(o, ChainStage::cad2tri, values); }))
     if (of_cad2tri.contains(name.flag)) kinds[name.flag] = name.kind;

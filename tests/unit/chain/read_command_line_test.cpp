@@ -80,7 +80,7 @@ TEST(ReadCommandLine, options_go_to_all_stages_that_have_them) {
   EXPECT_EQ(options.words.at("quadexport"), (Texts{"--unit", "mm"}));
   EXPECT_EQ(options.words.at("critpoints"), (Texts{"--ties", "field"}));
   EXPECT_EQ(options.words.at("points2step"), (Texts{"--farfield", "box:9"}));
-  EXPECT_EQ(options.maker_option, "--farfield");
+  EXPECT_EQ(options.converter_option, "--farfield");
   EXPECT_EQ(options.cad_option, "--face");
   EXPECT_TRUE(options.has("critpoints", "--ties"));
   EXPECT_FALSE(options.has("critpoints", "--unit") || options.has("padapt", "--unit"));
@@ -103,8 +103,8 @@ TEST(ReadCommandLine, options_for_points_go_to_points2step) {
   const ChainOptions options = read(words);
   EXPECT_EQ(options.words.at("points2step"), words);
   EXPECT_EQ(options.words.size(), 1);
-  EXPECT_EQ(options.maker_option, "--simplify-outline");
-  EXPECT_EQ(read({"--straight"}).maker_option, "--straight");
+  EXPECT_EQ(options.converter_option, "--simplify-outline");
+  EXPECT_EQ(read({"--straight"}).converter_option, "--straight");
 }
 
 TEST(ReadCommandLine, nodes_are_a_rule_or_a_file) {

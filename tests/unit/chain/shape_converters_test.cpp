@@ -1,4 +1,4 @@
-#include "chain/shape_makers.hpp"
+#include "chain/shape_converters.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,20 +18,20 @@ ChainOptions options_of(const std::string& shape, const std::vector<std::string>
 }
 
 std::string command_for(const std::string& shape, const std::vector<std::string>& words = {}) {
-  const ShapeMaker* maker = maker_of_shape(options_of(shape, words));
-  return maker ? std::string(maker->command) : "";
+  const ShapeConverter* converter = converter_of_shape(options_of(shape, words));
+  return converter ? std::string(converter->command) : "";
 }
 
 std::string refusal(const std::string& shape, const std::vector<std::string>& words) {
   try {
-    maker_of_shape(options_of(shape, words));
+    converter_of_shape(options_of(shape, words));
   } catch (const UsageError& error) {
     return error.what();
   }
   return {};
 }
 
-TEST(ShapeMakers, the_ending_tells_the_command) {
+TEST(ShapeConverters, the_ending_tells_the_command) {
   EXPECT_EQ(command_for("a.dat"), "points2step");
   EXPECT_EQ(command_for("folder.svg/a.xy"), "points2step");
   EXPECT_EQ(command_for("a.dxf"), "drawing2step");
@@ -41,7 +41,7 @@ TEST(ShapeMakers, the_ending_tells_the_command) {
   EXPECT_EQ(command_for("-"), "");
 }
 
-TEST(ShapeMakers, an_option_tells_the_command) {
+TEST(ShapeConverters, an_option_tells_the_command) {
   EXPECT_EQ(command_for("-", {"--farfield", "box:2"}), "points2step");
   EXPECT_EQ(command_for("a.txt", {"--straight"}), "points2step");
   EXPECT_EQ(command_for("-", {"--regions"}), "drawing2step");
@@ -49,7 +49,7 @@ TEST(ShapeMakers, an_option_tells_the_command) {
             (std::vector<std::string>{"--embed", "axis", "--regions"}));
 }
 
-TEST(ShapeMakers, options_for_another_kind_of_shape_are_refused) {
+TEST(ShapeConverters, options_for_another_kind_of_shape_are_refused) {
   EXPECT_EQ(refusal("a.dxf", {"--chord", "2"}),
             "--chord is an option for points (.dat, .xy), but the shape is a drawing: leave it out");
   EXPECT_EQ(refusal("a.dat", {"--regions"}),
@@ -58,10 +58,11 @@ TEST(ShapeMakers, options_for_another_kind_of_shape_are_refused) {
             "--regions is an option for a drawing (.dxf, .svg), but the shape is points: leave it out");
 }
 
-TEST(ShapeMakers, no_two_commands_share_an_option_or_an_ending) {
-  for (const ShapeMaker& maker : shape_makers()) {
-    for (const auto& [flag, takes_value] : maker.options) EXPECT_EQ(maker_with_option(flag), &maker) << flag;
-    for (const std::string& ending : maker.endings) EXPECT_EQ(command_for("a" + ending), maker.command);
+TEST(ShapeConverters, no_two_commands_share_an_option_or_an_ending) {
+  for (const ShapeConverter& converter : shape_converters()) {
+    for (const auto& [flag, takes_value] : converter.options)
+      EXPECT_EQ(converter_with_option(flag), &converter) << flag;
+    for (const std::string& ending : converter.endings) EXPECT_EQ(command_for("a" + ending), converter.command);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Commands that make a CAD file of what is none, points or a drawing: an option of such a command, or the ending of the
-// shape, tells which one.
+// Commands that convert points or a drawing to a CAD file. The ending of the shape's name, or an option that only one
+// of them has, selects the command.
 
 #include <map>
 #include <string>
@@ -12,7 +12,7 @@ namespace quadrille::chain {
 struct ChainOptions;
 struct ChainState;
 
-struct ShapeMaker {
+struct ShapeConverter {
   std::string_view command;             ///< the shape, options, and -o FILE
   std::string_view input;               ///< what it reads, in words
   std::vector<std::string> endings;     ///< of shapes, in small letters
@@ -20,16 +20,16 @@ struct ShapeMaker {
 };
 
 /// All of them.
-const std::vector<ShapeMaker>& shape_makers();
+const std::vector<ShapeConverter>& shape_converters();
 
 /// The command that has the option; nullptr: none.
-const ShapeMaker* maker_with_option(const std::string& flag);
+const ShapeConverter* converter_with_option(const std::string& flag);
 
 /// The command that the shape needs, by the options, else by the ending of the shape; nullptr: none, it is a CAD file.
 /// Throws UsageError if the options are of two commands, or of one that does not read files with such an ending.
-const ShapeMaker* maker_of_shape(const ChainOptions& options);
+const ShapeConverter* converter_of_shape(const ChainOptions& options);
 
-/// The shape as a CAD file, made if necessary. Throws ChainFailure.
+/// The path of the shape as a CAD file, converted if necessary. Throws ChainFailure.
 std::string cad_file(ChainState& chain);
 
 }  // namespace quadrille::chain

@@ -1,4 +1,4 @@
-#include "chain/shape_makers.hpp"
+#include "chain/shape_converters.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,11 +19,11 @@ namespace quadrille::chain {
 
 namespace {
 
-const ShapeMaker* maker_by_ending(std::string shape) {
+const ShapeConverter* converter_by_ending(std::string shape) {
   std::transform(shape.begin(), shape.end(), shape.begin(), [](unsigned char c) { return std::tolower(c); });
-  for (const ShapeMaker& maker : shape_makers())
-    for (const std::string& ending : maker.endings)
-      if (shape.ends_with(ending)) return &maker;
+  for (const ShapeConverter& converter : shape_converters())
+    for (const std::string& ending : converter.endings)
+      if (shape.ends_with(ending)) return &converter;
   return nullptr;
 }
 
@@ -42,7 +42,7 @@ std::string report_of_warnings(std::string_view command, const std::string& mess
   return warnings.empty() ? std::string() : fmt::format("{{\"tool\": \"{}\", \"warnings\": [{}]}}", command, warnings);
 }
 
-/// Prints what it tells about the shape.
+/// Prints the messages of the command that are no warnings.
 void print_notes(std::string_view command, const std::string& messages) {
   std::istringstream lines(messages);
   for (std::string line; std::getline(lines, line);)
@@ -66,7 +66,7 @@ std::string shape_file(ChainState& chain) {
 }
 
 /// Runs the command and passes its messages on.
-void run_maker(ChainState& chain, const std::string& command, std::vector<std::string> words) {
+void run_converter(ChainState& chain, const std::string& command, std::vector<std::string> words) {
   words.front() = command_path(command);
   const auto [code, messages] = chain.runner.run_helper(words);
   if (code != 0) {
@@ -84,54 +84,56 @@ void run_maker(ChainState& chain, const std::string& command, std::vector<std::s
 
 }  // namespace
 
-const std::vector<ShapeMaker>& shape_makers() {
-  static const std::vector<ShapeMaker> makers{{"points2step",
-                                               "points",
-                                               {".dat", ".xy"},
-                                               {{"--farfield", true},
-                                                {"--wake", true},
-                                                {"--chord", true},
-                                                {"--simplify-outline", true},
-                                                {"--points-tolerance", true},
-                                                {"--points-format", true},
-                                                {"--points-unit", true},
-                                                {"--points-corner-angle", true},
-                                                {"--face-name", true},
-                                                {"--straight", false}}},
-                                              {"drawing2step",
-                                               "a drawing",
-                                               {".dxf", ".svg"},
-                                               {{"--drawing-tolerance", true},
-                                                {"--drawing-layers", true},
-                                                {"--drawing-unit", true},
-                                                {"--embed", true},
-                                                {"--regions", false}}}};
-  return makers;
+const std::vector<ShapeConverter>& shape_converters() {
+  static const std::vector<ShapeConverter> converters{{"points2step",
+                                                       "points",
+                                                       {".dat", ".xy"},
+                                                       {{"--farfield", true},
+                                                        {"--wake", true},
+                                                        {"--chord", true},
+                                                        {"--simplify-outline", true},
+                                                        {"--points-tolerance", true},
+                                                        {"--points-format", true},
+                                                        {"--points-unit", true},
+                                                        {"--points-corner-angle", true},
+                                                        {"--face-name", true},
+                                                        {"--straight", false}}},
+                                                      {"drawing2step",
+                                                       "a drawing",
+                                                       {".dxf", ".svg"},
+                                                       {{"--drawing-tolerance", true},
+                                                        {"--drawing-layers", true},
+                                                        {"--drawing-unit", true},
+                                                        {"--embed", true},
+                                                        {"--regions", false}}}};
+  return converters;
 }
 
-const ShapeMaker* maker_with_option(const std::string& flag) {
-  for (const ShapeMaker& maker : shape_makers())
-    if (maker.options.contains(flag)) return &maker;
+const ShapeConverter* converter_with_option(const std::string& flag) {
+  for (const ShapeConverter& converter : shape_converters())
+    if (converter.options.contains(flag)) return &converter;
   return nullptr;
 }
 
-const ShapeMaker* maker_of_shape(const ChainOptions& options) {
-  const ShapeMaker* maker = maker_by_ending(options.shape);
-  for (const ShapeMaker& other : shape_makers()) {
+const ShapeConverter* converter_of_shape(const ChainOptions& options) {
+  const ShapeConverter* converter = converter_by_ending(options.shape);
+  for (const ShapeConverter& other : shape_converters()) {
     const auto words = options.words.find(std::string(other.command));
     if (words == options.words.end()) continue;
-    if (maker && maker != &other)
+    if (converter && converter != &other)
       throw UsageError(fmt::format("{} is an option for {} ({}), but the shape is {}: leave it out",
-                                   words->second.front(), other.input, fmt::join(other.endings, ", "), maker->input));
-    maker = &other;
+                                   words->second.front(), other.input, fmt::join(other.endings, ", "),
+                                   converter->input));
+    converter = &other;
   }
-  return maker;
+  return converter;
 }
 
 std::string cad_file(ChainState& chain) {
-  const ShapeMaker* maker = chain.options.first == ChainStage::cad2tri ? maker_of_shape(chain.options) : nullptr;
-  if (!maker) return chain.options.shape;
-  const std::string command(maker->command);
+  const ShapeConverter* converter =
+      chain.options.first == ChainStage::cad2tri ? converter_of_shape(chain.options) : nullptr;
+  if (!converter) return chain.options.shape;
+  const std::string command(converter->command);
   std::string made = chain.files.stem + ".outline.step";
   std::vector<std::string> words{command, shape_file(chain), "-o", made};
   if (const auto chosen = chain.options.words.find(command); chosen != chain.options.words.end())
@@ -139,7 +141,7 @@ std::string cad_file(ChainState& chain) {
   if (chain.options.is_dry_run)
     cli::print_to_stdout(shell_command(words) + '\n');
   else
-    run_maker(chain, command, words);
+    run_converter(chain, command, words);
   return made;
 }
 
