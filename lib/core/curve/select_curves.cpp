@@ -18,9 +18,10 @@ namespace quadrille::curve {
 namespace {
 
 constexpr int points_per_curve = 64;
-constexpr double circle_tolerance = 1e-6;  // of the radius: splines of CAD programs that stand for circles
-constexpr double equal_diameters = 1e-3;   // of the diameter
-constexpr double border_tolerance = 1e-6;  // of the face's diameter: curves on the border of a box lie in it
+/// Of the radius, for splines of CAD programs that stand for circles, and of the face's diameter, for curves on the
+/// border of a box.
+constexpr double closeness = 1e-6;
+constexpr double equal_diameters = 1e-3;  // of the diameter
 
 /// In space; without the placement of a planar face if `in_plane`: (x, y, 0), with the face's origin.
 std::vector<Vec3> points_of(const CadFace& face, int curve, bool in_plane) {
@@ -63,7 +64,7 @@ std::vector<int> curves_in_box(const CadFace& face, const std::string& arguments
   if (in_plane && face.chart) throw UsageError(where + ": the face is curved: give box(X0,Y0,Z0,X1,Y1,Z1) in space");
   const auto [low, high] = in_plane ? std::pair{Vec3{x[0], x[1], 0}, Vec3{x[2], x[3], 0}}
                                     : std::pair{Vec3{x[0], x[1], x[2]}, Vec3{x[3], x[4], x[5]}};
-  const double border = border_tolerance * (face.chart ? surface::diameter(*face.chart) : face.diameter);
+  const double border = closeness * (face.chart ? surface::diameter(*face.chart) : face.diameter);
   const auto is_between = [&](double value, double a, double b) {
     return value >= std::min(a, b) - border && value <= std::max(a, b) + border;
   };
@@ -87,7 +88,7 @@ std::optional<double> circle_diameter(const CadFace& face, int loop) {
   const Vec3 a = points[0], u = points[points.size() / 3] - a, v = points[points.size() * 2 / 3] - a, w = cross(u, v);
   if (!(norm2(w) > 0)) return std::nullopt;
   const Vec3 centre = a + (norm2(v) * cross(w, u) + norm2(u) * cross(v, w)) / (2 * norm2(w));
-  const double radius = distance(a, centre), tolerance = circle_tolerance * radius;
+  const double radius = distance(a, centre), tolerance = closeness * radius;
   const auto is_on_circle = [&, normal = normalized(w)](Vec3 p) {
     return std::abs(distance(p, centre) - radius) <= tolerance && std::abs(dot(p - centre, normal)) <= tolerance;
   };
