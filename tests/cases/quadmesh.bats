@@ -550,3 +550,9 @@ on_terminal() {
   run -0 on_terminal "$quadmesh" -q "$DATA/half_disc.step" -o out.msh
   assert_output ''
 }
+
+@test "counts are chosen where the boundary, not the size, asks for short elements" {
+  "$quadmesh" -q "$DATA/free_form.step" -o a.msh --report a.json
+  run jq '.valid and .boundary.mesh_to_cad <= .boundary.tolerance and .resolution.ratio < 3' a.json
+  assert_output true
+}

@@ -259,12 +259,13 @@ SplitMesh nearly_placed(const SplitRequest& request, SplitMesh mesh) {
   return mesh;
 }
 
-/// Whether `next` exceeds anything more than `split`.
+/// Whether `next` exceeds anything more than `split`, but for the distance from the CAD curves: drafts may miss it, and
+/// place_further meets it.
 bool exceeds_more(const SplitMesh& next, const SplitMesh& split) {
   const mesh::MeshScore &before = split.score, &after = next.score;
   return joints_inside_edges(next.mesh).size() > joints_inside_edges(split.mesh).size() ||
-         after.unproved > before.unproved || mesh::exceeds(after.distance, before.distance) ||
-         mesh::exceeds(after.elongation, before.elongation) || after.growth > before.growth;
+         after.unproved > before.unproved || mesh::exceeds(after.elongation, before.elongation) ||
+         after.growth > before.growth;
 }
 
 /// `resolution`: the ratio of `next` over that of `split`.
@@ -325,7 +326,7 @@ void lower_error(const SplitRequest& request, SplitMesh& result) {
   };
   if (std::optional<Draft> better = better_draft(request, first)) {
     result = placed(std::move(better->near));
-    if (!exceeds_more(result, first.near)) return;
+    if (!exceeds_more(result, first.near) && !mesh::exceeds(result.score.distance, first.near.score.distance)) return;
   }
   result = placed(std::move(first.near));
 }
