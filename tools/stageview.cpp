@@ -13,7 +13,7 @@ namespace {
 
 struct Settings {
   std::vector<std::string> inputs;
-  std::string field, output, run_report;
+  std::string field, output, run_report, workbench;
   stage::View view;
   stage::StageviewOptions options;
 };
@@ -21,9 +21,11 @@ struct Settings {
 void run(Settings& settings, cli::Session& session) {
   stage::View& view = settings.view;
   const std::string ending = io::picture_ending(settings.output);
-  view.is_page = ending == "html" || ending == "htm";
+  view.is_data = ending == "json" && !settings.workbench.empty();
+  view.is_page = ending == "html" || ending == "htm" || view.is_data;
   view.has_field = !settings.field.empty();
-  stage::require_view(view, settings.inputs.size(), !settings.run_report.empty(), settings.options);
+  const bool has_record = !settings.run_report.empty() || !settings.workbench.empty();
+  stage::require_view(view, settings.inputs.size(), has_record, settings.options);
   const auto format = view.is_page ? io::PictureFormat::svg : io::picture_format(settings.output);
   session.begin_phase("read");
   std::vector<std::string> paths = settings.inputs;
@@ -32,7 +34,10 @@ void run(Settings& settings, cli::Session& session) {
     const io::InputFile file = io::read_input(path);
     stage::add_to(view, io::read_any_stage(file), file, session);
   }
-  if (!settings.run_report.empty()) view.run_report = io::read_report(settings.run_report);
+  if (!settings.run_report.empty())
+    view.run_report = io::read_object(settings.run_report, "a report", "formats/report.md");
+  if (!settings.workbench.empty())
+    view.workbench = io::read_object(settings.workbench, "the state of a workbench", "pipelines/quadbench.md");
   session.begin_phase("draw");
   const bool is_page = view.is_page;
   const std::string text =
@@ -79,6 +84,11 @@ int main(int argc, char** argv) {
                  "in a page, a tab with this report of the run (quadmesh --report), histograms of the last mesh and "
                  "the commands by which the files were made",
                  false);
+    o.input_file(
+        "--workbench", settings.workbench, "FILE",
+        "make the page that quadbench serves, with this JSON object as its state; with -o x.json, the data of the "
+        "page alone",
+        false);
     declare(o, settings.options);
   };
   tool.run = [&](cli::Session& session) { run(settings, session); };

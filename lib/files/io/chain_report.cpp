@@ -45,12 +45,12 @@ void write_report(const std::string& path, const std::string& tool, const std::s
   write_output(path, report_text(tool, version, report), false);
 }
 
-std::string read_report(const std::string& path) {
+std::string read_object(const std::string& path, const std::string& what, const std::string& page) {
   const InputFile file = read_input(path);
   require_shallow(file.bytes, file.name);
-  const Json report = Json::parse(file.bytes, nullptr, false);
-  if (!report.is_object()) throw FormatError(file.name + ": expected a report, a JSON object (formats/report.md)");
-  return report.dump();
+  const Json object = Json::parse(file.bytes, nullptr, false);
+  if (!object.is_object()) throw FormatError(fmt::format("{}: expected {}, a JSON object ({})", file.name, what, page));
+  return object.dump();
 }
 
 namespace {

@@ -31,7 +31,8 @@ void write_report(const std::string& path, const std::string& tool, const std::s
 /// Its text.
 std::string report_text(const std::string& tool, const std::string& version, const Report& report);
 
-/// A report that was written before, as JSON in one line. Throws FormatError if the file is no JSON object.
-std::string read_report(const std::string& path);
+/// A JSON object in one line, as a report that was written before. Throws FormatError if the file is no JSON object;
+/// `what`: what it should be, and `page`, where that is described, for the message.
+std::string read_object(const std::string& path, const std::string& what, const std::string& page);
 
 }  // namespace quadrille::io

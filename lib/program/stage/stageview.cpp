@@ -101,7 +101,7 @@ std::string picture_of(const View& view, const StageviewOptions& options) {
 }
 
 std::string page_of(View view, const std::string& stem) {
-  page::RunRecord run{std::move(view.run_report), {}};
+  page::RunRecord run{std::move(view.run_report), {}, std::move(view.workbench)};
   io::History history;
   std::vector<StageModel> stages;
   for (View::Stage& stage : view.stages) {
@@ -110,6 +110,7 @@ std::string page_of(View view, const std::string& stem) {
         run.commands.push_back(line);
     stages.push_back(std::move(stage.model));
   }
+  if (view.is_data) return page::page_data(stages, run);
   return view.is_comparison ? page::comparison_page(stages[0], stages[1]) : page::html_page(stages, run);
 }
 
@@ -134,7 +135,7 @@ void declare(Options& o, StageviewOptions& stageview) {
   o.integer("--width", stageview.width, 200, 20000, "width of the picture in pixels");
 }
 
-void require_view(const View& view, std::size_t num_files, bool has_report, const StageviewOptions& options) {
+void require_view(const View& view, std::size_t num_files, bool has_record, const StageviewOptions& options) {
   if (!view.is_page && !view.is_comparison && num_files > 1)
     throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
   if (!options.window.empty()) static_cast<void>(parsed_window(options.window));
@@ -144,9 +145,10 @@ void require_view(const View& view, std::size_t num_files, bool has_report, cons
   if (!options.window.empty() && view.is_page) throw UsageError("--window is for pictures: a page zooms by itself");
   if (options.labels_all && options.labels_none)
     throw UsageError("--curve-labels and --no-curve-labels exclude each other");
-  if (has_report && (!view.is_page || view.is_comparison))
+  if (has_record && (!view.is_page || view.is_comparison))
     throw UsageError(
-        "--run-report is for pages of one chain: give -o with a name that ends in .html, and no --compare");
+        "--run-report and --workbench are for pages of one chain: give -o with a name that ends in .html, and no "
+        "--compare");
   if (view.is_comparison && view.has_field) throw UsageError("--compare and --field exclude each other");
   if (view.is_comparison && num_files != 2) throw UsageError("--compare needs two files, layouts or meshes");
 }

@@ -30,18 +30,21 @@ struct View {
   bool is_page = false;        ///< HTML; else SVG
   bool is_comparison = false;  ///< of two layouts or meshes, of one chain or not
   bool has_field = false;      ///< under critical points
+  bool is_data = false;        ///< of a page, JSON, without the page
   std::string run_report;      ///< for a page: JSON of the run that made the stages; empty: none
+  std::string workbench;       ///< for a page that edits: JSON of its state; empty: none
 };
 
 /// Throws UsageError for options that exclude each other or do not fit a page, a picture or `num_files` files, before a
-/// file is read. `has_report`: there will be a report of the run.
-void require_view(const View& view, std::size_t num_files, bool has_report, const StageviewOptions& options);
+/// file is read. `has_record`: there will be a report of the run, or the state of a workbench.
+void require_view(const View& view, std::size_t num_files, bool has_record, const StageviewOptions& options);
 
 /// Adds a stage. A mesh that is not valid is reported. Throws FormatError if it breaks a rule, or was not made from one
 /// of those before nor one of them from it; UsageError for what cannot be compared.
 void add_to(View& view, StageModel model, FileIdentity file, Run& run);
 
-/// The SVG or HTML. `stem`: how files are called in the commands of the run. UsageError: nothing is in the window.
+/// The SVG, HTML or JSON. `stem`: how files are called in the commands of the run. UsageError: nothing is in the
+/// window.
 std::string stageview(View view, const std::string& stem, const StageviewOptions& options);
 
 }  // namespace quadrille::stage

@@ -107,7 +107,7 @@ std::string title_of(const std::vector<StageModel>& stages) {
   return face && !face->name.empty() ? face->name : "Quadrille";
 }
 
-std::string data_json(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
+std::string data_of(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = page_frame(box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
@@ -123,24 +123,36 @@ std::string data_json(const std::vector<StageModel>& stages, bool is_comparison,
   object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);
   if (!run.report.empty()) object.json("report", script_json(run.report)).json("commands", json_texts(run.commands));
+  if (!run.workbench.empty()) object.json("workbench", script_json(run.workbench));
   return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
 }
 
+/// What a page may load and where it may send requests: nothing and nowhere, but for a workbench's own server.
+std::string content_policy(bool is_workbench) {
+  const std::string policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+  return is_workbench ? policy + "; connect-src 'self'" : policy;
+}
+
 std::string page_of(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
+  const bool is_workbench = !run.workbench.empty();
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-      "script-src 'unsafe-inline'\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
-      html_text(title_of(stages)), page_style(), page_body(), data_json(stages, is_comparison, run), page_script());
+      content_policy(is_workbench), html_text(title_of(stages)), page_style(), page_body(),
+      data_of(stages, is_comparison, run), is_workbench ? workbench_script() : page_script());
 }
 
 }  // namespace
 
 std::string html_page(const std::vector<StageModel>& stages, const RunRecord& run) {
   return page_of(stages, false, run);
+}
+
+std::string page_data(const std::vector<StageModel>& stages, const RunRecord& run) {
+  return data_of(stages, false, run);
 }
 
 std::string comparison_page(const StageModel& a, const StageModel& b) { return page_of({a, b}, true, {}); }

@@ -16,10 +16,15 @@ namespace quadrille::page {
 struct RunRecord {
   std::string report;                 ///< JSON object (formats/report.md); empty: unknown, and no tab
   std::vector<std::string> commands;  ///< of the stages, for a shell
+  std::string workbench;              ///< JSON object (pipelines/quadbench.md); empty: the page does not edit
 };
 
 /// The page of the stages, a tab each, in this order. Equal stages give equal bytes. About 110 bytes for each quad.
+/// With a workbench the page has its script too, which may send requests to where the page comes from.
 std::string html_page(const std::vector<StageModel>& stages, const RunRecord& run = {});
+
+/// The data of that page alone, a JSON object, for a page that is open already.
+std::string page_data(const std::vector<StageModel>& stages, const RunRecord& run);
 
 /// The page of two layouts or meshes, of one chain or not, tabs A and B: the lines of the other one are drawn over
 /// each, and a table has the counts and qualities of both.

@@ -57,8 +57,8 @@ TEST_F(ReportIo, WarningsAreListedWithTheirCodes) {
 TEST_F(ReportIo, AReportThatIsReadMustBeAnObjectOfFewLevels) {
   put("deep", R"({"a":)" + std::string(1'000'000, '[') + std::string(1'000'000, ']') + '}');
   put("list", "[]");
-  EXPECT_THROW(read_report(path("deep")), FormatError);
-  EXPECT_THROW(read_report(path("list")), FormatError);
+  EXPECT_THROW(read_object(path("deep"), "a report", "formats/report.md"), FormatError);
+  EXPECT_THROW(read_object(path("list"), "a report", "formats/report.md"), FormatError);
   EXPECT_EQ(value_of({"stage", bytes_of("deep")}, "a"), std::nullopt) << "counts as empty";
 }
 
