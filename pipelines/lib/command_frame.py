@@ -181,11 +181,15 @@ def version_text(command):
 
 
 @functools.cache
+def option_kinds(tool):
+    """What follows each option of a tool: "value", "values" (may be given several times), "file" or, nothing, "flag"."""
+    require_tools()
+    return dict(line.split()[1:] for line in output_of(tool, "--list-options").splitlines())
+
+
 def listed_options(tool):
     """The options of a tool: "value" or "flag" for each."""
-    require_tools()
-    rows = (line.split()[1:] for line in output_of(tool, "--list-options").splitlines())
-    return {option: "flag" if kind == "flag" else "value" for option, kind in rows}
+    return {option: "flag" if kind == "flag" else "value" for option, kind in option_kinds(tool).items()}
 
 
 def options_help(tool):
@@ -224,13 +228,13 @@ def _replace(path, content):
     with open(handle, "w", encoding="utf-8") as part:
         part.write(content)
         part.flush()
-        os.fchmod(handle, target.stat().st_mode & 0o7777 if target.exists() else 0o666 & ~_umask())
+        os.fchmod(handle, target.stat().st_mode & 0o7777 if target.exists() else 0o666 & ~umask())
         os.fsync(handle)
     _part.replace(target)
     _part = None
 
 
-def _umask():
+def umask():
     mask = os.umask(0o077)
     os.umask(mask)
     return mask
