@@ -16,7 +16,7 @@ namespace quadrille::page {
 struct RunRecord {
   std::string report;                 ///< JSON object (formats/report.md); empty: unknown, and no tab
   std::vector<std::string> commands;  ///< of the stages, for a shell
-  std::string workbench;              ///< JSON object (pipelines/quadbench.md); empty: the page does not edit
+  std::string workbench = {};         ///< JSON object (pipelines/quadbench.md); empty: the page does not edit
 };
 
 /// The page of the stages, a tab each, in this order. Equal stages give equal bytes. About 110 bytes for each quad.

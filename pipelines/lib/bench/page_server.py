@@ -109,10 +109,11 @@ class Requests(http.server.BaseHTTPRequestHandler):
 
     def name(self):
         """What follows the token; the comparison takes as long for any wrong token."""
-        start, token, *name = (self.path.split("/", 2) + ["", ""])[:3]
-        if start or not hmac.compare_digest(token.encode(), self.server.token.encode()):
+        parts = self.path.split("/", 2)
+        token = parts[1] if len(parts) == 3 and not parts[0] else ""
+        if not hmac.compare_digest(token.encode(), self.server.token.encode()):
             raise Refused(404)
-        return name[0]
+        return parts[2]
 
     def content(self):
         """The JSON object that was sent."""
@@ -171,6 +172,7 @@ class Requests(http.server.BaseHTTPRequestHandler):
 
     def save(self):
         content = self.content()
-        if content.get("what") not in ENDINGS:
+        what = content.get("what")
+        if not isinstance(what, str) or what not in ENDINGS:
             raise Refused(400)
-        self.send(200, JSON, self.server.workbench.save(content.get("state"), content["what"]))
+        self.send(200, JSON, self.server.workbench.save(content.get("state"), what))

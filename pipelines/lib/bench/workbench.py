@@ -1,14 +1,12 @@
-"""The workbench without its page: makes the mesh of a state, one run after another, where a newer run stops an older one;
-saves files of a state."""
+"""The workbench without its page: makes the mesh of a state, one run after another, and saves files of a state."""
 import json
 import pathlib
 import shlex
-import subprocess
 import threading
 import time
 
 import command_frame as frame
-from bench.saved_files import SavedFiles
+from bench.processes import Overtaken, Processes
 from bench.state import STAGES, moves_of, options_of, words_of
 from bench.work_folder import WorkFolder, commands_of_stages
 from node_search.compass_search import moved_nodes, node_positions
@@ -16,72 +14,6 @@ from node_search.symmetries import SAME
 
 SHOWN = ("critpoints", "separatrix", "blocksplit", "quadrefine")  # stages whose files are tabs of the page
 BLOCKS_END = STAGES.index("blocksplit") + 1
-
-
-class Overtaken(Exception):
-    """A newer run has begun, or the workbench was closed."""
-
-
-class Processes:
-    """Runs commands of the newest number only: begin(number) stops the command of an older one."""
-
-    def __init__(self, environment):
-        self.environment, self.lock, self.newest, self.running = environment, threading.Lock(), -1, None
-
-    def begin(self, number):
-        with self.lock:
-            if number <= self.newest:
-                raise Overtaken
-            self.newest = number
-            if self.running is not None:
-                self.running.terminate()
-
-    def close(self):
-        self.begin(float("inf"))
-
-    def require_newest(self, number):
-        if number != self.newest:
-            raise Overtaken
-
-    def of(self, number):
-        return NumberedRun(self, number)
-
-
-class NumberedRun:
-    """The commands of one run."""
-
-    def __init__(self, processes, number):
-        self.processes, self.number = processes, number
-
-    def run(self, words):
-        """The exit code and the messages; standard output, if it is wanted, by `output_of`."""
-        code, _, messages = self.finished(words, subprocess.DEVNULL)
-        return code, messages
-
-    def finished(self, words, output):
-        processes = self.processes
-        with processes.lock:
-            processes.require_newest(self.number)
-            process = processes.running = subprocess.Popen(
-                [str(word) for word in words], stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.PIPE, text=True,
-                errors="replace", env=processes.environment)
-        try:
-            printed, messages = process.communicate()
-        except frame.Stopped:
-            process.terminate()
-            process.wait()
-            raise
-        with processes.lock:
-            processes.running = None
-            processes.require_newest(self.number)
-        return process.returncode, printed, messages
-
-    def output_of(self, words):
-        """What a command prints; a Failure with its message if it fails."""
-        code, printed, messages = self.finished(words, subprocess.PIPE)
-        if code:
-            raise frame.Failure(code, messages.partition("\n")[0].removeprefix(f"{words[0]}: "))
-        return printed
 
 
 class Made:
