@@ -12,7 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOOLS = [path.stem for path in ROOT.glob("tools/*.cpp") if "-" not in path.stem]
-PIPELINES = ["quadplace", "points2step", "drawing2step", "quadbatch", "quadgallery"]
+PIPELINES = ["quadplace", "points2step", "drawing2step", "quadbatch", "quadbench", "quadgallery"]
 OTHERS = ["h5dump"]  # that read our files, and are installed for tests
 CALL = re.compile(r"(?:^|[|;&(\"] ?|\$ |\S+ && |-d '\\n' )(?:pipelines/|build/bin/)?(" +
                   "|".join(TOOLS + PIPELINES + OTHERS) + r")(?= )")

@@ -29,8 +29,8 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What no program is linked with: separatrix and quadmesh load CBC, quadplace, points2step, drawing2step, quadbatch and
-# quadgallery are in Python, quadbatch runs parallel, and drawing2step reads DXF by ezdxf.
+# What no program is linked with: separatrix and quadmesh load CBC, quadplace, points2step, drawing2step, quadbatch, quadbench
+# and quadgallery are in Python, quadbatch runs parallel, and drawing2step reads DXF by ezdxf.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "coinor-libcbc3, parallel, python3")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin, man-db, python3-ezdxf, python3-h5py")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "jq, libfmt-dev, libgmp-dev, libhdf5-dev, python3-matplotlib")

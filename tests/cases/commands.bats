@@ -10,6 +10,7 @@ README.md readme.bats
 pipelines/manual.md manual.bats
 pipelines/tutorial.md tutorial.bats
 pipelines/quadbatch.md quadbatch.bats
+pipelines/quadbench.md quadbench.bats
 END
 }
 
@@ -21,6 +22,7 @@ quadplace cases/quadplace.bats
 points2step cases/points2step.bats
 drawing2step cases/drawing2step.bats
 quadbatch cases/quadbatch.bats
+quadbench cases/quadbench.bats
 quadgallery cases/quadgallery.bats
 END
 }

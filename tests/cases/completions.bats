@@ -2,7 +2,7 @@
 load ../tools/common
 
 commands="cad2chart cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck quadmesh
-  quadplace points2step drawing2step"
+  quadplace points2step drawing2step quadbench"
 
 # completion SHELL NAME: what pipelines/completions prints for the command.
 completion() {

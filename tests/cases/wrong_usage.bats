@@ -162,6 +162,19 @@ table() {
 3 | quadplace missing.step -o out.msh | missing.step: no such file
 3 | quadplace half_disc.step --start w/half_disc.sep.json -o out.msh | expected a critical-points file
 4 | quadplace half_disc.step -o nowhere/out.msh | there is no folder nowhere
+2 | quadbench --size 1 | no shape given
+2 | quadbench half_disc.step half_disc.step | more than one shape: half_disc.step and half_disc.step
+2 | quadbench half_disc.step --sise 1 | unknown option --sise: did you mean --size?
+2 | quadbench half_disc.step --workdir w | --workdir is for a single run: use quadmesh
+2 | quadbench half_disc.step --port 70000 | --port: 70000 is outside its interval
+2 | quadbench half_disc.step --order 0 | --order: 0 is outside its interval
+2 | quadbench half_disc.step --wall hole | --wall: 'hole' has no : between a name and what it means
+2 | quadbench half_disc.step --name hole | --name: 'hole' has no @ between a name and what it means
+2 | quadbench half_disc.step -o half_disc.step | the output half_disc.step is an input
+2 | quadbench - | none from standard input
+3 | quadbench missing.step | missing.step: no such file
+4 | quadbench half_disc.step --folder nowhere | nowhere: cannot be written: there is no such folder
+4 | quadbench half_disc.step -o nowhere/x.msh | there is no folder nowhere
 2 | quadbatch --jobbs 2 half_disc.step | unknown option --jobbs: did you mean --jobs?
 2 | quadbatch --sise 3 half_disc.step --to m | unknown option --sise: did you mean --size?
 2 | quadgallery --too m | unknown option --too: did you mean --to?
@@ -220,7 +233,7 @@ check_usage() {
   before=$(find . | sort)
   case $name in
     quadmesh) command="$ROOT/pipelines/quadmesh ${stages[*]} ${2#quadmesh}" ;;
-    quadplace | points2step | drawing2step | quadbatch | quadgallery) command="$ROOT/pipelines/$2" ;;
+    quadplace | points2step | drawing2step | quadbatch | quadbench | quadgallery) command="$ROOT/pipelines/$2" ;;
   esac
   # shellcheck disable=SC2086 # words
   message=$(export TMPDIR=$PWD/../tmp STARTED=$PWD/../started QUADRILLE_BIN=$BIN
@@ -250,7 +263,7 @@ check_rows() {
 @test "the table has at least 80 rows, and each command of the chain has one" {
   [ "$(table | wc -l)" -ge 80 ]
   for command in cad2tri fieldsolve padapt critpoints separatrix blocksplit quadrefine quadexport stageview stagecheck \
-    quadmesh quadplace points2step drawing2step quadbatch quadgallery; do
+    quadmesh quadplace points2step drawing2step quadbatch quadbench quadgallery; do
     table | grep -q "| $command\b"
   done
 }
@@ -264,7 +277,7 @@ check_rows() {
 }
 
 @test "wrong usage of the other pipelines" {
-  check_rows quadplace points2step drawing2step quadbatch quadgallery
+  check_rows quadplace points2step drawing2step quadbatch quadbench quadgallery
 }
 
 # late SHAPE OPTION...: is refused by quadmesh with 2, or $code, after cad2tri, before the field is solved.

@@ -34,6 +34,10 @@ passes() {
   passes mesh_shape shape_results result_table
 }
 
+@test "workbench: states, stages, files, processes, server" {
+  passes state work_folder saved_files processes workbench page_server
+}
+
 @test "every module has a test, and the tests of all modules are run above" {
   for file in "$ROOT"/pipelines/lib/*.py "$ROOT"/pipelines/lib/*/[a-z]*.py; do
     module=$(basename "$file" .py)

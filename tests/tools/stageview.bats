@@ -263,6 +263,22 @@ page_data() {
   assert_file_not_exists b.html
 }
 
+@test "--workbench makes the page that edits, or its data alone" {
+  echo '{"state": {"size": 1}}' >bench.json
+  run -0 stageview "$X.blocks.h5" "$X.quad.h5" --workbench bench.json -o a.html
+  assert_output ''
+  stageview "$X.blocks.h5" "$X.quad.h5" --workbench bench.json -o a.json
+  cmp <(page_data a.html | jq -c .) <(jq -c . a.json)
+  assert_equal "$(jq -c '[.workbench.state.size, (.sheets | length)]' a.json)" '[1,2]'
+  echo '[]' >list.json
+  run -3 stageview "$X.quad.h5" --workbench list.json -o b.html
+  assert_output "stageview: list.json: expected the state of a workbench, a JSON object (pipelines/quadbench.md)"
+  run -2 stageview "$X.quad.h5" --workbench bench.json -o b.svg
+  run -2 stageview "$X.quad.h5" -o b.json
+  run -2 stageview --compare "$X.quad.h5" "$X.quad.h5" --workbench bench.json -o b.json
+  assert_file_not_exists b.html b.svg b.json
+}
+
 @test "names are escaped in a page" {
   cad2tri "$DATA/half_disc.step" --boundary-names <(echo '{"*": "</script><b>&"}') -o named.tri.h5
   stageview named.tri.h5 -o a.html

@@ -36,8 +36,8 @@ def commands_of_stages(dry_run):
 
 
 class WorkFolder:
-    """`made`: the commands of each stage whose file is there. `report`: of the last run that ended well, with the warnings
-    of all stages whose files are there."""
+    """`made`: the commands of each stage whose file is there. `report`: of the last run that ended well, with the
+    warnings of all stages whose files are there."""
 
     def __init__(self, folder, stem):
         self.folder, self.stem = pathlib.Path(folder), stem

@@ -33,6 +33,20 @@ TEST(Page, EveryStageIsATabWithLayers) {
   EXPECT_EQ(count(page, "\"key\":\"boundary\""), 5u) << "of every stage but the critical points";
 }
 
+TEST(Page, AWorkbenchHasItsScriptItsStateAndItsServer) {
+  const std::string usual = html_page(all_stages());
+  RunRecord run;
+  run.workbench = "{\"shape\":\"</script>\"}";
+  const std::string page = html_page(all_stages(), run);
+  EXPECT_EQ(count(page, "\"workbench\":{\"shape\":\"\\u003c/script\\u003e\"}"), 1u);
+  EXPECT_EQ(count(page, "connect-src 'self'"), 1u);
+  EXPECT_EQ(count(page, "function startWorkbench()"), 1u);
+  for (const char* part : {"workbench\":", "connect-src", "startWorkbench"}) EXPECT_EQ(count(usual, part), 0u) << part;
+  const std::string data = page_data(all_stages(), run);
+  EXPECT_EQ(data.front(), '{');
+  EXPECT_EQ(count(page, ">" + data + "<"), 1u);
+}
+
 TEST(Page, TheChartOfACurvedFaceIsATab) {
   const std::string page = html_page({samples::charted_face()});
   EXPECT_EQ(count(page, "{\"title\":\"Chart\",\"caption\":\"2 triangles of order 2 on 1 surface\""), 1u);
