@@ -10,6 +10,7 @@ from selenium.webdriver.common.by import By
 
 class Page:
     def __init__(self, path, size=(1400, 900)):
+        """`path`: a file, or an address with http."""
         options = webdriver.ChromeOptions()
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"):
             options.add_argument(argument)
@@ -18,7 +19,7 @@ class Page:
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
         start = time.time()
-        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        self.driver.get(path if path.startswith("http:") else pathlib.Path(path).resolve().as_uri())
         self.seconds_to_open = time.time() - start
 
     def __enter__(self):

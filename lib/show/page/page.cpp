@@ -141,7 +141,8 @@ std::string page_of(const std::vector<StageModel>& stages, bool is_comparison, c
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
-      content_policy(is_workbench), html_text(title_of(stages)), page_style(), page_body(),
+      content_policy(is_workbench), html_text(title_of(stages)),
+      is_workbench ? page_style() + workbench_style() : page_style(), page_body(),
       data_of(stages, is_comparison, run), is_workbench ? workbench_script() : page_script());
 }
 

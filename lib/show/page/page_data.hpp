@@ -40,6 +40,7 @@ std::string palettes_json();
 
 // The parts of a page that do not depend on its data, compiled in from view/ (CMakeLists.txt).
 std::string page_style();        ///< view/view.css
+std::string workbench_style();   ///< view/bench.css, behind it
 std::string page_body();         ///< view/body.html
 std::string page_script();       ///< view/*.js in one function, without those of the workbench
 std::string workbench_script();  ///< the same with view/bench_*.js

@@ -1,5 +1,6 @@
 // The workbench: the page that quadbench serves (pipelines/quadbench.md).
 
 function startWorkbench() {
-  start();
+  addBenchKeys();
+  new Workbench(JSON.parse(byId("data").textContent)).start();
 }
