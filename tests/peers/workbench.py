@@ -12,7 +12,6 @@ class Workbench(Page):
     def __init__(self, address, size=(1400, 900)):
         super().__init__(address, size)
         self.data = json.loads(self.text("#data"))
-        self.seconds = []
         self.answers = 0
         time.sleep(0.5)
 
@@ -43,6 +42,10 @@ class Workbench(Page):
         a, b, c, d = points[first:end]
         return tuple((p + 3 * q + 3 * r + s) / 8 for p, q, r, s in zip(a, b, c, d))
 
+    def circle(self):
+        """A small hole: a curve that ends where it begins."""
+        return len(self.layer("boundary")["names"]) - 1
+
     def in_window(self, at):
         """Pixels of the drawing of a position, relative to its middle; with the first view of the page."""
         width, height = self.canvas_size()
@@ -65,6 +68,36 @@ class Workbench(Page):
             actions.key_up(Keys.SHIFT)
         actions.perform()
         time.sleep(0.1)
+
+    def place(self, dx, dy):
+        """The position that the page shows for a pixel of the drawing."""
+        self.point_at_middle(dx, dy)
+        return self.text("#place")
+
+    def focus_drawing(self):
+        self.driver.execute_script("document.getElementById('overlay').focus()")
+
+    def press_with(self, *held_and_key):
+        """A key with others held down."""
+        *held, key = held_and_key
+        actions = ActionChains(self.driver)
+        for modifier in held:
+            actions.key_down(modifier)
+        actions.send_keys(key)
+        for modifier in held:
+            actions.key_up(modifier)
+        actions.perform()
+        time.sleep(0.1)
+
+    def delay_requests(self, milliseconds):
+        """Each request waits before it is sent."""
+        self.driver.execute_script("""const own = window.ownFetch ??= window.fetch, wait = arguments[0];
+            window.fetch = (...all) => new Promise((done) => setTimeout(done, wait)).then(() => own(...all));""", milliseconds)
+
+    def narrow(self, width, height):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        time.sleep(0.6)
 
     def drag_from(self, at, to):
         """In three steps."""
@@ -97,7 +130,6 @@ class Workbench(Page):
             times = self.driver.execute_script(script)
             if len(times) > self.answers:
                 self.answers = len(times)
-                self.seconds.append(times[-1])
                 return times[-1]
             time.sleep(0.02)
         raise TimeoutError(f"no answer within {seconds} s: {self.text('#bench-failure p')}")

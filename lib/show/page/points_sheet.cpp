@@ -162,16 +162,12 @@ Marks nodes_of(const CriticalPoints& points, const PageFrame& frame) {
   return marks;
 }
 
-/// With the two curves of each corner, which --corner-valence names it by.
-JsonObject corners_layer(const CriticalPoints& points, const PageFrame& frame) {
+Marks corners_of(const CriticalPoints& points, const PageFrame& frame) {
   Marks marks;
-  std::vector<std::int32_t> curves;
-  for (const Corner& c : points.corners) {
+  for (const Corner& c : points.corners)
     marks.add(frame, c.position, c.valence, "corner",
               valence_text(fmt::format("corner of {:.4g} degrees,", c.angle_degrees), c.valence, c.source));
-    curves.insert(curves.end(), c.curves.begin(), c.curves.end());
-  }
-  return marks.layer("corners", "corners").data("curves", packed(curves));
+  return marks;
 }
 
 Marks zeros_of(const CriticalPoints& points, const PageFrame& frame) {
@@ -220,7 +216,7 @@ Sheet stage_sheet(const CriticalPoints& points, const PageFrame& frame) {
     sheet.layers.push_back(zeros_of(points, frame).layer("zeros", "zeros of the field", false));
   if (!points.changes.empty())
     sheet.layers.push_back(changes_of(points, frame).layer("changes", "nodes before changes"));
-  sheet.layers.push_back(corners_layer(points, frame));
+  sheet.layers.push_back(corners_of(points, frame).layer("corners", "corners"));
   sheet.layers.push_back(nodes_of(points, frame).layer("nodes", "nodes"));
   return sheet;
 }

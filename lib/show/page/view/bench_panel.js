@@ -8,7 +8,7 @@ function labelled(name, properties, attributes, ...children) {
 }
 
 function field(name, label, value, attributes = {}) {
-  const input = labelled("input", { type: "text", name, value }, { autocomplete: "off", spellcheck: "false", ...attributes });
+  const input = labelled("input", { type: "text", name, defaultValue: value }, { autocomplete: "off", spellcheck: "false", ...attributes });
   return element("label", { className: "bench-field" }, element("span", {}, label), input);
 }
 
@@ -21,6 +21,7 @@ function benchForm(apply, ...children) {
   const form = element("form", {}, ...children);
   form.onsubmit = (event) => {
     event.preventDefault();
+    for (const input of form.querySelectorAll("input")) input.defaultValue = input.value; // nothing is left to apply
     apply(Object.fromEntries([...new FormData(form)].map(([key, value]) => [key, String(value).trim()])));
   };
   return form;
@@ -66,15 +67,28 @@ async function copyCommand(page) {
 
 /** All that depends on the state, the selection or the last mesh. */
 function fillBench(page) {
-  const { history, state } = page;
-  const size = document.querySelector("#bench-size input");
-  if (document.activeElement !== size) size.value = state.size === null ? "" : state.size;
-  byId("bench-item").replaceChildren(...selectionPanel(page));
+  const { history, state } = page, size = document.querySelector("#bench-size input");
+  size.defaultValue = state.size === null ? "" : state.size;
+  if (document.activeElement !== size) size.value = size.defaultValue;
+  fillSelection(page);
   byId("bench-command").textContent = page.command;
   for (const [id, text, key] of [["undo", history.undoText, "Control z"], ["redo", history.redoText, "Control Shift z"]])
     Object.assign(byId(`bench-${id}`), { disabled: !text, title: text ? `${text} (${key})` : key });
   fillFigures(page);
   fillWarnings(page.warnings || page.data.workbench.warnings || []);
+}
+
+/** Of the same selection as before, the focus and what was typed and not applied stay. */
+function fillSelection(page) {
+  const panel = byId("bench-item"), subject = JSON.stringify([[...page.curves], page.item]);
+  const inputs = () => [...panel.querySelectorAll("input, button")], focus = inputs().indexOf(document.activeElement);
+  const typed = inputs().filter((input) => input.name && input.value !== input.defaultValue).map(({ name, value }) => [name, value]);
+  panel.replaceChildren(...selectionPanel(page));
+  const isSame = page.panelSubject === subject;
+  page.panelSubject = subject;
+  if (!isSame) return;
+  for (const [name, value] of typed) for (const input of inputs()) if (input.name === name) input.value = value;
+  inputs()[focus]?.focus();
 }
 
 function selectionPanel(page) {
@@ -96,9 +110,8 @@ function boxButton(page) {
 
 function selectionTitle(page) {
   const { curves, names } = page, keys = names.keysOf(curves), [first] = curves;
-  if (curves.size === 1) return `Curve ${page.boundary.numberAndName(first)}`.trim();
-  const name = keys.length === 1 ? `: ${keys[0]}` : "";
-  return `${curves.size} curves${name}`;
+  const name = keys.length === 1 && names.nameOf(first) ? `: ${keys[0]}` : "";
+  return `${curves.size === 1 ? `Curve ${first}` : `${curves.size} curves`}${name}`;
 }
 
 /** The value that all keys have in a table; "" if they differ. */
@@ -147,8 +160,7 @@ function cornerPanel(page, number) {
 
 function nodePanel(page, number) {
   const [x, y] = page.rounded(page.nodes.points.subarray(2 * number, 2 * number + 2));
-  const isMoved = moveTo(page.state, page.placeOf({ kind: "node", number }), page.slack);
-  const back = isMoved ? [action("Put back", "To where it was", () => page.moveNodeTo(number, null))] : [];
+  const back = page.isMoved(number) ? [action("Put back", "To where it was", () => page.moveNodeTo(number, null))] : [];
   const form = benchForm((values) => placeNode(page, number, [Number(values.x), Number(values.y)]),
     field("x", "x", x, { inputmode: "decimal" }), field("y", "y", y, { inputmode: "decimal" }), element("div", { className: "bench-group" }, element("button", {}, "Move"), ...back));
   const hint = `${page.nodes.heading(number)}. Its vertex of the mesh may lie beside it: vertices move to the sizes.`;

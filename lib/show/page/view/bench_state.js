@@ -112,15 +112,8 @@ function setValence(state, corner, valence) {
 
 const awayFrom = ([ax, ay], [bx, by]) => Math.hypot(ax - bx, ay - by);
 
-/** The move whose node is now at a position; undefined without one. */
-function moveTo(state, at, slack) {
-  return state.moves.find((move) => awayFrom(move.to, at) < slack);
-}
-
-/** Moves the node that is now at `from`; to null: back to where it was without moves. */
-function moveNode(state, from, to, slack) {
-  const known = moveTo(state, from, slack);
-  if (to === null) state.moves = state.moves.filter((move) => move !== known);
-  else if (known) known.to = to;
-  else state.moves.push({ node: from, to });
+/** Moves a node, which is at `origin` without moves; to null: back there. */
+function moveNode(state, origin, to, slack) {
+  state.moves = state.moves.filter((move) => awayFrom(move.node, origin) >= slack);
+  if (to !== null) state.moves.push({ node: origin, to });
 }

@@ -18,6 +18,8 @@ class Workbench extends BenchSelection {
     listenToBench(this);
     this.showBench();
     if (this.data.workbench.message) showFailure(this, this.data.workbench.message);
+    this.savedState = this.state;
+    addEventListener("beforeunload", (event) => this.state !== this.savedState && event.preventDefault());
     this.server.keepAlive(() => showFailure(this, this.server.unreachable().message));
   }
 
@@ -80,7 +82,7 @@ class Workbench extends BenchSelection {
     this.former = this.mesh && { mesh: shifted(this.mesh, this.data, page), figures: this.meshFigures };
     this.view.x += this.data.x - page.x;
     this.view.y += this.data.y - page.y;
-    Object.assign(this, { data: { ...page, workbench: this.data.workbench }, sheets: decodeSheets(page), runReport: report });
+    Object.assign(this, { data: page, sheets: decodeSheets(page), runReport: report });
     this.adopt(this.sheets);
     for (const sheet of this.sheets)
       for (const layer of sheet.layers) keepChoices(layer, kept.get(`${kindOf(sheet)}/${layer.key}`));
@@ -115,15 +117,21 @@ class Workbench extends BenchSelection {
   }
 
   async save(what) {
-    const answer = await this.server.save(this.state, what);
-    if (answer.ok) this.tell(`Saved ${answer.file}.`);
-    else showFailure(this, answer.message);
+    const { state } = this, answer = await this.server.save(state, what);
+    if (!answer.ok) return showFailure(this, answer.message);
+    this.savedState = state;
+    this.tell(`Saved ${answer.file}.`);
   }
 
-  /** Where a corner or node is, in the coordinates of the CAD file. */
-  placeOf({ kind, number }) {
-    const { points } = this.layerOf(kind);
-    return [points[2 * number] + this.data.x, points[2 * number + 1] + this.data.y];
+  /** Where a node of the mesh that is shown is without moves, in the coordinates of the CAD file. */
+  originOf(node) {
+    const { position } = this.data.workbench.nodes[node], { moves } = this.data.workbench.state;
+    const move = moves.find(({ to }) => awayFrom(to, position) < this.slack);
+    return move ? move.node : position;
+  }
+  isMoved(node) {
+    const origin = this.originOf(node);
+    return this.state.moves.some((move) => awayFrom(move.node, origin) < this.slack);
   }
   /** A position of the view as one of the CAD file, in seven digits of the extent. */
   rounded([x, y]) {
@@ -134,14 +142,13 @@ class Workbench extends BenchSelection {
 
   /** A node of the last mesh to a position of the CAD file; null: to where it was. */
   moveNodeTo(number, to) {
-    const from = this.placeOf({ kind: "node", number });
-    const text = to ? "move of a node" : "node put back";
-    this.commit(text, (state) => moveNode(state, from, to, this.slack));
+    const origin = this.originOf(number);
+    this.commit(to ? "move of a node" : "node put back", (state) => moveNode(state, origin, to, this.slack));
   }
 
   /** The numbers of both curves at a corner, as texts. */
   curvesAt(corner) {
-    return [0, 1].map((k) => String(this.corners.curves[2 * corner + k]));
+    return this.data.workbench.corners[corner].curves.map(String);
   }
   valenceOf(corner) {
     const prescribed = this.state.valences.find((known) => String(known.corner) === String(this.curvesAt(corner)));

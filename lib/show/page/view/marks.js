@@ -6,7 +6,6 @@ class Marks {
     this.points = positionsOf(json.points, step);
     this.valences = intsOf(json.valences);
     this.kinds = json.kinds;
-    if (json.curves) this.curves = intsOf(json.curves); // of corners: that which ends there, and that which starts
     this.count = this.valences.length;
   }
 
