@@ -276,7 +276,7 @@ END
 # Every line of EXAMPLES, and of the page, until it serves.
 @test "the examples of the help and the commands of its page work" {
   cd shapes
-  ln -s ../tmp . && ln -s "$ROOT/pipelines" .
+  cp half_disc.step shape.step && ln -s ../tmp . && ln -s "$ROOT/pipelines" .
   "$quadbench" --help | sed '1,/^EXAMPLES$/d; s/^  //' >../examples
   "$ROOT/tests/page_commands.py" lines pipelines/quadbench.md | cut -f 3 >>../examples
   assert [ "$(wc -l <../examples)" -ge 3 ]

@@ -108,6 +108,15 @@ half_disc.sep.json half_disc.solve.h5 half_disc.tri.h5"
   assert_line --index 8 --regexp '^all stages +[0-9.]+ s CPU, [0-9.]+ s$'
 }
 
+@test "a mesh with the options of all stages in it is that of the single commands" {
+  stage_chain half_disc
+  quadexport half_disc.quad.h5 -o single.vtu
+  "$quadmesh" -q "$DATA/half_disc.step" -o whole.vtu
+  cmp single.vtu whole.vtu
+  "$quadmesh" -q "$DATA/half_disc.step" -o whole.vtu --workdir .
+  cmp single.vtu whole.vtu
+}
+
 @test "--size and --order reach the mesh" {
   "$quadmesh" "$DATA/square.step" -o coarse.msh --size 0.5 --order 2 --report coarse.json
   assert_equal "$(jq .quads coarse.json)" 4

@@ -19,6 +19,10 @@ void require_within(const std::string& flag, T value, const std::string& text, T
     throw UsageError(fmt::format("{}: {} is outside its interval ({})", flag, text, interval_text(low, high)));
 }
 
+/// The fewest digits that read back to the same bits, as stage files have them: what is exported from memory and from a
+/// file is the same.
+std::string shortest(double value) { return fmt::format("{}", value); }
+
 }  // namespace
 
 std::string interval_text(double low, double high) {
@@ -60,12 +64,12 @@ void OptionRecord::record(const std::string& flag, std::function<std::string()> 
 
 void OptionRecord::number(const std::string& flag, double& value, double, double, const std::string&,
                           const std::string&) {
-  record(flag, [&value] { return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string("null"); });
+  record(flag, [&value] { return std::isfinite(value) ? shortest(value) : std::string("null"); });
 }
 
 void OptionRecord::optional_number(const std::string& flag, std::optional<double>& value, double, double,
                                    const std::string&, const std::string&) {
-  record(flag, [&value] { return value ? fmt::format("{:.17g}", *value) : std::string("null"); });
+  record(flag, [&value] { return value ? shortest(*value) : std::string("null"); });
 }
 
 void OptionRecord::integer(const std::string& flag, int& value, int, int, const std::string&) {

@@ -104,11 +104,13 @@ TEST(OptionRecord, ANumberThatIsNotGivenIsNullAndHasNoInterval) {
 }
 
 TEST(OptionRecord, NumbersReadBackToTheSameBitsAndOthersAreNull) {
-  double size = 0.1, limit = std::numeric_limits<double>::infinity();
+  double size = 0.1, small = 1e-16, whole = 2, limit = std::numeric_limits<double>::infinity();
   OptionRecord record;
   record.number("--size", size, 0, 1, "length", "");
+  record.number("--small", small, 0, 1, "length", "");
+  record.number("--whole", whole, 0, 1, "length", "");
   record.number("--limit", limit, 0, 1, "length", "");
-  EXPECT_EQ(record.json(), R"({"limit":null,"size":0.10000000000000001})");
+  EXPECT_EQ(record.json(), R"({"limit":null,"size":0.1,"small":1e-16,"whole":2})") << "as stage files have them";
 }
 
 TEST(OptionRecord, LeavesOutWhatIsNotRecorded) {
