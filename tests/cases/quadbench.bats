@@ -161,6 +161,20 @@ END
   kill $bench
 }
 
+@test "options that nodes take the place of are left out of the command, those of later stages too are kept" {
+  open_bench shapes/half_disc.step --symmetry none --place energy
+  data_of_page >page.json
+  local state
+  state=$(move 0.01 | jq -c '. + {options: ["--symmetry", "none", "--place", "energy"]}')
+  mesh_of "$state"
+  assert_equal "$(answered .command)" \
+    "quadmesh half_disc.step --symmetry none --nodes half_disc.crit.json -o half_disc.msh"
+  cp $(shown moved) moved.msh
+  save "$state" command
+  cmp "$(saved)" moved.msh
+  kill $bench
+}
+
 @test "a mistake in the page changes nothing, and its message is that of quadmesh" {
   open_bench shapes/half_disc.step
   cp $(shown found) first.msh

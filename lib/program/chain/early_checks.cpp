@@ -34,9 +34,9 @@ void check_range(const ChainOptions& options) {
         throw UsageError(fmt::format("{} is an option of hexsweep: give --sweep too", word));
 }
 
-/// Whether a stage that runs takes the flag too.
-bool has_runner(const ChainOptions& options, const std::string& flag) {
-  for (int i = static_cast<int>(options.first); i < num_stages; ++i)
+/// Whether a stage takes the flag too, this one or a later one.
+bool has_taker(const ChainOptions& options, ChainStage first, const std::string& flag) {
+  for (int i = static_cast<int>(first); i < num_stages; ++i)
     if (options.has(enum_name(static_cast<ChainStage>(i)), flag)) return true;
   return false;
 }
@@ -55,7 +55,7 @@ void check_skipped_options(const ChainOptions& options) {
     const auto words = options.words.find(enum_name(stage));
     if (!is_before(stage, options.first) || words == options.words.end()) continue;
     for (const std::string& word : words->second)
-      if (word.starts_with("--") && !has_runner(options, word))
+      if (word.starts_with("--") && !has_taker(options, options.first, word))
         throw UsageError(
             fmt::format("{} is an option of {}, which --from {} does not run: leave it out, or begin with --from {}",
                         word, enum_name(stage), options.from, enum_name(stage)));
@@ -99,8 +99,10 @@ void check_nodes_option(const ChainOptions& options, const StageOptions& values)
   if (is_before(options.last, ChainStage::critpoints))
     throw UsageError(fmt::format("--nodes is not used before critpoints, where --until {} ends", options.until));
   if (const auto words = options.words.find("critpoints"); words != options.words.end())
-    throw UsageError(fmt::format("--nodes takes the place of critpoints: {} is an option of it, leave it out",
-                                 words->second.front()));
+    for (const std::string& word : words->second)
+      if (word.starts_with("--") && !has_taker(options, ChainStage::separatrix, word))
+        throw UsageError(
+            fmt::format("--nodes takes the place of critpoints: {} is an option of it, leave it out", word));
   if (options.nodes_file == "-" && options.shape == "-")
     throw UsageError("SHAPE and --nodes cannot both be standard input");
 }

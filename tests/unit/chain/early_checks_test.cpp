@@ -91,6 +91,7 @@ TEST(CheckCommandLine, nodes_of_a_file_take_the_place_of_critpoints) {
             "--nodes is not used before critpoints, where --until padapt ends");
   EXPECT_EQ(refusal({"a.step", "--nodes", "x.crit.json", "--ties", "field"}),
             "--nodes takes the place of critpoints: --ties is an option of it, leave it out");
+  EXPECT_EQ(refusal({"a.step", "--nodes", "x.crit.json", "--symmetry", "axis"}), "") << "later stages have it too";
   EXPECT_EQ(refusal({"-", "--nodes", "-"}), "SHAPE and --nodes cannot both be standard input");
 }
 
