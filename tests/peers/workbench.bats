@@ -1,5 +1,5 @@
 # The page of quadbench in Chromium: curves, corners and nodes by pointer and keys; the saved command makes the mesh that
-# is shown. The server without a browser is tested in tests/tools/quadbench.bats.
+# is shown. The server without a browser is tested in tests/cases/quadbench.bats.
 load common
 
 setup() {

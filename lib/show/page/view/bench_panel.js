@@ -111,7 +111,7 @@ function boxButton(page) {
 function selectionTitle(page) {
   const { curves, names } = page, keys = names.keysOf(curves), [first] = curves;
   const name = keys.length === 1 && names.nameOf(first) ? `: ${keys[0]}` : "";
-  return `${curves.size === 1 ? `Curve ${first}` : `${curves.size} curves`}${name}`;
+  return `${curves.size === 1 ? `Curve ${names.madeNumber(first) || first}` : `${curves.size} curves`}${name}`;
 }
 
 /** The value that all keys have in a table; "" if they differ. */
@@ -198,6 +198,7 @@ function applyToCurves(page, values) {
   const { name, near, ...wall } = changedFields(page, values), { curves, boundary, rule } = page;
   const length = near === undefined ? undefined : lengthIn(page, near, "Length");
   if (near !== undefined && length === undefined) return;
+  if (name !== undefined && page.names.isRenumbered) return showFailure(page, "Layers with blocks of their own give curves other numbers: name curves on the command line (--name).");
   if (/[=,@:*?"<>]/.test(name || "")) return showFailure(page, `Name: '${name}' has a character that options of names use: = , @ : * ? " < >`);
   const isRule = rule && rule.curves.size === curves.size && [...curves].every((curve) => rule.curves.has(curve));
   const what = [name && `name ${name}`, name === "" && "name taken away", length !== undefined && "length", Object.keys(wall).length && "layers"];

@@ -41,11 +41,20 @@ class CurveNames {
   /** The given name of a curve, or "". */
   nameOf(curve) {
     const entry = this.state.names.findLast((known) => (coveredBy(known) || []).includes(curve));
-    return entry ? entry.name : this.boundary.givenName(curve);
+    return entry ? entry.name : this.madeNumber(curve) ? "" : this.boundary.names[curve];
   }
-  /** By what options mean the curve: its name, or the number of one without. */
+  /** The number from which the name of a curve without a given one was made; null for others. */
+  madeNumber(curve) {
+    const made = /^curve_(\d+)$/.exec(this.boundary.names[curve]);
+    return made && made[1];
+  }
+  /** By what options mean the curve: its name, or the number of one without, which is that of its name curve_N. */
   keyOf(curve) {
-    return this.nameOf(curve) || String(curve);
+    return this.nameOf(curve) || this.madeNumber(curve) || String(curve);
+  }
+  /** Whether curves that quadmesh embeds for layers with blocks of their own have changed the numbers. */
+  get isRenumbered() {
+    return this.boundary.names.some((name, curve) => name.endsWith("_offset") && this.boundary.isInterface(curve));
   }
   keysOf(curves) {
     return [...new Set([...curves].map((curve) => this.keyOf(curve)))];
