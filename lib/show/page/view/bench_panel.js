@@ -53,8 +53,8 @@ function benchBar(page) {
     action(text, `Save: ${{ command: "a script with the command (Control s)", makefile: "a fragment for make", nodes: "x.crit.json" }[what]}`, () => page.save(what)));
   return labelled("footer", { id: "bench-bar" }, { "aria-label": "Command" },
     element("div", { className: "bench-group" }, ...history),
-    labelled("code", { id: "bench-command" }, { tabindex: "0", "aria-label": "Command that makes this mesh" }),
-    element("div", { className: "bench-group" }, action("Copy", "Copy the command", () => copyCommand(page))),
+    labelled("code", { id: "bench-command" }, { tabindex: "0", role: "region", "aria-label": "Command that makes this mesh" }),
+    Object.assign(action("Copy", "Copy the command", () => copyCommand(page)), { id: "bench-copy" }),
     labelled("div", { className: "bench-group" }, { role: "group", "aria-label": "Save" }, element("span", {}, "Save"), ...save));
 }
 
