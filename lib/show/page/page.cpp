@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/length_scale.hpp"
+#include "model/name_rules.hpp"
 #include "page/sheet.hpp"
 
 namespace quadrille::page {
@@ -76,6 +79,31 @@ draw::PictureBox box_of(const std::vector<StageModel>& stages) {
   return box;
 }
 
+/// What lies in a far field, in the coordinates of the CAD file: curves of the boundary that neither have its name nor
+/// reach it as lines of symmetry do. Empty without a far field, and where the whole is not much larger.
+draw::PictureBox body_box(const StageModel& stage) {
+  constexpr double smallest_whole = 4;  // in extents of the body
+  const CadFace* face = face_of(stage);
+  if (!face || !has_far_field(*face)) return {};
+  draw::PictureBox body;
+  for (int c = 0; c < face->num_curves(); ++c)
+    if (!is_far_field(*face, c) && !face->is_interface(c) && !face->curve_names[c].starts_with("symmetry"))
+      for (const Vec2 x : draw::dense_points(face->curves[c], 32)) body.include(x + face->origin);
+  const auto extent = [](const draw::PictureBox& box) {
+    return std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);
+  };
+  return body.empty() || smallest_whole * extent(body) > extent(own_box(stage)) ? draw::PictureBox{} : body;
+}
+
+/// The frame of all stages, and the first view that the first one with bodies in a far field has.
+PageFrame frame_of(const std::vector<StageModel>& stages, const draw::PictureBox& box) {
+  PageFrame frame = page_frame(box);
+  for (const StageModel& stage : stages)
+    if (const draw::PictureBox body = body_box(stage); !body.empty() && frame.body.empty())
+      frame.body = {body.lower - frame.centre, body.upper - frame.centre};
+  return frame;
+}
+
 std::string facts_json(const std::vector<draw::Figure>& facts) {
   std::vector<std::string> rows;
   for (const draw::Figure& fact : facts) rows.push_back(json_texts({fact.label, fact.value}));
@@ -109,7 +137,7 @@ std::string title_of(const std::vector<StageModel>& stages) {
 
 std::string data_of(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
   const draw::PictureBox box = box_of(stages);
-  const PageFrame frame = page_frame(box);
+  const PageFrame frame = frame_of(stages, box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
   std::vector<std::string> sheets;
   for (const StageModel& stage : stages) {
@@ -122,6 +150,8 @@ std::string data_of(const std::vector<StageModel>& stages, bool is_comparison, c
   object.json("palettes", palettes_json());
   object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);
+  if (const auto& [lower, upper] = frame.body; !frame.body.empty())
+    object.json("body", fmt::format("[{:.9g},{:.9g},{:.9g},{:.9g}]", lower.x, lower.y, upper.x, upper.y));
   if (!run.report.empty()) object.json("report", script_json(run.report)).json("commands", json_texts(run.commands));
   if (!run.workbench.empty()) object.json("workbench", script_json(run.workbench));
   return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();

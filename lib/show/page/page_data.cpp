@@ -186,6 +186,14 @@ void PageFrame::append(std::vector<std::int32_t>& to, Vec2 x) const {
   to.push_back(quantised(x.y - centre.y));
 }
 
+double PageFrame::pixel(Vec2 x) const {
+  constexpr double window = 800;  // pixels of a large window that the greater side fills
+  if (body.empty()) return extent / window;
+  const Vec2 size = body.upper - body.lower, p = x - centre - 0.5 * (body.lower + body.upper);
+  const double greater = std::max(size.x, size.y);
+  return std::max(std::abs(p.x), std::abs(p.y)) < greater ? greater / window : extent / window;
+}
+
 PageFrame page_frame(const draw::PictureBox& box) {
   if (box.empty()) return page_frame({{0, 0}, {1, 1}});
   const double extent = std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);

@@ -65,7 +65,11 @@ struct PageFrame {
   Vec2 centre;
   double step = 1;    ///< a length: one unit of the integers
   double extent = 1;  ///< greater side of the box, a length
+  /// Of the first view, relative to the centre: the bodies in a far field; empty: everything is shown.
+  draw::PictureBox body;
 
+  /// About the length of a pixel of the first view at x; of everything where the first view does not show x.
+  double pixel(Vec2 x) const;
   /// The nearest integer of the range; 0 for what is no number.
   std::int32_t quantised(double distance) const;
   void append(std::vector<std::int32_t>& to, Vec2 x) const;

@@ -7,10 +7,9 @@
 #include <map>
 
 #include "base/angle.hpp"
-#include "draw/field_cells.hpp"
 #include "draw/marks.hpp"
-#include "field/evaluate.hpp"
 #include "mesh/tri_topology.hpp"
+#include "page/field_samples.hpp"
 #include "page/sheet.hpp"
 
 namespace quadrille::page {
@@ -46,37 +45,13 @@ Quantity least_angles(const TriMesh& mesh) {
   return quantity;
 }
 
-/// Intervals along the edges of an element on which the field is sampled.
-int intervals(int order, int num_elems) {
-  const int most = num_elems > 8000 ? 3 : num_elems > 2000 ? 8 : 16;
-  return std::clamp(order + 6, 2, most);
-}
-
-/// Samples of each element on the lattice of its intervals, row by row from its first edge to its third vertex.
 JsonObject samples_layer(const Field& field, const PageFrame& frame) {
-  const draw::RegionFields regions(field);
-  std::vector<std::int32_t> points;
-  std::vector<double> values;
-  std::vector<std::uint8_t> counts;
-  const auto sample = [&](const field::FieldEvaluator& evaluator, int elem, int n) {
-    counts.push_back(static_cast<std::uint8_t>(n));
-    for (int j = 0; j <= n; ++j)
-      for (int i = 0; i + j <= n; ++i) {
-        Vec2 x;
-        Mat2 dx_dxi;
-        const Vec2 value = evaluator.value(elem, {2.0 * i / n - 1, 2.0 * j / n - 1}, x, dx_dxi);
-        frame.append(points, x);
-        values.insert(values.end(), {value.x, value.y});
-      }
-  };
-  for (const field::FieldEvaluator& evaluator : regions.evaluators)
-    for (int e = 0; e < evaluator.field().mesh.num_elems(); ++e)
-      sample(evaluator, e, intervals(evaluator.field().elem_order[e], field.mesh.num_elems()));
+  const FieldSamples samples = field_samples(draw::RegionFields(field), frame);
   JsonObject layer;
   layer.text("type", "samples").text("key", "field").text("title", "field").text("noun", "field").flag("shown", true);
-  layer.flag("unit", field.kind == FieldKind::phase);
-  layer.data("counts", packed(counts)).data("points", packed(points)).data("values", packed_floats(values));
-  return layer;
+  layer.flag("unit", field.kind == FieldKind::phase).data("forms", packed(samples.forms));
+  layer.data("points", packed(samples.points)).data("scales", packed_floats(samples.scales));
+  return layer.data("values", packed(samples.values));
 }
 
 Marks prescribed_nodes(const Field& field, const PageFrame& frame) {

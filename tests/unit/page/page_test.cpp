@@ -6,6 +6,7 @@
 
 #include "../chart_samples.hpp"
 #include "../region_samples.hpp"
+#include "curve/nurbs.hpp"
 #include "draw/palette.hpp"
 #include "page/page_data.hpp"
 
@@ -135,6 +136,20 @@ TEST(Page, ComparedFacesLieWhereTheirOriginsPutThem) {
   EXPECT_EQ(count(page, "\"comparison\":true"), 1u);
   EXPECT_EQ(count(page, "\"x\":2,\"y\":0.5,\"width\":4,\"height\":1"), 1u) << "two unit squares, 2 apart";
   EXPECT_EQ(count(html_page({moved}), "\"x\":3.5,\"y\":0.5,\"width\":1,"), 1u);
+}
+
+TEST(Page, TheFirstViewFitsTheBodyInAFarField) {
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.face.curve_names.assign(mesh.face.curves.size(), "farfield");
+  mesh.face.unnamed_curves.clear();
+  EXPECT_EQ(count(html_page({mesh}), "\"body\":["), 0u) << "there is no body";
+  mesh.face.curves.push_back(curve::segment({0.25, 0.5}, {0.375, 0.5}));
+  mesh.face.curve_names.push_back("wall");
+  EXPECT_EQ(count(html_page({mesh}), "\"body\":[-0.25,0,-0.125,0]"), 1u) << "relative to the middle";
+  mesh.face.curves.back() = curve::segment({0.25, 0.5}, {0.75, 0.5});
+  EXPECT_EQ(count(html_page({mesh}), "\"body\":["), 0u) << "large enough to be seen";
+  mesh.face.curve_names.assign(mesh.face.curves.size(), "wall");
+  EXPECT_EQ(count(html_page({mesh}), "\"body\":["), 0u) << "no far field";
 }
 
 TEST(Page, FilesWithoutMeasuresOfLengthsHaveFewerQuantities) {

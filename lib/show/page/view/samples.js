@@ -1,34 +1,49 @@
-// The field: samples (u, v) on a lattice of each triangle, as colours of the cross angle, with contours and crosses.
+// The field: cubic pieces (u, v) on parts of each triangle, as colours of the cross angle, with contours and crosses.
+// They are drawn as small triangles on which u and v are linear (lib/show/page/field_samples.hpp).
 
 class Samples {
   constructor(json, step) {
     Object.assign(this, layerBase(json));
     this.isUnit = json.unit;
-    this.points = positionsOf(json.points, step);
-    this.values = floatsOf(json.values);
     this.count = 0;
-    this.triangles = this.latticeTriangles(bytesOf(json.counts));
+    const stored = {
+      points: positionsOf(json.points, step), scales: floatsOf(json.scales), values: shortsOf(json.values),
+      point: 0, value: 0, triangle: 0,
+    };
+    const lattices = Array.from(bytesOf(json.forms), (form) => latticeOf(form & 7, (form >> 3) & 15));
+    const sum = (member) => lattices.reduce((total, lattice) => total + lattice[member].length, 0);
+    this.points = new Float64Array(2 * sum("points"));
+    this.values = new Float32Array(2 * sum("points"));
+    this.triangles = new Uint32Array(sum("corners"));
+    let first = 0, corner = 0;
+    bytesOf(json.forms).forEach((form, t) => {
+      this.decode(stored, lattices[t], form > 127, first);
+      for (const p of lattices[t].corners) this.triangles[corner++] = first + p;
+      first += lattices[t].points.length;
+    });
     this.boxes = emptyBoxes(this.triangles.length / 3);
     const at = (p) => [this.points[2 * p], this.points[2 * p + 1]];
     this.triangles.forEach((p, i) => include(this.boxes, Math.floor(i / 3), ...at(p)));
   }
 
-  /** Corners (numbers of samples) of the small triangles of all lattices. */
-  latticeTriangles(counts) {
-    const corners = [];
-    let first = 0;
-    for (const n of counts) {
-      for (let j = 0; j < n; ++j) {
-        const above = first + n - j + 1;
-        for (let i = 0; i + j < n; ++i) {
-          corners.push(first + i, first + i + 1, above + i);
-          if (i + j + 1 < n) corners.push(first + i + 1, above + i + 1, above + i);
-        }
-        first = above;
+  /** Values and positions at the points of the lattice of the next triangle; those are numbered from `first` on. */
+  decode(stored, lattice, isCurved, first) {
+    const { points, values, scales } = stored, count = isCurved ? lattice.stored : 3;
+    const [u, v] = scales.subarray(2 * stored.triangle, 2 * stored.triangle + 2), weights = isCurved ? "cubic" : "corners3";
+    lattice.points.forEach((point, k) => {
+      const to = 2 * (first + k);
+      for (const [number, weight] of point.cubic) {
+        this.values[to] += (weight * u * values[stored.value + 2 * number]) / 32767;
+        this.values[to + 1] += (weight * v * values[stored.value + 2 * number + 1]) / 32767;
       }
-      ++first;
-    }
-    return Uint32Array.from(corners);
+      for (const [number, weight] of point[weights]) {
+        this.points[to] += weight * points[stored.point + 2 * number];
+        this.points[to + 1] += weight * points[stored.point + 2 * number + 1];
+      }
+    });
+    stored.point += 2 * count;
+    stored.value += 2 * lattice.stored;
+    ++stored.triangle;
   }
 
   fill(context, view, theme) {
@@ -184,4 +199,40 @@ function rowSpan(a, b, c, y, width) {
   meet(b, c);
   meet(c, a);
   return [Math.max(0, Math.ceil(left - 0.51)), Math.min(width - 1, Math.floor(right - 0.49))];
+}
+
+const lattices = new Map();
+
+/** The lattice on which a triangle of parts² cubic pieces is drawn, by `lines` lines on each side of a piece: its points
+ *  with the weights [number, weight] of stored values (cubic) and of the triangle's corners (corners3), and the corners
+ *  of its small triangles. */
+function latticeOf(parts, lines) {
+  const key = 16 * parts + lines, n = parts * lines;
+  if (lattices.has(key)) return lattices.get(key);
+  const points = [], corners = [], rows = Array.from({ length: n + 2 }, (_, j) => (j * (2 * n + 3 - j)) / 2);
+  for (let j = 0; j <= n; ++j)
+    for (let i = 0; i + j <= n; ++i) {
+      points.push({ cubic: cubicWeights(parts, lines, i, j), corners3: [[0, 1 - (i + j) / n], [1, i / n], [2, j / n]] });
+      if (i + j < n) corners.push(rows[j] + i, rows[j] + i + 1, rows[j + 1] + i);
+      if (i + j + 1 < n) corners.push(rows[j] + i + 1, rows[j + 1] + i + 1, rows[j + 1] + i);
+    }
+  lattices.set(key, { points, corners, stored: ((3 * parts + 1) * (3 * parts + 2)) / 2 });
+  return lattices.get(key);
+}
+
+/** The weights [number, weight] of stored values at the point (p, q) of the lattice. Pieces that point down are those
+ *  that point up, turned by half a turn. */
+function cubicWeights(parts, lines, p, q) {
+  const number = (i, j) => (j * (6 * parts + 3 - j)) / 2 + i;
+  const factor = (a, s) => Array.from({ length: a }, (_, r) => (3 * s - r) / (r + 1)).reduce((x, y) => x * y, 1);
+  let [i, j, a, b, sign] = [Math.floor(p / lines), Math.floor(q / lines), p % lines, q % lines, 1];
+  if (a + b > lines) [i, j, a, b, sign] = [i + 1, j + 1, lines - a, lines - b, -1];
+  if (!a && !b) return [[number(3 * i, 3 * j), 1]];
+  const weights = [], s = a / lines, t = b / lines;
+  for (let beta = 0; beta <= 3; ++beta)
+    for (let alpha = 0; alpha + beta <= 3; ++alpha) {
+      const weight = factor(alpha, s) * factor(beta, t) * factor(3 - alpha - beta, 1 - s - t);
+      if (weight) weights.push([number(3 * i + sign * alpha, 3 * j + sign * beta), weight]);
+    }
+  return weights;
 }
