@@ -148,7 +148,8 @@ Vec2 drawn_value(LatticeForm form, const std::vector<Vec2>& at_points, double s,
   const int p = std::min(static_cast<int>(s * n), n - 1), q = std::min(static_cast<int>(t * n), n - 1 - p);
   const double a = s * n - p, b = t * n - q;
   const auto at = [&](int i, int j) { return cubic_value(form, at_points, p + i, q + j); };
-  if (a + b <= 1) return (1 - a - b) * at(0, 0) + a * at(1, 0) + b * at(0, 1);
+  const bool is_at_last_side = p + q + 1 == n;  // where rounding must not lead beyond it
+  if (a + b <= 1 || is_at_last_side) return (1 - a - b) * at(0, 0) + a * at(1, 0) + b * at(0, 1);
   return (a + b - 1) * at(1, 1) + (1 - b) * at(1, 0) + (1 - a) * at(0, 1);
 }
 

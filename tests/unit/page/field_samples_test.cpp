@@ -67,7 +67,7 @@ TEST(FieldSamples, ContoursLieWithinAPixelOfTheFirstView) {
   const FieldSamples circle = samples_of(2, [&](Vec2 x) { return Vec2{u(x), 1}; });
   EXPECT_LT(greatest_displacement(circle, u, [](Vec2 x) { return 2 * x; }), 0.5);
   const auto wave = [](Vec2 x) { return std::sin(5 * x.x) * std::cos(4 * x.y) - 0.3 * x.y; };
-  const FieldSamples waves = samples_of(9, [&](Vec2 x) { return Vec2{wave(x), x.x}; });
+  const FieldSamples waves = samples_of(12, [&](Vec2 x) { return Vec2{wave(x), x.x}; });
   EXPECT_LT(
       greatest_displacement(
           waves, wave,
