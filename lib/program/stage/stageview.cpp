@@ -101,7 +101,11 @@ std::string picture_of(const View& view, const StageviewOptions& options) {
 }
 
 std::string page_of(View view, const std::string& stem) {
-  page::RunRecord run{std::move(view.run_report), {}, std::move(view.workbench)};
+  if (view.is_comparison)
+    return page::comparison_page(view.stages[0].model, view.stages[1].model,
+                                 {base_name(view.stages[0].file), base_name(view.stages[1].file)});
+  const bool is_named = !base_name(view.stages.back().file).empty();
+  page::RunRecord run{is_named ? stem : "", std::move(view.run_report), {}, std::move(view.workbench)};
   io::History history;
   std::vector<StageModel> stages;
   for (View::Stage& stage : view.stages) {
@@ -110,8 +114,7 @@ std::string page_of(View view, const std::string& stem) {
         run.commands.push_back(line);
     stages.push_back(std::move(stage.model));
   }
-  if (view.is_data) return page::page_data(stages, run);
-  return view.is_comparison ? page::comparison_page(stages[0], stages[1]) : page::html_page(stages, run);
+  return view.is_data ? page::page_data(stages, run) : page::html_page(stages, run);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ void require_view(const View& view, std::size_t num_files, bool has_record, cons
 /// of those before nor one of them from it; UsageError for what cannot be compared.
 void add_to(View& view, StageModel model, FileIdentity file, Run& run);
 
-/// The SVG, HTML or JSON. `stem`: how files are called in the commands of the run. UsageError: nothing is in the
-/// window.
+/// The SVG, HTML or JSON. `stem`: the shape's name, and how files are called in the commands of the run. UsageError:
+/// nothing is in the window.
 std::string stageview(View view, const std::string& stem, const StageviewOptions& options);
 
 }  // namespace quadrille::stage

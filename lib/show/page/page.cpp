@@ -117,12 +117,16 @@ std::string steps_json(const Provenance& provenance) {
   return json_list(steps);
 }
 
-std::string sheet_json(const StageModel& stage, const PageFrame& frame) {
+/// `name`: of the file, in a comparison.
+std::string sheet_json(const StageModel& stage, const std::string& name, const PageFrame& frame) {
   const Sheet sheet = std::visit([&](const auto& model) { return stage_sheet(model, frame); }, stage);
   std::vector<std::string> layers;
   for (const JsonObject& layer : sheet.layers) layers.push_back(layer.str());
   JsonObject object;
-  object.text("title", sheet.title).text("caption", sheet.caption).json("facts", facts_json(sheet.facts));
+  object.text("title", sheet.title)
+      .text("name", name)
+      .text("caption", sheet.caption)
+      .json("facts", facts_json(sheet.facts));
   object.json("steps", steps_json(provenance_of(stage)));
   if (!sheet.space.empty()) object.json("space", sheet.space);
   if (sheet.is_only_in_space) object.flag("only_in_space", true);
@@ -130,23 +134,36 @@ std::string sheet_json(const StageModel& stage, const PageFrame& frame) {
   return object.json("layers", json_list(layers)).str();
 }
 
-std::string title_of(const std::vector<StageModel>& stages) {
-  const CadFace* face = first_face(stages);
+/// What the page shows: stages of a chain, or two that are compared.
+struct Content {
+  const std::vector<StageModel>& stages;
+  std::vector<std::string> names;  ///< of A and B; else empty
+  RunRecord run;
+
+  bool is_comparison() const { return !names.empty(); }
+};
+
+std::string title_of(const Content& content) {
+  if (content.is_comparison() && !content.names[0].empty())
+    return fmt::format("{} and {}", content.names[0], content.names[1]);
+  if (!content.run.shape.empty()) return content.run.shape;
+  const CadFace* face = first_face(content.stages);
   return face && !face->name.empty() ? face->name : "Quadrille";
 }
 
-std::string data_of(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
+std::string data_json(const Content& content) {
+  const auto& [stages, names, run] = content;
   const draw::PictureBox box = box_of(stages);
   const PageFrame frame = frame_of(stages, box);
   const Vec2 size = box.empty() ? Vec2{1, 1} : box.upper - box.lower;
   std::vector<std::string> sheets;
-  for (const StageModel& stage : stages) {
+  for (std::size_t i = 0; i < stages.size(); ++i) {
     PageFrame own = frame;
-    own.centre -= origin_of(stage);
-    sheets.push_back(sheet_json(stage, own));
+    own.centre -= origin_of(stages[i]);
+    sheets.push_back(sheet_json(stages[i], content.is_comparison() ? names[i] : "", own));
   }
   JsonObject object;
-  object.text("title", title_of(stages)).text("unit", unit_of(stages));
+  object.text("title", title_of(content)).text("unit", unit_of(stages));
   object.json("palettes", palettes_json());
   object.number("step", frame.step).number("x", frame.centre.x).number("y", frame.centre.y);
   object.number("width", size.x).number("height", size.y);
@@ -154,7 +171,7 @@ std::string data_of(const std::vector<StageModel>& stages, bool is_comparison, c
     object.json("body", fmt::format("[{:.9g},{:.9g},{:.9g},{:.9g}]", lower.x, lower.y, upper.x, upper.y));
   if (!run.report.empty()) object.json("report", script_json(run.report)).json("commands", json_texts(run.commands));
   if (!run.workbench.empty()) object.json("workbench", script_json(run.workbench));
-  return object.flag("comparison", is_comparison).json("sheets", json_list(sheets)).str();
+  return object.flag("comparison", content.is_comparison()).json("sheets", json_list(sheets)).str();
 }
 
 /// What a page may load and where it may send requests: nothing and nowhere, but for a workbench's own server.
@@ -163,29 +180,32 @@ std::string content_policy(bool is_workbench) {
   return is_workbench ? policy + "; connect-src 'self'" : policy;
 }
 
-std::string page_of(const std::vector<StageModel>& stages, bool is_comparison, const RunRecord& run) {
-  const bool is_workbench = !run.workbench.empty();
+std::string page_of(const Content& content) {
+  const bool is_workbench = !content.run.workbench.empty();
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
-      content_policy(is_workbench), html_text(title_of(stages)),
-      is_workbench ? page_style() + workbench_style() : page_style(), page_body(),
-      data_of(stages, is_comparison, run), is_workbench ? workbench_script() : page_script());
+      content_policy(is_workbench), html_text(title_of(content)),
+      is_workbench ? page_style() + workbench_style() : page_style(), page_body(), data_json(content),
+      is_workbench ? workbench_script() : page_script());
 }
 
 }  // namespace
 
 std::string html_page(const std::vector<StageModel>& stages, const RunRecord& run) {
-  return page_of(stages, false, run);
+  return page_of({stages, {}, run});
 }
 
 std::string page_data(const std::vector<StageModel>& stages, const RunRecord& run) {
-  return data_of(stages, false, run);
+  return data_json({stages, {}, run});
 }
 
-std::string comparison_page(const StageModel& a, const StageModel& b) { return page_of({a, b}, true, {}); }
+std::string comparison_page(const StageModel& a, const StageModel& b, const std::array<std::string, 2>& names) {
+  const std::vector<StageModel> stages{a, b};
+  return page_of({stages, {names[0], names[1]}, {}});
+}
 
 }  // namespace quadrille::page

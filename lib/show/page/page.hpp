@@ -5,6 +5,7 @@
 // of this folder (view.css, *.js), which are compiled in. The script draws layers of four kinds: cells (elements),
 // chains (lines, blocks), marks (nodes) and samples (the field).
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@
 
 namespace quadrille::page {
 
-/// What is known of the run that made the stages; a further tab shows it, with histograms of the last mesh.
+/// What is known of the run that made the stages. A further tab shows its report, with histograms of the last mesh.
 struct RunRecord {
+  std::string shape;                  ///< name of the shape, the page's title and heading; empty: that of the face
   std::string report;                 ///< JSON object (formats/report.md); empty: unknown, and no tab
   std::vector<std::string> commands;  ///< of the stages, for a shell
   std::string workbench = {};         ///< JSON object (pipelines/quadbench.md); empty: the page does not edit
@@ -27,7 +29,7 @@ std::string html_page(const std::vector<StageModel>& stages, const RunRecord& ru
 std::string page_data(const std::vector<StageModel>& stages, const RunRecord& run);
 
 /// The page of two layouts or meshes, of one chain or not, tabs A and B: the lines of the other one are drawn over
-/// each, and a table has the counts and qualities of both.
-std::string comparison_page(const StageModel& a, const StageModel& b);
+/// each, and a table has the counts and qualities of both. `names`: of A and B, in title, heading and tabs.
+std::string comparison_page(const StageModel& a, const StageModel& b, const std::array<std::string, 2>& names = {});
 
 }  // namespace quadrille::page

@@ -1,6 +1,6 @@
 // Critical points, corners and boundary nodes as marks; below them how they came about: cells and discs of the search
 // for zeros, clusters with their members, error bars, arrows of changes, the directions in which separatrices start at
-// zeros.
+// zeros. At first the nodes alone are shown.
 
 #include <fmt/format.h>
 
@@ -26,10 +26,10 @@ class Discs {
     texts_.push_back(text);
   }
   void append_to(std::vector<JsonObject>& layers, const std::string& key, const std::string& title, double least_pixels,
-                 bool is_to_scale, bool is_shown) const {
+                 bool is_to_scale) const {
     if (radii_.empty()) return;
     JsonObject layer;
-    layer.text("type", "discs").text("key", key).text("title", title).text("noun", "").flag("shown", is_shown);
+    layer.text("type", "discs").text("key", key).text("title", title).text("noun", "").flag("shown", false);
     layer.number("leastPixels", least_pixels).flag("toScale", is_to_scale).json("names", json_texts(texts_));
     layer.data("points", packed(centres_)).data("radii", packed_floats(radii_));
     layers.push_back(layer);
@@ -52,11 +52,11 @@ class Arrows {
     texts_.push_back(text);
   }
   /// `pixels`: the length of all of them, or 0: to their second points.
-  void append_to(std::vector<JsonObject>& layers, const std::string& key, const std::string& title, double pixels,
-                 bool is_shown) const {
+  void append_to(std::vector<JsonObject>& layers, const std::string& key, const std::string& title,
+                 double pixels) const {
     if (texts_.empty()) return;
     JsonObject layer;
-    layer.text("type", "arrows").text("key", key).text("title", title).text("noun", "").flag("shown", is_shown);
+    layer.text("type", "arrows").text("key", key).text("title", title).text("noun", "").flag("shown", false);
     layer.number("pixels", pixels).json("names", json_texts(texts_)).data("points", packed(ends_));
     layers.push_back(layer);
   }
@@ -85,7 +85,7 @@ void append_cells(std::vector<JsonObject>& layers, const Certificate& certificat
   }
   JsonObject layer;
   layer.text("type", "chains").text("key", "cells").text("title", "cells of the search").text("noun", "");
-  layer.text("style", "search").flag("shown", true).json("names", json_texts(texts));
+  layer.text("style", "search").flag("shown", false).json("names", json_texts(texts));
   layers.push_back(layer.data("offsets", packed(offsets)).data("points", packed(points)));
 }
 
@@ -103,10 +103,10 @@ void append_discs(std::vector<JsonObject>& layers, const CriticalPoints& points,
   }
   for (const CriticalPoint& p : points.critical_points)
     if (p.error > 0) errors.add(p.position, p.error, fmt::format("error bar of the position: {:.3g}", p.error));
-  left_out.append_to(layers, "left", "left to corners by the search", 0, false, true);
-  clusters.append_to(layers, "clusters", "clusters", 16, false, true);
-  members.append_to(layers, "members", "zeros of clusters", 2, false, true);
-  errors.append_to(layers, "errors", "error bars", 0, true, true);
+  left_out.append_to(layers, "left", "left to corners by the search", 0, false);
+  clusters.append_to(layers, "clusters", "clusters", 16, false);
+  members.append_to(layers, "members", "zeros of clusters", 2, false);
+  errors.append_to(layers, "errors", "error bars", 0, true);
 }
 
 const NodeMark& nearest(const std::vector<NodeMark>& marks, Vec2 x) {
@@ -130,7 +130,7 @@ void append_changes(std::vector<JsonObject>& layers, const CriticalPoints& point
       if (std::find(reached.begin(), reached.end(), mark.position) == reached.end())
         arrows.add(nearest(change.before, mark.position).position, mark.position, text);
   }
-  arrows.append_to(layers, "arrows", "arrows of changes", 0, true);
+  arrows.append_to(layers, "arrows", "arrows of changes", 0);
 }
 
 /// Nodes that are no zeros have no Jacobian, from which the directions follow.
@@ -143,7 +143,7 @@ void append_directions(std::vector<JsonObject>& layers, const CriticalPoints& po
       arrows.add(p.position, p.position + 0.01 * frame.extent * unit(angle),
                  fmt::format("a separatrix starts at {:.2f}°", degrees(angle)));
   }
-  arrows.append_to(layers, "directions", "directions of separatrices", 30, true);
+  arrows.append_to(layers, "directions", "directions of separatrices", 30);
 }
 
 std::string valence_text(const std::string& noun, int valence, NodeSource source) {
@@ -215,8 +215,8 @@ Sheet stage_sheet(const CriticalPoints& points, const PageFrame& frame) {
   if (!points.zeros.empty())
     sheet.layers.push_back(zeros_of(points, frame).layer("zeros", "zeros of the field", false));
   if (!points.changes.empty())
-    sheet.layers.push_back(changes_of(points, frame).layer("changes", "nodes before changes"));
-  sheet.layers.push_back(corners_of(points, frame).layer("corners", "corners"));
+    sheet.layers.push_back(changes_of(points, frame).layer("changes", "nodes before changes", false));
+  sheet.layers.push_back(corners_of(points, frame).layer("corners", "corners", false));
   sheet.layers.push_back(nodes_of(points, frame).layer("nodes", "nodes"));
   return sheet;
 }

@@ -27,7 +27,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(Page, EveryStageIsATabWithLayers) {
   const std::string page = html_page(all_stages());
   for (const char* title : {"Triangle mesh", "Guiding field", "Critical points", "Separatrices", "Blocks", "Quad mesh"})
-    EXPECT_EQ(count(page, std::string("{\"title\":\"") + title + "\",\"caption\""), 1u) << title;
+    EXPECT_EQ(count(page, std::string("{\"title\":\"") + title + "\",\"name\":"), 1u) << title;
   for (const char* key : {"field", "corners", "lines", "blocks", "arcs"})
     EXPECT_EQ(count(page, std::string("\"key\":\"") + key + '"'), 1u) << key;
   EXPECT_EQ(count(page, "\"key\":\"mesh\""), 3u);
@@ -50,7 +50,7 @@ TEST(Page, AWorkbenchHasItsScriptItsStateAndItsServer) {
 
 TEST(Page, TheChartOfACurvedFaceIsATab) {
   const std::string page = html_page({samples::charted_face()});
-  EXPECT_EQ(count(page, "{\"title\":\"Chart\",\"caption\":\"2 triangles of order 2 on 1 surface\""), 1u);
+  EXPECT_EQ(count(page, "{\"title\":\"Chart\",\"name\":\"\",\"caption\":\"2 triangles of order 2 on 1 surface\""), 1u);
   EXPECT_EQ(count(page, "\"key\":\"mesh\""), 1u);
 }
 
@@ -108,8 +108,20 @@ TEST(Page, NamesAreEscaped) {
   EXPECT_EQ(count(page, "<script"), 2u) << "the data and the script";
 }
 
+TEST(Page, TheShapeAndTheComparedFilesAreNamed) {
+  QuadMesh mesh = samples::quad_mesh();
+  mesh.face.name = "fluid";
+  EXPECT_EQ(count(html_page({mesh}), "<title>fluid</title>"), 1u);
+  EXPECT_EQ(count(html_page({mesh}, {"naca4412", "", {}}), "<title>naca4412</title>"), 1u);
+  const std::string page = comparison_page(mesh, mesh, {"a.quad.h5", "b.quad.h5"});
+  EXPECT_EQ(count(page, "<title>a.quad.h5 and b.quad.h5</title>"), 1u);
+  for (const char* name : {"a.quad.h5", "b.quad.h5"})
+    EXPECT_EQ(count(page, std::string("\"name\":\"") + name + '"'), 1u);
+}
+
 TEST(Page, TheReportOfARunIsEscaped) {
-  const std::string page = html_page({samples::quad_mesh()}, {R"({"error":"</script><b>&","blocks":4})", {"a <b.h5"}});
+  const std::string page =
+      html_page({samples::quad_mesh()}, {"", R"({"error":"</script><b>&","blocks":4})", {"a <b.h5"}});
   EXPECT_EQ(count(page, R"("report":{"error":"\u003c/script\u003e\u003cb\u003e\u0026","blocks":4})"), 1u);
   EXPECT_EQ(count(page, R"("commands":["a \u003cb.h5"])"), 1u);
   EXPECT_EQ(count(html_page({samples::quad_mesh()}), "\"commands\":["), 0u) << "no report is known";

@@ -30,6 +30,16 @@ TEST(PointsSheet, NothingToShowGivesNoLayer) {
   EXPECT_EQ(stage_sheet(CriticalPoints{}, frame).layers.size(), 2u) << "corners and nodes";
 }
 
+TEST(PointsSheet, AtFirstTheNodesAloneAreShown) {
+  CriticalPoints points;
+  points.critical_points = {saddle()};
+  points.critical_points[0].error = 1e-3;
+  points.clusters = {{{0.5, 0.5}, 0.1, -2, {{0.4, 0.5}, {0.6, 0.5}}, {-1, -1}}};
+  points.certificate.cells = {{7, {0, 0, 1, 0, 0, 1}, CellVerdict::open}};
+  for (const JsonObject& layer : stage_sheet(points, frame).layers)
+    EXPECT_EQ(count(layer.str(), "\"shown\":true"), count(layer.str(), "\"key\":\"nodes\"")) << layer.str();
+}
+
 TEST(PointsSheet, AZeroHasAnArrowForEachSeparatrix) {
   CriticalPoints points;
   points.critical_points = {saddle()};
