@@ -6,9 +6,9 @@ setup() {
   need chromium chromium-driver python3-selenium
 }
 
-# judge PAGE TABS
+# judge PAGE TABS [WORDS...]: as judge_page.py
 judge() {
-  run "$PYTHON" "$ROOT/tests/peers/judge_page.py" "$1" "$2"
+  run "$PYTHON" "$ROOT/tests/peers/judge_page.py" "$@"
   assert_output ''
   assert_success
 }
@@ -20,8 +20,15 @@ judge() {
     blocks=$(blocks_of "$shape")
     x=${blocks%.blocks.h5}
     stageview "$x.tri.h5" "$x.field.h5" "$x.crit.json" "$x.sep.json" "$x.blocks.h5" "$x.quad.h5" -o page.html
-    judge page.html 6
+    judge page.html 6 "$(basename "$shape" .step)"
   done
+}
+
+@test "the first view of a far field fits the body" {
+  printf '%s\n' '1 0' '0.5 0.06' '0 0' '0.5 -0.06' >wing.dat
+  "$ROOT/pipelines/quadmesh" -q wing.dat --farfield cgrid:20 -o wing.msh --workdir stages
+  stageview stages/wing.quad.h5 -o far.html
+  judge far.html 1 body wing
 }
 
 # fine_page PAGE: of 100,000 quads of order 5.

@@ -1,8 +1,9 @@
 """Opens a page of stageview in Chromium and prints what is wrong with it.
 
-usage: judge_page.py PAGE NUMBER-OF-TABS [report | comparison | space]
+usage: judge_page.py PAGE NUMBER-OF-TABS [report | comparison | space | body | NAME...]
 
-The last tab must be a quad mesh; with "report", the report of a run behind one; with "space", hexahedra.
+The last tab must be a quad mesh; with "report", the report of a run behind one; with "space", hexahedra; with "body",
+a mesh in a far field. Title and heading must contain each NAME.
 """
 import re, sys, time
 
@@ -17,6 +18,7 @@ def expect(condition, fault):
 
 
 def judge_keys(page):
+    page.press("0")
     before = page.picture("picture")
     page.press("+")
     expect(page.picture("picture") != before, "the key + does not zoom")
@@ -37,6 +39,44 @@ def judge_keys(page):
     expect(page.text("#measure-title") != measure, "the key q does not choose the next measure")
     page.press("Q")
     expect(page.text("#measure-title") == measure, "the key Q does not choose the measure before")
+
+
+def judge_names(page, stems):
+    """Heading, title and tabs name the shape or, in a comparison, A and B."""
+    for text in (page.text("#title"), page.driver.title):
+        expect(all(stem in text for stem in stems), f"the page is called {text}, not {' and '.join(stems)}")
+
+
+def judge_legend(page, number):
+    """The legend tells the marks, lines and colours of what is shown; critical points are shown alone at first."""
+    page.press(str(number))
+    boxes = page.driver.find_elements("css selector", "#layers label")
+    on = [box.text for box in boxes if box.find_element("css selector", "input").is_selected()]
+    if "zeros of the field" in page.text("#layers"):
+        expect(on == ["boundary", "nodes"], f"of nodes {on} are shown at first")
+    for layer, words in (("field", "cross angle"), ("nodes", "valence"), ("separatrices", "separatrices")):
+        has_none = layer == "nodes" and re.match("0 (nodes|critical)", page.text("#caption"))
+        expect(layer not in on or has_none or words in page.text("#legend"), f"the legend says nothing of {layer}")
+
+
+def judge_body(page):
+    """In a far field the body fills the first view; 0 shows everything, b the body again."""
+    first = page.picture("picture")
+    page.press("0")
+    expect(page.picture("picture") != first, "the first view shows everything")
+    page.press("b")
+    expect(page.picture("picture") == first, "the key b does not show the body again")
+
+
+def judge_header(page):
+    """In a window of a telephone the header takes little room."""
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                {"width": 380, "height": 700, "deviceScaleFactor": 1, "mobile": False})
+    time.sleep(0.4)
+    height = page.driver.execute_script("return document.querySelector('header').offsetHeight")
+    expect(height <= 60, f"the header is {height} pixels high in a window of 380")
+    page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    time.sleep(0.4)
 
 
 def judge_worst(page):
@@ -73,8 +113,10 @@ def judge_report(page, count):
     page.press(str(count))
     expect(not page.is_hidden("#report"), "the last tab does not show the report")
     text = page.text("#report")
-    for part in ("scaled Jacobian", "skewness", "quadmesh -q half_disc.step", "quadrefine --", "padapt", "cpu_seconds"):
+    for part in ("scaled Jacobian", "skewness", "quadmesh -q half_disc.step", "quadrefine --", "padapt", "CPU seconds", "index sum"):
         expect(part in text, f"the report lacks '{part}'")
+    expect("_" not in page.text("#report .tables"), "the report has keys in place of words")
+    expect("object" not in page.text("#report .tables"), "the report has lists that it does not show")
     page.press("r")
     expect(page.is_hidden("#report"), "the key r does not leave the report")
 
@@ -157,7 +199,13 @@ def judge_speed(page):
 
 
 with Page(sys.argv[1]) as opened:
+    if "body" in sys.argv[3:]:
+        judge_body(opened)
     judge_tabs(opened, int(sys.argv[2]))
+    judge_names(opened, [word for word in sys.argv[3:] if word not in ("report", "comparison", "space", "body")])
+    for tab in range(1, int(sys.argv[2]) + ("report" not in sys.argv[3:])):
+        judge_legend(opened, tab)
+    judge_header(opened)
     if "report" in sys.argv[3:]:
         judge_report(opened, int(sys.argv[2]))
     if "comparison" in sys.argv[3:]:

@@ -17,7 +17,7 @@ JsonObject solids_layer(const HexMesh& mesh) {
   layer.text("type", "solids").text("key", "mesh").text("title", "hexahedra").text("noun", "hexahedron");
   layer.flag("shown", true);
   layer.json("quantities", quantities_json({{"scaled Jacobian", "low", 0, 1, mesh.elem_scaled_jacobian},
-                                            {"proved bound of det J", "low", 0, 0, mesh.elem_jacobian_bound}}));
+                                            bounds_of_jacobian(mesh.elem_jacobian_bound)}));
   layer.data("regions", packed(quad_regions)).json("regionNames", json_texts(mesh.region_names));
   return layer;
 }

@@ -113,7 +113,7 @@ std::vector<Quantity> quantities_of(const QuadMesh& mesh, const Cells& cells) {
                                    {"edge-length ratio", "high", 0, 0, mesh.elem_edge_ratio, true},
                                    {"area jump", "high", 0, 0, mesh.elem_area_jump, true},
                                    {"skewness", "high", 0, 1, cells.skewness},
-                                   {"proved bound of det J", "low", 0, 0, mesh.elem_jacobian_bound}};
+                                   bounds_of_jacobian(mesh.elem_jacobian_bound)};
   if (!mesh.elem_prescribed_length.empty())
     quantities.push_back({"size against prescribed", "high", 0, 0, mesh::relative_sizes(mesh), true});
   return quantities;

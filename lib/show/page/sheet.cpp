@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/enum_names.hpp"
 #include "base/message_text.hpp"
 #include "draw/labels.hpp"
@@ -39,6 +41,12 @@ JsonObject boundary_layer(const CadFace& face, const PageFrame& frame) {
   if (!face.partners.empty()) layer.data("partners", packed(std::vector<std::int32_t>(face.partners)));
   if (face.num_regions() > 1) layer.json("regions", regions_json(face, frame));
   return layer;
+}
+
+Quantity bounds_of_jacobian(const std::vector<double>& bounds) {
+  const double least = bounds.empty() ? 0 : *std::min_element(bounds.begin(), bounds.end());
+  const double reach = least < 0 ? -least : 0;
+  return {"proved bound of det J", "low", -reach, reach, bounds};
 }
 
 std::string quantities_json(const std::vector<Quantity>& quantities) {

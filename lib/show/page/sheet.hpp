@@ -31,14 +31,16 @@ Sheet stage_sheet(const HexMesh& mesh, const PageFrame& frame);
 /// The boundary of the face with the names of its curves, in every tab.
 JsonObject boundary_layer(const CadFace& face, const PageFrame& frame);
 
-/// A figure of each item of a layer. `worst` is "low", "high" or empty; the ramp runs from `low` to `high`, or over the
-/// values if they are equal.
+/// A figure of each item of a layer. `worst` is "low", "high" or empty. The ramp runs from `low` to `high`, from bad to
+/// good; if they are equal, nothing is known to be bad, and it runs over the values, from less to more.
 struct Quantity {
   std::string title, worst;
   double low = 0, high = 0;
   std::vector<double> values;
   bool is_logarithmic = false;
 };
+/// Of lower bounds of det J, which are lengths squared: only those that prove nothing are bad.
+Quantity bounds_of_jacobian(const std::vector<double>& bounds);
 std::string quantities_json(const std::vector<Quantity>& quantities);
 
 /// Marks at nodes: shape and colour by valence, `kind` "node", "corner", "boundary", "dot" or "hollow".

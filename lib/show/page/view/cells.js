@@ -193,6 +193,10 @@ class Cells {
     context.globalAlpha = 1;
   }
 
+  legend(theme) {
+    return this.borders.length ? [["border of a block", legendLine(theme.border, 1.4)]] : [];
+  }
+
   outline(view, item) {
     const path = new Path2D();
     this.traceElement(path, view.maps(), item, false);

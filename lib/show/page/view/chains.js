@@ -56,6 +56,14 @@ class Chains {
     }
   }
 
+  legend(theme) {
+    if (this.style === "search") return [[this.title, legendLine(theme.border, 0.8)]];
+    if (this.style === "line") return [["separatrices, a colour for each start", legendLine(theme.lines[0], 1.7)]];
+    if (this.partners && this.partners.some((partner) => partner >= 0))
+      return [["curve between regions, or slit", legendLine(theme.interface, 2.2)]];
+    return [];
+  }
+
   outline(view, item) {
     const path = new Path2D();
     this.trace(path, view.maps(), item);

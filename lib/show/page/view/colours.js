@@ -23,14 +23,14 @@ function valenceColour(theme, valence, isBoundary) {
   return index === 1 ? theme.few : index === -1 ? theme.many : theme.other;
 }
 
-/** The colours of a quantity: from bad to good, or from low to high. */
-const coloursOf = (theme, quantity) => (quantity.worst ? theme.qualityColours : theme.amountColours);
+/** The colours of a quantity: from bad to good where that is known, else from low to high. */
+const coloursOf = (theme, quantity) => (quantity.isJudged ? theme.qualityColours : theme.amountColours);
 
 /** Chooses light or dark for the whole page; returns the colours of drawings. */
 function themeNamed(name, palettes) {
   document.documentElement.dataset.theme = name;
   const style = getComputedStyle(document.documentElement), own = palettes[name], theme = { name, ...own };
-  for (const part of ["paper", "ink", "faint", "accent", "line", "border", "fill", "halo"])
+  for (const part of ["paper", "ink", "faint", "rule", "accent", "line", "border", "fill", "halo"])
     theme[part] = style.getPropertyValue(`--${part}`).trim();
   theme.added = { isAdded: true, line: channelsOf(theme.accent).join(","), border: theme.accent };
   theme.qualityColours = rampColours(own.quality, 64);

@@ -29,17 +29,21 @@ function decodeQuantity(json) {
   const isGiven = json.high > json.low;
   const low = isGiven ? Math.min(json.low, least) : least, high = isGiven ? json.high : greatest;
   const isLog = json.log && low > 0;
-  return { title: json.title, worst: json.worst, values, order, least, greatest, low, high, isLog };
+  const isJudged = Boolean(json.worst) && isGiven; // what is good and bad is known, not only what is more and less
+  return { title: json.title, worst: json.worst, isJudged, values, order, least, greatest, low, high, isLog };
 }
 
-/** Where a value lies on the ramp: 0 is bad (or low), 1 is good (or high). */
+/** Where a value lies on the ramp: 0 is bad, 1 is good; of figures that are neither, 0 is low, 1 is high. */
 function rampPosition(quantity, value) {
   const at = quantity.isLog ? Math.log : (x) => x;
   const width = at(quantity.high) - at(quantity.low);
-  const t = width > 0 ? (at(value) - at(quantity.low)) / width : quantity.worst ? 1 : 0.5;
+  const t = width > 0 ? (at(value) - at(quantity.low)) / width : quantity.isJudged ? 1 : 0.5;
   const clamped = Math.min(1, Math.max(0, t));
-  return quantity.worst === "high" ? 1 - (width > 0 ? clamped : 0) : clamped;
+  return isReversed(quantity) ? 1 - (width > 0 ? clamped : 0) : clamped;
 }
+
+/** Whether great values are bad. */
+const isReversed = (quantity) => quantity.isJudged && quantity.worst === "high";
 
 /** Boxes of items: x0, y0, x1, y1 each. */
 function emptyBoxes(count) {

@@ -22,14 +22,28 @@ class Discs {
     return path;
   }
 
+  get isDot() {
+    return this.leastPixels > 0 && this.leastPixels < 5;
+  }
+
+  legend(theme) {
+    return [[this.title, legendMark((context) => {
+      context.strokeStyle = context.fillStyle = theme.ink;
+      context.setLineDash(this.isToScale ? [] : [5, 4]);
+      const path = new Path2D();
+      path.arc(legendSize[0] / 2, legendSize[1] / 2, this.isDot ? this.leastPixels : 7, 0, 2 * Math.PI);
+      if (this.isDot) context.fill(path);
+      else context.stroke(path);
+    })]];
+  }
+
   stroke(context, view, theme) {
-    const isDot = this.leastPixels > 0 && this.leastPixels < 5;
     context.strokeStyle = context.fillStyle = theme.ink;
     context.lineWidth = 1.2;
     context.setLineDash(this.isToScale ? [] : [5, 4]);
     for (let i = 0; i < this.count; ++i) {
       if (this.isToScale && this.radius(view, i) < 2) continue;
-      if (isDot) context.fill(this.outline(view, i));
+      if (this.isDot) context.fill(this.outline(view, i));
       else context.stroke(this.outline(view, i));
     }
     context.setLineDash([]);
@@ -81,6 +95,14 @@ class Arrows {
       path.lineTo(x + 7 * Math.cos(angle + turn), y + 7 * Math.sin(angle + turn));
     }
     return path;
+  }
+
+  legend(theme) {
+    return [[this.title, legendMark((context) => {
+      context.strokeStyle = this.pixels ? theme.faint : theme.ink;
+      context.lineWidth = 1.3;
+      context.stroke(new Path2D("M4 9H26M20 6L26 9L20 12"));
+    })]];
   }
 
   stroke(context, view, theme) {

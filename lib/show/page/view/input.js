@@ -8,6 +8,7 @@ const actions = {
     if (page.isSpatial) page.space.fit();
     page.drawSharp();
   },
+  body: (page) => page.showBody(),
   worst: (page) => page.worst(1),
   back: (page) => page.worst(-1),
   labels: (page) => {
@@ -47,7 +48,7 @@ const actions = {
 };
 
 const keyActions = {
-  0: "fit", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
+  0: "fit", b: "body", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
   Q: "quantityBack", Escape: "close", s: "beside", r: "report", "]": "next", "[": "before",
   c: "cut", C: "cutBack", ",": "cutDown", ".": "cutUp", x: "cutSide",
 };

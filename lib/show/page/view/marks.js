@@ -47,8 +47,12 @@ class Marks {
   }
 
   outline(view, item) {
-    const [x, y] = view.toScreen(this.points[2 * item], this.points[2 * item + 1]);
-    const path = new Path2D(), kind = this.kinds[item], valence = this.valences[item], r = this.radius(item) * this.crowding(view);
+    return this.shape(item, ...view.toScreen(this.points[2 * item], this.points[2 * item + 1]), this.crowding(view));
+  }
+
+  /** The mark of an item at a point of the window. */
+  shape(item, x, y, factor) {
+    const path = new Path2D(), kind = this.kinds[item], valence = this.valences[item], r = this.radius(item) * factor;
     const isPolygon = (kind === "node" || kind === "hollow") && valence >= 3 && valence <= 8;
     const vertices = isPolygon ? valence : kind === "boundary" ? 4 : 0;
     if (!vertices) path.arc(x, y, r, 0, 2 * Math.PI);
@@ -58,6 +62,10 @@ class Marks {
     }
     path.closePath();
     return path;
+  }
+
+  legend(theme) {
+    return legendOfMarks(this, theme);
   }
 
   itemAt(context, view, px, py) {

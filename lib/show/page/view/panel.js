@@ -15,7 +15,7 @@ function tableRows(rows) {
 
 /** The titles of the tabs; equal ones are numbered. */
 function tabTitles(sheets) {
-  if (sheets.isComparison) return sheets.map((sheet, i) => `${"AB"[i]}: ${sheet.title}`);
+  if (sheets.isComparison) return sheets.map((sheet, i) => `${"AB"[i]}: ${sheet.name || sheet.title}`);
   return sheets.map((sheet, i) => {
     const equal = sheets.filter((other) => other.title === sheet.title);
     return equal.length > 1 ? `${sheet.title} ${equal.indexOf(sheet) + 1}` : sheet.title;
@@ -33,6 +33,7 @@ function showTabs(sheets, current, choose, hasReport) {
       return tab;
     }),
   );
+  byId("tabs").children[current].scrollIntoView({ block: "nearest", inline: "nearest" });
 }
 
 function layerBox(layer, member, title, changed) {
@@ -101,7 +102,7 @@ function limitsText(quantity) {
 
 function histogramCounts(quantity, count) {
   const counts = new Array(count).fill(0);
-  const isFlipped = quantity.worst === "high";
+  const isFlipped = isReversed(quantity);
   for (const value of quantity.values) {
     const t = rampPosition(quantity, value);
     ++counts[Math.min(count - 1, Math.floor((isFlipped ? 1 - t : t) * count))];
@@ -109,7 +110,8 @@ function histogramCounts(quantity, count) {
   return counts;
 }
 
-/** Bars in the colours of the drawing; heights grow with the root of the count, so that few bad elements are seen. */
+/** Bars in the colours of the drawing, which stand on a strip of them from the least value to the greatest; heights grow
+ *  with the root of the count, so that few bad elements are seen. */
 function drawHistogram(canvas, quantity, theme) {
   const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth || 260, height = 120, foot = 16;
   canvas.width = width * ratio;
@@ -117,11 +119,13 @@ function drawHistogram(canvas, quantity, theme) {
   const context = canvas.getContext("2d"), counts = histogramCounts(quantity, 40), most = Math.max(...counts);
   const colours = coloursOf(theme, quantity);
   context.scale(ratio, ratio);
-  const bar = width / counts.length;
+  const bar = width / counts.length, first = counts.findIndex((count) => count), last = counts.findLastIndex((count) => count);
+  context.fillStyle = theme.rule;
+  context.fillRect(0, height - foot + 1, width, 2);
   counts.forEach((count, i) => {
-    const t = (i + 0.5) / counts.length, good = quantity.worst === "high" ? 1 - t : t;
+    const t = (i + 0.5) / counts.length, good = isReversed(quantity) ? 1 - t : t;
     context.fillStyle = css(colours[Math.round(good * (colours.length - 1))]);
-    context.fillRect(i * bar, height - foot, bar + 0.5, 4);
+    if (i >= first && i <= last) context.fillRect(i * bar, height - foot, bar + 0.5, 4);
     const tall = count ? Math.max(2, Math.sqrt(count / most) * (height - foot - 6)) : 0;
     context.fillRect(i * bar + 0.5, height - foot - 2 - tall, bar - 1, tall);
     context.strokeStyle = theme.faint;
@@ -176,7 +180,7 @@ function optionsText(json) {
 }
 
 const keys = [
-  ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["1 … 9", "stage by its number"],
+  ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["b", "show the body in a far field"], ["1 … 9", "stage by its number"],
   ["[  ]", "stage before, next stage"], ["w  W", "next worst element, one back"], ["q  Q", "next quantity, one back"],
   ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["r", "report of the run"], ["s", "side by side, of a comparison"], ["p", "panel"],
   ["c  C", "next direction of the cut in space, one back"], [",  .", "move the cut"], ["x", "other side of the cut"], ["Esc", "close"],

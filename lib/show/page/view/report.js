@@ -2,16 +2,35 @@
 
 const textOf = (value) => {
   if (typeof value === "number") return figure(value);
-  if (value === null || value === "") return "–";
+  if (typeof value === "boolean") return value ? "yes" : "no";
   return Array.isArray(value) ? value.map(textOf).join(", ") : String(value);
 };
 
-/** Rows [dotted key, value] of a nested object. */
+const ownSpelling = [[/\bjacobian/g, "Jacobian"], [/\bcpu\b/g, "CPU"], [/\bcad\b/g, "CAD"], [/\bt junction/g, "T-junction"], [/\byplus\b/g, "y⁺"]];
+
+/** "least_scaled_jacobian" as "least scaled Jacobian". */
+function wordsOf(key) {
+  return ownSpelling.reduce((text, [pattern, word]) => text.replace(pattern, word), key.replaceAll("_", " "));
+}
+
+const isNothing = (value) => value === null || value === "" || (Array.isArray(value) && !value.length);
+const isNested = (value) => typeof value === "object" && (!Array.isArray(value) || typeof value[0] === "object");
+
+/** Rows [words, value] of a nested object; what it says nothing of is left out. */
 function flatRows(object, prefix = "") {
-  return Object.entries(object).flatMap(([key, value]) => {
-    const isNested = value && typeof value === "object" && !Array.isArray(value);
-    return isNested ? flatRows(value, `${prefix}${key}.`) : [[prefix + key, textOf(value)]];
-  });
+  const words = (key) => `${prefix}${/^[0-9]+$/.test(key) ? Number(key) + 1 : wordsOf(key)}`;
+  return Object.entries(object).filter(([, value]) => !isNothing(value)).flatMap(([key, value]) =>
+    isNested(value) ? flatRows(value, `${words(key)}, `) : [[words(key), textOf(value)]]);
+}
+
+/** A table of the plain members, and one with a heading for each nested one. */
+function reportTables(figures) {
+  const entries = Object.entries(figures).filter(([, value]) => !isNothing(value));
+  const plain = Object.fromEntries(entries.filter(([, value]) => !isNested(value)));
+  const table = (object) => element("table", { className: "rows" }, ...tableRows(flatRows(object)));
+  const nested = entries.filter(([, value]) => isNested(value)).map(([key, value]) =>
+    element("div", {}, element("h3", {}, wordsOf(key)), table(value)));
+  return [element("div", {}, table(plain)), ...nested];
 }
 
 function reportSection(title, ...children) {
@@ -33,7 +52,7 @@ function timeTable(stages) {
   const cells = rows.map(([name, seconds]) => {
     const bar = element("div", { className: "bar" });
     bar.style.width = `${(100 * seconds) / most}%`;
-    const texts = [name, `${seconds.toFixed(3)} s`].map((text) => element("td", {}, text));
+    const texts = [wordsOf(name), `${seconds.toFixed(3)} s`].map((text) => element("td", {}, text));
     return element("tr", {}, ...texts, element("td", {}, bar));
   });
   return element("table", { className: "times" }, ...cells);
@@ -52,15 +71,12 @@ function histograms(sheets, theme) {
 
 function fillReport(data, sheets, theme) {
   const { stages, warnings, command, ...figures } = data.report;
-  const rows = flatRows(figures).map(([key, text]) =>
-    element("tr", {}, element("td", {}, key), element("td", {}, text)),
-  );
   const commands = [...(command ? [command, ""] : []), ...data.commands].join("\n");
   byId("report").replaceChildren(
     reportSection("Shapes of elements", element("div", { className: "figures" }, ...histograms(sheets, theme))),
     reportSection("Warnings", warningList(warnings)),
     reportSection("Seconds of CPU", timeTable(stages)),
-    reportSection("Report", element("table", { className: "rows" }, ...rows)),
+    reportSection("Figures", element("div", { className: "tables" }, ...reportTables(figures))),
     reportSection("Commands", element("pre", {}, commands)),
   );
 }

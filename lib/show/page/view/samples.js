@@ -146,6 +146,10 @@ class Samples {
     return [0, 1].map((k) => (1 - s - t) * this.values[a + k] + s * this.values[b + k] + t * this.values[c + k]);
   }
 
+  legend(theme) {
+    return legendOfField(theme, this.isUnit);
+  }
+
   /** Nothing: the field has no items that could be told apart. */
   outline() {
     return new Path2D();

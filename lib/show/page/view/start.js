@@ -52,8 +52,9 @@ class Page extends SpacePage {
     fillHelp();
     document.querySelector("[data-do=beside]").hidden = !this.data.comparison;
     listenToCut(this);
+    document.querySelector("[data-do=body]").hidden = !this.data.body;
     this.resize();
-    this.fit();
+    this.firstView();
     this.choose(this.current);
     listen(this);
   }
@@ -87,7 +88,7 @@ class Page extends SpacePage {
     if (this.isSpatial) this.space.set(this.sheet.space);
     if (this.isSpatial !== wasSpatial || this.isAlone !== wasAlone) {
       this.resize();
-      this.fit();
+      this.firstView();
     }
     this.forget();
     byId("report").hidden = !this.isReport;
@@ -105,6 +106,7 @@ class Page extends SpacePage {
     this.rank = -1;
     if (this.isBeside) this.copyLayers();
     showMeasure(this.sheet.layers, this.theme);
+    showLegend(this.shown, this.theme);
     if (this.isReport) fillReport(this.data, this.sheets, this.theme);
     this.drawSharp();
   }
@@ -150,6 +152,18 @@ class Page extends SpacePage {
     this.view.fit(-width / 2, -height / 2, width / 2, height / 2, 64);
   }
 
+  /** What is in a far field, with as much around it; without one, everything. */
+  firstView() {
+    if (!this.data.body) return this.fit();
+    this.view.fit(...this.data.body, Math.min(this.view.width, this.view.height) / 4);
+  }
+
+  showBody() {
+    if (!this.data.body) return this.tell("No body lies in a far field here: 0 shows everything.");
+    this.firstView();
+    this.drawSharp();
+  }
+
   setTheme(name) {
     this.theme = themeNamed(name, this.data.palettes);
   }
@@ -178,7 +192,7 @@ class Page extends SpacePage {
     if (!this.data.comparison) return this.tell("Only a page of --compare has two stages to show side by side.");
     this.isBeside = !this.isBeside;
     this.resize();
-    this.fit();
+    this.firstView();
     this.changed();
   }
 
