@@ -20,66 +20,8 @@ struct LabelSizes {
   double font = 13, box_height = 16, padding = 6, ink_step = 3;
   double shortest_leader = 16;                              ///< labels nearer than this to their curve need no line
   double side_room = 33, room_above = 16, room_below = 46;  ///< beside the drawing that labels may use
-  double half_region_height = 9, mark_radius = 12;          ///< of the names of regions, and of marks round texts
 };
 constexpr LabelSizes label_sizes{};
-
-/// The loops of a region as polygons.
-std::vector<std::vector<Vec2>> polygons(const CadFace& face, int region) {
-  std::vector<std::vector<Vec2>> loops;
-  const bool is_one = face.region_loops.empty();
-  const int first = is_one ? 0 : face.region_loops[region],
-            end = is_one ? face.num_loops() : face.region_loops[region + 1];
-  for (int l = first; l < end; ++l) {
-    std::vector<Vec2>& loop = loops.emplace_back();
-    for (int c = face.loop_offsets[l]; c < face.loop_offsets[l + 1]; ++c)
-      for (const Vec2 x : dense_points(face.curves[c], 16)) loop.push_back(x);
-  }
-  return loops;
-}
-
-/// Calls visit(a, b) for all sides.
-template <typename Visit>
-void for_each_side(const std::vector<std::vector<Vec2>>& loops, const Visit& visit) {
-  for (const std::vector<Vec2>& loop : loops)
-    for (std::size_t i = 0; i < loop.size(); ++i) visit(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
-}
-
-/// Positive inside, by the number of sides that a ray crosses; both sides of a slit cancel.
-double signed_clearance(const std::vector<std::vector<Vec2>>& loops, Vec2 x) {
-  bool is_inside = false;
-  double clearance = std::numeric_limits<double>::infinity();
-  for_each_side(loops, [&](Vec2 a, Vec2 b) {
-    clearance = std::min(clearance, distance_to_segment(x, a, b));
-    if ((a.y > x.y) != (b.y > x.y) && x.x < a.x + (x.y - a.y) / (b.y - a.y) * (b.x - a.x)) is_inside = !is_inside;
-  });
-  return is_inside ? clearance : -clearance;
-}
-
-/// Whether a side passes through the box, whose centre is inside the region.
-bool meets_side(const Picture& picture, const std::vector<std::vector<Vec2>>& loops, const TextBox& box) {
-  bool meets = false;
-  for_each_side(loops, [&](Vec2 a, Vec2 b) {
-    const Vec2 from = picture.at(a), to = picture.at(b);
-    const int num_steps = 1 + static_cast<int>(distance(from, to) / 4);
-    for (int i = 0; i <= num_steps && !meets; ++i) meets = box.holds(from + (i / double(num_steps)) * (to - from));
-  });
-  return meets;
-}
-
-/// Those with nearly the greatest clearance come first, from the one nearest to the centre on; then the others by their
-/// clearance. What is equal but for rounding keeps its order.
-void sort_places(std::vector<RegionPlace>& places, Vec2 centre) {
-  double greatest = 0;
-  for (const RegionPlace& place : places) greatest = std::max(greatest, place.clearance);
-  const auto rounded = [&](double length) { return std::round(1e6 * length / greatest); };
-  const auto key = [&](const RegionPlace& place) {
-    const bool is_best = place.clearance > 0.9 * greatest;
-    return std::pair(is_best ? 0 : 1, rounded(is_best ? distance(place.position, centre) : -place.clearance));
-  };
-  std::stable_sort(places.begin(), places.end(),
-                   [&](const RegionPlace& a, const RegionPlace& b) { return key(a) < key(b); });
-}
 
 /// Points of a curve in the picture, at most ink_step apart, and the distance to each along the curve.
 struct Trace {
@@ -128,6 +70,11 @@ struct Trace {
     return distance(points[from], points[to]) > 0 ? normalized(points[to] - points[from]) : Vec2{1, 0};
   }
 };
+
+/// Whether the segments have a point in common, which may be an end.
+bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  return cross(b - a, c - a) * cross(b - a, d - a) <= 0 && cross(d - c, a - c) * cross(d - c, b - c) <= 0;
+}
 
 struct Place {
   Vec2 foot;  ///< on the curve
@@ -192,10 +139,24 @@ class Labels {
       return false;
     if (std::any_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) { return b.overlaps(box); })) return false;
     if (std::any_of(ink_.begin(), ink_.end(), [&](Vec2 x) { return box.holds(x); })) return false;
+    if (is_crossed(place)) return false;
     if (!place.has_leader) return true;
     const std::vector<Vec2> leader = leader_points(place);
     return std::none_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) {
       return std::any_of(leader.begin(), leader.end(), [&](Vec2 x) { return b.holds(x); });
+    });
+  }
+
+  /// Whether the boundary passes between the label and its curve.
+  bool is_crossed(const Place& place) const {
+    const Vec2 start = place.foot + 0.5 * normalized(place.box.centre - place.foot);
+    return std::any_of(traces_.begin(), traces_.end(), [&](const Trace& trace) {
+      for (std::size_t i = 1; i < trace.points.size(); ++i) {
+        const Vec2 a = trace.points[i - 1], b = trace.points[i];
+        const bool is_piece = distance(a, b) < 2 * label_sizes.ink_step;  // not what lies outside a window
+        if (is_piece && segments_meet(start, place.box.centre, a, b)) return true;
+      }
+      return false;
     });
   }
 
@@ -241,17 +202,10 @@ void sort_by_length(std::vector<int>& curves, const Labels& labels) {
 /// Of each run of curves with one given name in a loop, the longest.
 std::vector<int> longest_of_names(const CadFace& face, const Labels& labels) {
   std::vector<int> longest(face.curves.size(), -1);  // by the first curve of the run
+  const std::vector<int> runs = name_runs(face);
   for (int c = 0; c < face.num_curves(); ++c) {
-    if (!is_named(face, c) || is_second_side(face, c)) continue;
-    const auto continues = [&](int curve) {
-      const int before = face.previous_in_loop(curve);
-      return is_named(face, before) && face.curve_names[before] == face.curve_names[c];
-    };
-    const int loop_start = face.loop_offsets[face.loop_of(c)];
-    int first = c;
-    while (continues(first) && face.previous_in_loop(first) != c) first = face.previous_in_loop(first);
-    if (continues(first)) first = loop_start;  // the whole loop has one name
-    int& known = longest[first];
+    if (runs[c] < 0) continue;
+    int& known = longest[runs[c]];
     if (known < 0 || labels.length(c) > labels.length(known)) known = c;
   }
   std::erase(longest, -1);
@@ -281,44 +235,19 @@ int label_all(Labels& labels, const CadFace& face) {
 
 }  // namespace
 
-std::vector<RegionPlace> region_places(const CadFace& face, int region) {
-  constexpr int num_rows = 33;  // odd: with the centre of the region's box
-  const std::vector<std::vector<Vec2>> loops = polygons(face, region);
-  PictureBox box;
-  for_each_side(loops, [&](Vec2 a, Vec2) { box.include(a); });
-  std::vector<RegionPlace> places;
-  for (int j = 1; j <= num_rows; ++j)
-    for (int i = 1; i <= num_rows; ++i) {
-      const Vec2 x{std::lerp(box.lower.x, box.upper.x, i / (num_rows + 1.0)),
-                   std::lerp(box.lower.y, box.upper.y, j / (num_rows + 1.0))};
-      if (const double clearance = signed_clearance(loops, x); clearance > 0) places.push_back({x, clearance});
-    }
-  sort_places(places, 0.5 * (box.lower + box.upper));
-  return places;
-}
-
-void label_regions(Picture& picture, const CadFace& face) {
-  constexpr std::size_t num_tries = 80;
-  if (face.num_regions() == 1) return;
-  for (int r = 0; r < face.num_regions(); ++r) {
-    const std::string& name = face.region_names[r];
-    const std::vector<std::vector<Vec2>> loops = polygons(face, r);
-    const std::vector<RegionPlace> places = region_places(face, r);
-    for (std::size_t i = 0; i < std::min(num_tries, places.size()); ++i) {
-      const TextBox box{picture.at(places[i].position),
-                        {0.5 * text_width(name, label_sizes.font) + 3, label_sizes.half_region_height}};
-      const std::vector<TextBox>& texts = picture.text_boxes();
-      const TextBox with_room{box.centre, box.half + Vec2{label_sizes.mark_radius,
-                                                          label_sizes.mark_radius}};  // texts may be inside of marks
-      const bool is_covered =
-          std::any_of(texts.begin(), texts.end(), [&](const TextBox& text) { return text.overlaps(with_room); });
-      if (is_covered || places[i].clearance * picture.scale() < label_sizes.half_region_height ||
-          meets_side(picture, loops, box))
-        continue;
-      picture.text(box.centre, "region", name);
-      break;
-    }
+std::vector<int> name_runs(const CadFace& face) {
+  std::vector<int> runs(face.curves.size(), -1);
+  for (int c = 0; c < face.num_curves(); ++c) {
+    if (!is_named(face, c) || is_second_side(face, c)) continue;
+    const auto continues = [&](int curve) {
+      const int before = face.previous_in_loop(curve);
+      return is_named(face, before) && face.curve_names[before] == face.curve_names[c];
+    };
+    int first = c;
+    while (continues(first) && face.previous_in_loop(first) != c) first = face.previous_in_loop(first);
+    runs[c] = continues(first) ? face.loop_offsets[face.loop_of(c)] : first;  // the whole loop has one name
   }
+  return runs;
 }
 
 void label_curves(Picture& picture, const CadFace& face, CurveLabels which) {

@@ -38,6 +38,7 @@ JsonObject boundary_layer(const CadFace& face, const PageFrame& frame) {
   layer.text("type", "chains").text("key", "boundary").text("title", "boundary").text("noun", "curve");
   layer.text("style", "boundary").flag("shown", true).json("names", json_texts(face.curve_names));
   layer.data("offsets", packed(chains.offsets)).data("points", packed(chains.points));
+  layer.data("runs", packed(std::vector<std::int32_t>(draw::name_runs(face))));
   if (!face.partners.empty()) layer.data("partners", packed(std::vector<std::int32_t>(face.partners)));
   if (face.num_regions() > 1) layer.json("regions", regions_json(face, frame));
   return layer;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -185,6 +187,39 @@ TEST(CurveLabels, OtherTextsAreNotCovered) {
   crowded.text(first(picture).centre, "label", "7");
   label_curves(crowded, face, CurveLabels::given);
   EXPECT_FALSE(first(crowded).overlaps(crowded.text_boxes().front()));
+}
+
+/// A square with a slim rectangular hole in its middle, whose long sides are called `upper` and `lower`.
+CadFace square_with_slim_hole(double half_height) {
+  const std::vector<Vec2> outline{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const double h = half_height;
+  const std::vector<Vec2> hole{{-0.5, -h}, {-0.5, h}, {0.5, h}, {0.5, -h}};
+  CadFace face;
+  for (const std::vector<Vec2>& loop : {outline, hole})
+    for (std::size_t i = 0; i < 4; ++i) face.curves.push_back(curve::segment(loop[i], loop[(i + 1) % 4]));
+  face.curve_names = {"c0", "c1", "c2", "c3", "c4", "upper", "c6", "lower"};
+  face.unnamed_curves = {0, 1, 2, 3, 4, 6};
+  face.joints.resize(8);
+  face.loop_offsets = {0, 4, 8};
+  face.diameter = 2 * std::sqrt(2.0);
+  return face;
+}
+
+TEST(CurveLabels, OfAThinHoleTheyLieOnTheSidesThatTheyName) {
+  for (const double half_height : {0.001, 0.01, 0.03, 0.3}) {
+    std::map<std::string, double> y;  // down
+    for (const Label& label : drawn(square_with_slim_hole(half_height), 600, CurveLabels::given).labels)
+      y[label.text] = label.y;
+    ASSERT_EQ(y.size(), 2u) << half_height;
+    EXPECT_LT(y["upper"] + 13, y["lower"]) << half_height;
+  }
+}
+
+TEST(CurveLabels, RunsOfOneNameStartAtTheirFirstCurve) {
+  CadFace face = polygon(6, "inlet");
+  face.curve_names = {"inlet", "wall", "wall", "curve_3", "wall", "inlet"};
+  face.unnamed_curves = {3};
+  EXPECT_EQ(name_runs(face), (std::vector<int>{5, 1, 1, -1, 4, 5}));
 }
 
 TEST(CurveLabels, AnInterfaceHasOneLabelWithBothNumbers) {

@@ -157,6 +157,7 @@ TEST(Page, TheFirstViewFitsTheBodyInAFarField) {
   EXPECT_EQ(count(html_page({mesh}), "\"body\":["), 0u) << "there is no body";
   mesh.face.curves.push_back(curve::segment({0.25, 0.5}, {0.375, 0.5}));
   mesh.face.curve_names.push_back("wall");
+  mesh.face.loop_offsets.push_back(mesh.face.num_curves());
   EXPECT_EQ(count(html_page({mesh}), "\"body\":[-0.25,0,-0.125,0]"), 1u) << "relative to the middle";
   mesh.face.curves.back() = curve::segment({0.25, 0.5}, {0.75, 0.5});
   EXPECT_EQ(count(html_page({mesh}), "\"body\":["), 0u) << "large enough to be seen";

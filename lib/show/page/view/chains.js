@@ -9,6 +9,7 @@ class Chains {
     this.colours = json.colours ? intsOf(json.colours) : null;
     this.partners = json.partners ? intsOf(json.partners) : null;
     this.regions = json.regions || [];
+    this.runs = json.runs ? intsOf(json.runs) : null; // of curves with one given name: the first; -1: no given name
     this.count = this.offsets.length - 1;
     this.isFilled = this.style === "block";
     this.isClosed = this.isFilled || this.style === "search";
@@ -98,32 +99,46 @@ class Chains {
     return this.isClosed ? { area: areaOf(points), length: lengthOf(points) } : { length: lengthOf(points) };
   }
 
-  /** Labels {text, at, away}: given names of curves, or with `all` their numbers too, beside their middles; names or
-   *  numbers of blocks in them. */
-  labels(view, all) {
-    if (this.style !== "boundary" && !this.isFilled) return [];
+  /** The names of regions and of blocks, where each has most room: {text, at, clearance}. Blocks have their numbers
+   *  where several have one name. */
+  places(view) {
+    const regions = this.regions.map(([text, x, y, clearance]) => ({ text, at: [x, y], clearance }));
+    if (!this.isFilled) return regions;
+    const isShared = (name) => this.names.indexOf(name) !== this.names.lastIndexOf(name);
+    return itemsWithin(this.boxes, view.rectangle()).map((item) => {
+      const name = this.givenName(item), text = name && !isShared(name) ? name : String(item);
+      return { text, ...this.middleOf(item) };
+    });
+  }
+
+  /** The point of a lattice in an item that is farthest from its outline, and its distance: {at, clearance}. */
+  middleOf(item) {
+    this.middles ||= new Map();
+    if (!this.middles.has(item)) this.middles.set(item, roomiestPoint(flattened(this.controls(item), 4), this.boxes.subarray(4 * item, 4 * item + 4)));
+    return this.middles.get(item);
+  }
+
+  /** Texts with the visible points of their curves: given names, each beside the longest of successive curves that have
+   *  it, or with `all` the numbers and names of all curves. */
+  curveLabels(view, all) {
+    if (this.style !== "boundary") return [];
     const isLabelled = (item) => !this.isInterface(item) || this.partners[item] > item;
-    return this.regionLabels().concat(itemsWithin(this.boxes, view.rectangle()).filter(isLabelled).map((item) => {
-      const points = flattened(this.controls(item), 4), middle = points[points.length >> 1];
-      if (this.isClosed) {
-        const centre = [0, 1].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length);
-        return { text: this.shortName(item), at: centre, away: [0, 0], within: this.sizeOf(item) };
-      }
-      const before = points[(points.length >> 1) - 1] || middle;
-      const length = Math.hypot(middle[0] - before[0], middle[1] - before[1]) || 1;
-      const away = [(middle[1] - before[1]) / length, (middle[0] - before[0]) / length];
-      return { text: all ? this.numberAndName(item) : this.givenName(item), at: middle, away };
-    }));
+    const labels = itemsWithin(this.boxes, view.rectangle()).filter(isLabelled).map((item) => {
+      const isSeen = ([x, y]) => x >= 0 && y >= 0 && x <= view.width && y <= view.height;
+      const text = all ? this.numberAndName(item) : this.runs[item] >= 0 ? this.names[item] : "";
+      return { text, item, points: text ? evenlySpaced(this.screenPoints(view, item), 4, isSeen) : [] };
+    }).filter(({ points }) => points.length > 1);
+    if (all) return labels;
+    const longest = new Map();
+    for (const label of labels) {
+      const run = this.runs[label.item], other = longest.get(run);
+      if (!other || other.points.length < label.points.length) longest.set(run, label);
+    }
+    return [...longest.values()];
   }
 
-  regionLabels() {
-    return this.regions.map(([text, x, y, clearance]) => ({ text, at: [x, y], away: [0, 0], within: [4 * clearance, 2 * clearance] }));
-  }
-
-  /** Width and height of an item's box. */
-  sizeOf(item) {
-    const k = 4 * item;
-    return [this.boxes[k + 2] - this.boxes[k], this.boxes[k + 3] - this.boxes[k + 1]];
+  screenPoints(view, item) {
+    return flattened(this.controls(item), 8).map(([x, y]) => view.toScreen(x, y));
   }
 
   /** The name; empty where it is made from the number. */
@@ -131,12 +146,8 @@ class Chains {
     return nameSuffix(this.names[item] || "", this.noun, item) && this.names[item];
   }
 
-  shortName(item) {
-    return this.givenName(item) || String(item);
-  }
-
   numberAndName(item) {
     const number = this.isInterface(item) ? `${item}/${this.partners[item]}` : item;
-    return `${number} ${this.givenName(item)}`.trim();
+    return `${number} ${this.runs[item] >= 0 ? this.names[item] : ""}`.trim();
   }
 }

@@ -105,10 +105,12 @@ function shareRanges([a, b]) {
   }
 }
 
+let numLayers = 0;
+
 /** Fields that all layers have. */
 function layerBase(json) {
   return {
-    key: json.key, title: json.title, noun: json.noun, names: json.names || [], isShown: json.shown, isAdded: false,
+    number: numLayers++, key: json.key, title: json.title, noun: json.noun, names: json.names || [], isShown: json.shown, isAdded: false,
     quantities: (json.quantities || []).map(decodeQuantity), quantity: json.quantities && !json.plain ? 0 : -1,
   };
 }

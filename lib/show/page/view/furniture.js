@@ -1,4 +1,4 @@
-// What lies above the drawing: axes with figures, the scale bar, labels, the outline of the item in focus.
+// What lies above the drawing: axes with figures, the scale bar, the outline of the item in focus.
 
 /** 1, 2 or 5 by a power of ten, at least `least`. */
 function roundStep(least) {
@@ -90,26 +90,6 @@ function drawCross(context, view, theme, [x, y]) {
   context.moveTo(px, py - 9);
   context.lineTo(px, py + 9);
   context.stroke();
-}
-
-/** Labels of the layers; those that would cover an earlier one or are larger than their block are left out. */
-function drawLabels(context, view, theme, layers, all) {
-  const taken = [];
-  context.font = "12px system-ui, sans-serif";
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  context.fillStyle = theme.ink;
-  for (const layer of layers)
-    for (const { text, at, away, within } of layer.labels ? layer.labels(view, all) : []) {
-      if (!text) continue;
-      const half = context.measureText(text).width / 2 + 3, [sx, sy] = view.toScreen(at[0], at[1]);
-      if (within && (within[0] * view.scale < 2 * half || within[1] * view.scale < 18)) continue;
-      const x = sx + away[0] * (half + 6), y = sy + away[1] * 14;
-      const box = [x - half, y - 9, x + half, y + 9];
-      if (taken.some((t) => t[0] < box[2] && t[2] > box[0] && t[1] < box[3] && t[3] > box[1])) continue;
-      taken.push(box);
-      haloText(context, theme, text, x, y);
-    }
 }
 
 function drawFocus(context, view, theme, focus) {

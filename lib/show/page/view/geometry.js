@@ -13,6 +13,50 @@ function cubicPoint(controls, i, s) {
   return [0, 1].map((axis) => weights.reduce((sum, w, k) => sum + w * controls[i + k][axis], 0));
 }
 
+/** Points of a polyline `step` apart, those that `isSeen`. */
+function evenlySpaced(points, step, isSeen) {
+  const found = [];
+  for (let k = 1; k < points.length; ++k) {
+    const [x0, y0] = points[k - 1], [x1, y1] = points[k], count = Math.min(2000, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / step));
+    for (let i = 0; i < count; ++i) {
+      const point = [x0 + (i / count) * (x1 - x0), y0 + (i / count) * (y1 - y0)];
+      if (isSeen(point)) found.push(point);
+    }
+  }
+  return found;
+}
+
+/** Whether two segments have a point in common, which may be an end. */
+function segmentsMeet(a, b, c, d) {
+  const side = (p, q, r) => (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
+}
+
+/** Of the points of a lattice in the box, the one inside the closed polygon that is farthest from it: {at, clearance}. */
+function roomiestPoint(polygon, [x0, y0, x1, y1]) {
+  const count = 9;
+  let best = { at: [(x0 + x1) / 2, (y0 + y1) / 2], clearance: 0 };
+  for (let j = 1; j <= count; ++j)
+    for (let i = 1; i <= count; ++i) {
+      const at = [x0 + ((x1 - x0) * i) / (count + 1), y0 + ((y1 - y0) * j) / (count + 1)];
+      const clearance = signedClearance(polygon, at);
+      if (clearance > best.clearance * (1 + 1e-6)) best = { at, clearance };
+    }
+  return best;
+}
+
+/** The distance of a point from a closed polygon, negative outside. */
+function signedClearance(polygon, [x, y]) {
+  let least = Infinity, isInside = false;
+  for (let k = 0; k < polygon.length; ++k) {
+    const [ax, ay] = polygon[k], [bx, by] = polygon[(k + 1) % polygon.length], dx = bx - ax, dy = by - ay;
+    const along = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+    least = Math.min(least, Math.hypot(ax + along * dx - x, ay + along * dy - y));
+    if (ay > y !== by > y && x < ax + ((y - ay) / dy) * dx) isInside = !isInside;
+  }
+  return isInside ? least : -least;
+}
+
 function lengthOf(points) {
   let length = 0;
   for (let i = 1; i < points.length; ++i)

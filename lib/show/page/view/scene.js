@@ -61,7 +61,7 @@ class Scene {
       drawFocus(context, view, theme, focus);
       drawRing(context, view, theme, focus);
     }
-    if (labels !== "none") drawLabels(context, view, theme, layers, labels === "all");
+    if (labels !== "none") drawLabels(context, view, theme, layers, labels === "all", this);
     drawAxes(context, view, theme, page);
     drawScaleBar(context, view, theme, page);
     if (title) drawTitle(context, theme, title);
