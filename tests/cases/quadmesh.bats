@@ -50,10 +50,21 @@ here() { TMPDIR=$PWD "$@"; }
   mkdir "$folder" && echo old >"$folder/half_disc.phase.h5"
   run -0 "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --html page.html --workdir "$folder"
   assert_output ''
-  run -0 grep -oE '"title":"[A-Z][a-z ]+","caption"' page.html
+  run -0 grep -oE '"title":"[A-Z][a-z ]+","name"' page.html
   assert_equal "${#lines[@]}" 6
   run -2 "$quadmesh" "$DATA/half_disc.step" -o other.msh --html page.svg
   assert_nothing_left out.msh page.html
+}
+
+@test "--html-parts chooses the tabs of the page" {
+  run -0 "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --html page.html --html-parts quads,blocks
+  run -0 grep -oE '"title":"[A-Z][a-z ]+","name"' page.html
+  assert_output '"title":"Blocks","name"
+"title":"Quad mesh","name"'
+  run ! grep -q '"type":"samples"' page.html
+  run -2 "$quadmesh" -q "$DATA/half_disc.step" -o out.msh --html other.html --html-parts hexahedra
+  assert_output "quadmesh: --html-parts: this run makes none of the parts: name others"
+  assert_file_not_exists other.html
 }
 
 @test "the page of --html has the report of the run and the commands, without folders" {

@@ -67,10 +67,17 @@ void declare(Options& options, ChainStage stage, StageOptions& values);
 /// Words of the command line, by the command that takes them.
 using Words = std::map<std::string, std::vector<std::string>>;
 
+/// What a page shows: a tab each.
+enum class PagePart { triangles, field, nodes, phase, separatrices, blocks, quads, hexahedra };
+constexpr auto enum_names(PagePart) {
+  return std::to_array({"triangles", "field", "nodes", "phase", "separatrices", "blocks", "quads", "hexahedra"});
+}
+
 struct ChainOptions {
   std::string shape;                  ///< path, or "-"; may be empty with `first`
   std::string output;                 ///< path; empty or "-": standard output
   std::string workdir, report, html;  ///< paths; empty: none
+  std::vector<PagePart> page_parts;   ///< of the page; empty: all
   std::string nodes_file;             ///< critical points to use; "-": standard input
   std::string threads;                ///< as given; empty: auto
   int num_threads = 0;                ///< 0: auto

@@ -297,6 +297,8 @@ void check_command_line(const ChainOptions& options, const StageOptions& values)
   if (options.shape.empty() && options.from.empty()) throw UsageError("no shape given");
   if (!options.html.empty() && (options.html.size() < 6 || !options.html.ends_with(".html")))
     throw UsageError(fmt::format("--html: '{}' does not end in .html", options.html));
+  if (options.html.empty() && !options.page_parts.empty())
+    throw UsageError("--html-parts is for the page of --html: give that too");
   check_range(options);
   check_skipped_options(options);
   converter_of_shape(options);
@@ -321,8 +323,7 @@ std::string shape_of(const ChainOptions& options, const StageOptions& values) {
   if (!options.shape.empty() || options.first == ChainStage::cad2tri) return options.shape;
   const std::string ending = needed_endings(options, values).front();
   std::string shape;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(options.workdir, error)) {
+  for (std::error_code error; const fs::directory_entry& entry : fs::directory_iterator(options.workdir, error)) {
     const std::string name = entry.path().filename().string();
     if (!name.ends_with('.' + ending) || name.ends_with(".phase." + ending)) continue;
     if (!shape.empty())
@@ -344,9 +345,8 @@ void check_files(const ChainState& chain) {
 
 void check_face(ChainState& chain) {
   const std::optional<CadFace> face = known_face(chain);
-  if (!face) return;
   for (const ChainStage stage : {ChainStage::critpoints, ChainStage::quadrefine, ChainStage::quadexport})
-    check_face_for(chain, stage, *face);
+    if (face) check_face_for(chain, stage, *face);
 }
 
 }  // namespace quadrille::chain

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "base/version.hpp"
@@ -26,18 +28,38 @@ io::ChainFacts facts_of(const ChainState& chain) {
   return facts;
 }
 
-/// The files of all stages as tabs, and one with the report; what an earlier run left in the folder is older.
-void write_page(ChainState& chain, const io::ChainReport& report) {
-  const std::string run_report = chain.runner.scratch() + "/run.json", triangles = chain.files.triangles.path();
-  io::write_output(run_report, report.text_with_command(chain.options.typed), false, io::Lasting::for_the_run);
-  std::vector<std::string> words{command_path("stageview"), "-q", triangles};
+/// The ending of the file of each PagePart.
+constexpr std::array page_endings{"tri.h5",   "field.h5",  "crit.json", "phase.h5",
+                                  "sep.json", "blocks.h5", "quad.h5",   "hex.h5"};
+
+/// The files of the parts that the page shows; what an earlier run left in the folder is older than the triangles.
+std::vector<std::string> files_of_page(const ChainState& chain) {
+  const std::vector<PagePart>& parts = chain.options.page_parts;
+  const std::string triangles = chain.files.triangles.path();
   const fs::file_time_type begin = fs::last_write_time(triangles);
-  std::error_code error;
-  for (const char* ending : {"field.h5", "crit.json", "phase.h5", "sep.json", "blocks.h5", "quad.h5", "hex.h5"}) {
-    const std::string path = chain.files.stem + '.' + ending;
+  std::vector<std::string> files;
+  for (std::size_t k = 0; k < page_endings.size(); ++k) {
+    if (!parts.empty() && std::ranges::find(parts, static_cast<PagePart>(k)) == parts.end()) continue;
+    const bool is_first = static_cast<PagePart>(k) == PagePart::triangles;
+    const std::string path = is_first ? triangles : chain.files.stem + '.' + page_endings[k];
+    std::error_code error;
     const fs::file_time_type time = fs::last_write_time(path, error);
-    if (!error && time > begin) words.push_back(path);
+    if (is_first || (!error && time > begin)) files.push_back(path);
   }
+  return files;
+}
+
+/// A tab for each part that was made, and one with the report.
+void write_page(ChainState& chain, const io::ChainReport& report) {
+  const std::string run_report = chain.runner.scratch() + "/run.json";
+  io::write_output(run_report, report.text_with_command(chain.options.typed), false, io::Lasting::for_the_run);
+  const std::vector<std::string> files = files_of_page(chain);
+  if (files.empty()) {
+    cli::print_message("quadmesh: --html-parts: this run makes none of the parts: name others\n");
+    throw ChainFailure{ExitCode::usage, "stageview", {}};
+  }
+  std::vector<std::string> words{command_path("stageview"), "-q"};
+  words.insert(words.end(), files.begin(), files.end());
   words.insert(words.end(), {"--run-report", run_report, "-o", chain.options.html});
   const auto [code, messages] = chain.runner.run_helper(words);
   cli::print_message(messages);

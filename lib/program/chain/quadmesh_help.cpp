@@ -131,6 +131,8 @@ OPTIONS
                             the files of the stages in the present folder)
   --html FILE               also write a page for a browser (x.html): every stage as a tab, and one with the report
                             of the run, histograms of the shapes of elements and the commands that made them
+  --html-parts PARTS        of the page the tabs of these parts alone, with commas between them: triangles, field,
+                            nodes, phase, separatrices, blocks, quads, hexahedra (default: all)
   --report FILE             write counts, least Jacobian and seconds of every stage as JSON, also after a failure, with
                             the stage, the exit code and the message (-: standard output)
   --max-seconds S           stop the stage that runs when all stages together have used S seconds, of CPU time (that of

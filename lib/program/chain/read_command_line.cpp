@@ -22,9 +22,9 @@ namespace {
 
 const std::vector<std::string> own_flags{"--help",    "--help-all", "--verbose",     "--quiet",
                                          "--version", "--dry-run",  "--keep-joints", "--sweep"};
-const std::vector<std::string> own_values{"--output",      "--workdir",    "--html",    "--report",
-                                          "--max-seconds", "--max-memory", "--threads", "--nodes",
-                                          "--from",        "--until",      "--stage"};
+const std::vector<std::string> own_values{"--output", "--workdir",     "--html",       "--html-parts",
+                                          "--report", "--max-seconds", "--max-memory", "--threads",
+                                          "--nodes",  "--from",        "--until",      "--stage"};
 const std::set<std::string> of_cad2tri{"--face",     "--boundary-names", "--name",           "--region-name",
                                        "--periodic", "--offset",         "--heal-tolerance", "--fit-tolerance",
                                        "--blunt",    "--write-healed",   "--keep-joints",    "--section"};
@@ -171,6 +171,7 @@ class Reader {
     if (flag == "--output") options_.output = value;
     if (flag == "--workdir") options_.workdir = value;
     if (flag == "--html") options_.html = value;
+    if (flag == "--html-parts") options_.page_parts = page_parts(value);
     if (flag == "--report") options_.report = value;
     if (flag == "--threads") options_.threads = value, options_.num_threads = cli::threads_of(value);
     if (flag == "--max-seconds") options_.limits.seconds = parse_max_seconds(value);
@@ -191,6 +192,19 @@ class Reader {
     if (end == std::string::npos || end + 1 == value.size())
       throw UsageError(fmt::format("--stage: '{}' is not NAME=COMMAND", value));
     options_.programs[stage_named("--stage", value.substr(0, end))] = value.substr(end + 1);
+  }
+
+  static std::vector<PagePart> page_parts(const std::string& value) {
+    std::vector<PagePart> parts;
+    const std::vector<std::string> names = all_enum_names<PagePart>();
+    for (const std::string& name : split_at_commas(value)) {
+      const auto part = enum_value<PagePart>(name);
+      if (!part)
+        throw UsageError(fmt::format("--html-parts: '{}' is no part of a page{}: the parts are {}", name,
+                                     did_you_mean(name, names), fmt::join(names, " ")));
+      parts.push_back(*part);
+    }
+    return parts;
   }
 
   static ChainStage stage_named(const std::string& flag, const std::string& name) {

@@ -27,6 +27,15 @@ TEST(CheckCommandLine, there_is_a_shape_unless_a_later_stage_begins) {
   EXPECT_EQ(refusal({"--from", "padapt", "--workdir", "w"}), "");
 }
 
+TEST(CheckCommandLine, parts_of_pages_are_known_and_need_a_page) {
+  EXPECT_EQ(refusal({"a.step", "--html", "x.html", "--html-parts", "blocks,quads"}), "");
+  EXPECT_EQ(refusal({"a.step", "--html-parts", "quads"}), "--html-parts is for the page of --html: give that too");
+  EXPECT_EQ(
+      refusal({"a.step", "--html", "x.html", "--html-parts", "quads,feld"}),
+      "--html-parts: 'feld' is no part of a page (did you mean field?): the parts are triangles field nodes phase "
+      "separatrices blocks quads hexahedra");
+}
+
 TEST(CheckCommandLine, pages_end_in_html) {
   EXPECT_EQ(refusal({"a.step", "--html", "x.html"}), "");
   for (const char* name : {"x.htm", ".html"})
