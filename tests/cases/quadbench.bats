@@ -161,6 +161,19 @@ END
   kill $bench
 }
 
+@test "a shape that was changed meanwhile is read again" {
+  open_bench shapes/half_disc.step
+  mesh_of '{}'
+  assert_equal "$(stages | cut -d ' ' -f 1)" cad2tri # of the first mesh: nothing has changed
+  cp "$DATA/square.step" shapes/half_disc.step
+  mesh_of '{}'
+  assert_equal "$(answered .report.blocks)" 1
+  rm shapes/half_disc.step
+  mesh_of '{}'
+  assert_equal "$(answered .ok)" false
+  kill $bench
+}
+
 @test "options that nodes take the place of are left out of the command, those of later stages too are kept" {
   open_bench shapes/half_disc.step --symmetry none --place energy
   data_of_page >page.json

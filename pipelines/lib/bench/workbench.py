@@ -1,5 +1,6 @@
 """The workbench without its page: makes the mesh of a state, one run after another, and saves files of a state."""
 import json
+import os
 import pathlib
 import shlex
 import threading
@@ -34,17 +35,28 @@ class Workbench:
         stem = pathlib.PurePath(shape).stem
         self.found = WorkFolder(self.scratch / "found", stem)  # with the nodes that the chain finds
         self.moved = WorkFolder(self.scratch / "moved", stem)  # with nodes that were moved by hand
+        self.asked = None, {}  # options with inputs, and the commands that quadmesh printed for them
 
     def made(self, run, state):
         """Brings the files of a state up to date."""
         options, moves = self.others + options_of(state), moves_of(state)
-        commands = commands_of_stages(run.output_of(
-            ["quadmesh", "-q", self.shape, *words_of(options), "--dry-run", "-o", self.found.mesh(self.saved.output),
-             "--workdir", self.scratch / "none"]))  # a folder with files would change what is printed
-        if any(option == "--wall" for option, _ in options):
-            commands["critpoints"] += "without trials of other nodes\n"  # quadmesh makes them where there is no wall
+        commands = self.commands(run, options)
         self.found.update(run, self.shape, options, commands, self.saved.output, BLOCKS_END if moves else len(STAGES))
         return self.made_with(run, options, commands, moves) if moves else Made(self.found, options)
+
+    def commands(self, run, options):
+        """The commands of the stages by which the files of these options are recognised. quadmesh is asked again only where
+        options or inputs have changed."""
+        inputs = [(path, stat.st_mtime_ns, stat.st_size) for path in self.saved.inputs if (stat := os.stat(path))]
+        if self.asked[0] != (options, inputs):
+            commands = commands_of_stages(run.output_of(
+                ["quadmesh", "-q", self.shape, *words_of(options), "--dry-run", "-o", self.found.mesh(self.saved.output),
+                 "--workdir", self.scratch / "none"]))  # a folder with files would change what is printed
+            commands["cad2tri"] += f"{inputs}\n"
+            if any(option == "--wall" for option, _ in options):
+                commands["critpoints"] += "without trials of other nodes\n"  # quadmesh makes them where there is no wall
+            self.asked = (options, inputs), commands
+        return self.asked[1]
 
     def made_with(self, run, options, commands, moves):
         nodes = with_moves(self.found.nodes(), moves, self.found.diameter())
