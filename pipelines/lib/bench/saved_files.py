@@ -12,12 +12,16 @@ ENDINGS = {"command": ".quadmesh.sh", "makefile": ".mk", "nodes": ".crit.json"}
 
 
 def relocated(path, folder):
-    """The name of a file as seen from the folder: short inside it, absolute elsewhere."""
+    """The name of a file as seen from the folder: short inside it, absolute elsewhere; never one like an option."""
     path, folder = os.path.abspath(path), os.path.abspath(folder)
-    return os.path.relpath(path, folder) if path.startswith(folder.rstrip("/") + "/") else path
+    if not path.startswith(folder.rstrip("/") + "/"):
+        return path
+    name = os.path.relpath(path, folder)
+    return f"./{name}" if name.startswith("-") else name
 
 
 def is_file_option(option, value):
+    """Whether the value is the name of a file that quadmesh reads."""
     is_file = frame.option_kinds("quadmesh").get(option) == "file"
     return is_file or option == "--nodes" and value not in NODE_RULES or option == "--wake" and value != "auto"
 

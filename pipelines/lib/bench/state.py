@@ -1,5 +1,5 @@
-"""What was done in the workbench, as its page sends it (pipelines/quadbench.md, "Requests"), and the options of quadmesh
-that do it. An option is a pair (name, value), of a flag (name, None)."""
+"""What was done in the workbench, as its page sends it (pipelines/quadbench.md, "Requests"), and the options of
+quadmesh that do it. An option is a pair (name, value), of a flag (name, None)."""
 import math
 
 import command_frame as frame

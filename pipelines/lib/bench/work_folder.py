@@ -13,12 +13,16 @@ ALWAYS = ("--threads", "--max-seconds", "--max-memory", "--stage")  # options th
 NODES = STAGES.index("critpoints")
 
 
+def has_nodes_file(option, value):
+    return option == "--nodes" and value not in NODE_RULES
+
+
 def last_stage(option, value):
     """The number of the last stage that takes an option: --from a later one refuses it."""
     if option in ALWAYS:
         return len(STAGES)
     if option == "--nodes":
-        return NODES if value in NODE_RULES else NODES + 1
+        return NODES + has_nodes_file(option, value)
     return max((k for k, stage in enumerate(STAGES) if option in frame.option_kinds(stage)), default=0)
 
 
@@ -89,12 +93,13 @@ class WorkFolder:
         try:
             self.run(process, shape, options, commands, mesh, first, end)
         except frame.Failure as failure:
-            again = NODES if "--nodes" not in dict(options) else NODES + 1
+            again = NODES + 1 if any(has_nodes_file(*option) for option in options) else NODES
             if failure.code != frame.NO_RESULT or first <= again:
                 raise
             self.run(process, shape, options, commands, mesh, again, end)
 
     def run(self, process, shape, options, commands, mesh, first, end):
+        """Runs the stages from number `first` up to before `end`. A Failure has the message of the stage."""
         with self.renewed(first):
             report = self.folder / "report.json"
             report.unlink(missing_ok=True)
@@ -106,6 +111,7 @@ class WorkFolder:
             self.note(first, end, commands, found)
 
     def note(self, first, end, commands, report):
+        """What a run has made."""
         kept = [w for w in self.report.get("warnings", []) if w["tool"] in STAGES[:first]]
         self.report = report | {"warnings": kept + [w for w in report.get("warnings", []) if w not in kept]}
         # Without a field, quads are made of other blocks than those that the next sizes begin with.
@@ -128,6 +134,7 @@ class WorkFolder:
         return None
 
     def diameter(self):
+        """Of the face."""
         return json.loads(self.file("separatrix").read_text(encoding="utf-8"))["face"]["diameter"]
 
 

@@ -45,20 +45,21 @@ class Workbench:
         return self.made_with(run, options, commands, moves) if moves else Made(self.found, options)
 
     def commands(self, run, options):
-        """The commands of the stages by which the files of these options are recognised. quadmesh is asked again only where
-        options or inputs have changed."""
+        """The commands of the stages, by which the files of these options are recognised. quadmesh is asked again only
+        where options or inputs have changed."""
         inputs = [(path, stat.st_mtime_ns, stat.st_size) for path in self.saved.inputs if (stat := os.stat(path))]
         if self.asked[0] != (options, inputs):
             commands = commands_of_stages(run.output_of(
                 ["quadmesh", "-q", self.shape, *words_of(options), "--dry-run", "-o", self.found.mesh(self.saved.output),
                  "--workdir", self.scratch / "none"]))  # a folder with files would change what is printed
             commands["cad2tri"] += f"{inputs}\n"
-            if any(option == "--wall" for option, _ in options):
-                commands["critpoints"] += "without trials of other nodes\n"  # quadmesh makes them where there is no wall
+            if any(option == "--wall" for option, _ in options):  # then quadmesh does not try other nodes
+                commands["critpoints"] += "without trials of other nodes\n"
             self.asked = (options, inputs), commands
         return self.asked[1]
 
     def made_with(self, run, options, commands, moves):
+        """The same with moved nodes, whose file takes the place of critpoints."""
         nodes = with_moves(self.found.nodes(), moves, self.found.diameter())
         nodes_text = json.dumps(nodes, indent=1) + "\n"
         options = [(option, value) for option, value in options if not is_of_critpoints_alone(option)]
@@ -84,6 +85,7 @@ class Workbench:
         return page.read_text(encoding="utf-8")
 
     def command(self, options):
+        """For a shell in the folder."""
         return shlex.join(self.saved.words(options))
 
     def first_page(self, state):
@@ -123,7 +125,10 @@ class Workbench:
             return json.dumps({"ok": False, "message": str(frame.failure_of(error))})
 
     def saved_file(self, made, what):
+        """The answer to a request to save, after what it names was written."""
         has_nodes = made.nodes_text is not None
+        if what == "nodes" and made.folder.nodes() is None:
+            raise frame.Failure(frame.NO_RESULT, "these blocks were made without irregular nodes: there are none to save")
         if has_nodes or what == "nodes":
             text = made.nodes_text or made.folder.file("critpoints").read_text(encoding="utf-8")
             name = self.saved.write("nodes", text)

@@ -19,6 +19,7 @@ class SavedFilesTest(unittest.TestCase):
 
     def test_names_of_files_are_those_of_the_folder(self):
         self.assertEqual(relocated(self.here / "x/y", self.here), "x/y")
+        self.assertEqual(relocated(self.here / "-x", self.here), "./-x")
         self.assertEqual(relocated("/etc/hosts", self.here), "/etc/hosts")
         sizes = str(self.here / "sizes.csv")
         self.assertEqual(self.saved.words([("--size-field", sizes), ("--nodes", "fewest"), ("--nodes", str(self.here / "n"))]),

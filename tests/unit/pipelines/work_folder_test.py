@@ -93,6 +93,9 @@ class WorkFolderTest(unittest.TestCase):
         run = FakeRun([1, 0])
         self.update({"quadrefine": "other"}, run)
         self.assertEqual(run.first_stages(), ["quadrefine", "critpoints"])
+        run = FakeRun([1, 0])
+        self.update({"quadrefine": "with a rule"}, run, [("--nodes", "fewest")])
+        self.assertEqual(run.first_stages(), ["quadrefine", "critpoints"])
         run = FakeRun([1, 1])
         with self.assertRaises(Failure):
             self.update({"quadrefine": "third"}, run, [("--nodes", "x.json")])
