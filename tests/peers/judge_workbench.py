@@ -128,17 +128,19 @@ def judge_failures(page):
 
 
 def judge_order_of_answers(page):
-    """Of two changes the last one counts, also if its answer comes first; a long run is announced."""
+    """An answer that comes after that to a later change does not replace it; a long run is announced."""
     expect(page.is_hidden("#bench-waiting"), "a run is announced, but none is under way")
-    page.delay_requests(500)
+    page.hold_answer()
     set_size(page, "0.31")
-    set_size(page, "0.29")
-    time.sleep(0.35)
+    page.await_held()
+    time.sleep(0.4)
     expect(not page.is_hidden("#bench-waiting"), "a run of more than 0.3 s is not announced")
+    set_size(page, "0.29")
     page.wait()
-    page.delay_requests(0)
-    time.sleep(1)
+    later = page.text("#facts")
+    page.let_go()
     expect("--size 0.29" in page.command() and not page.failure(), f"{page.command()}: {page.failure()}")
+    expect(page.text("#facts") == later, "an older answer replaces the mesh of a newer one")
     expect(page.is_hidden("#bench-waiting"), "a run that has ended is still announced")
 
 

@@ -89,10 +89,24 @@ class Workbench(Page):
         actions.perform()
         time.sleep(0.1)
 
-    def delay_requests(self, milliseconds):
-        """Each request waits before it is sent."""
-        self.driver.execute_script("""const own = window.ownFetch ??= window.fetch, wait = arguments[0];
-            window.fetch = (...all) => new Promise((done) => setTimeout(done, wait)).then(() => own(...all));""", milliseconds)
+    def hold_answer(self):
+        """The answer to the next request reaches the page when it is let go."""
+        self.driver.execute_script("""const own = window.fetch;
+            window.fetch = async (...all) => {
+              window.fetch = own;
+              const answer = await own(...all);
+              await new Promise((letGo) => (window.letGo = letGo));
+              return answer;
+            };""")
+
+    def await_held(self, seconds=60):
+        end = time.time() + seconds
+        while time.time() < end and not self.driver.execute_script("return Boolean(window.letGo)"):
+            time.sleep(0.05)
+
+    def let_go(self):
+        self.driver.execute_script("window.letGo()")
+        time.sleep(0.5)
 
     def narrow(self, width, height):
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
