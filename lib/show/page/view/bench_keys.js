@@ -56,8 +56,8 @@ function leave(page) {
 }
 
 function openItem(page, isMore) {
-  if (page.ghost) page.dropGhost();
-  else page.pick(page.item, isMore);
-  if (!page.ghost && !isMore) document.querySelector("#bench-item input, #bench-item button")?.focus();
+  if (page.ghost) return page.dropGhost() || true;
+  page.pick(page.item, isMore);
+  if (!isMore) document.querySelector("#bench-item input, #bench-item button")?.focus();
   return true;
 }

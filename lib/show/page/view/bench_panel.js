@@ -1,4 +1,4 @@
-// The workbench: its part of the panel (sizes, the selection, figures before and after) and the bar with the command.
+// The workbench: its part of the panel and the bar with the command; what is selected is in bench_fields.js.
 
 /** An element with attributes beside its properties. */
 function labelled(name, properties, attributes, ...children) {
@@ -91,87 +91,6 @@ function fillSelection(page) {
   inputs()[focus]?.focus();
 }
 
-function selectionPanel(page) {
-  if (page.curves.size) return curvePanel(page);
-  if (page.item && page.item.kind === "corner") return cornerPanel(page, page.item.number);
-  if (page.item && page.item.kind === "node") return nodePanel(page, page.item.number);
-  const text = "Click a curve to name it and give it a size or layers, a corner to change its blocks; drag an irregular node. Keys: Tab, Enter, arrows.";
-  return [element("p", { className: "bench-hint" }, text), boxButton(page)];
-}
-
-function boxButton(page) {
-  const start = () => {
-    page.isBoxing = !page.isBoxing;
-    page.showBench();
-    page.tell(page.isBoxing ? "Drag a box around curves." : "");
-  };
-  return labelled("button", { type: "button", textContent: "In a box", title: "Drag a box: all curves that lie in it", onclick: start }, { "aria-pressed": page.isBoxing });
-}
-
-function selectionTitle(page) {
-  const { curves, names } = page, keys = names.keysOf(curves), [first] = curves;
-  const name = keys.length === 1 && names.nameOf(first) ? `: ${keys[0]}` : "";
-  return `${curves.size === 1 ? `Curve ${names.madeNumber(first) || first}` : `${curves.size} curves`}${name}`;
-}
-
-/** The value that all keys have in a table; "" if they differ. */
-function commonValue(table, keys) {
-  const values = new Set(keys.map((key) => table[key] ?? ""));
-  return values.size === 1 ? String([...values][0]) : "";
-}
-
-function curvePanel(page) {
-  const { curves, names, state } = page, keys = names.keysOf(curves), given = new Set([...curves].map((curve) => names.nameOf(curve)));
-  const wall = wallMembers(commonValue(state.walls, keys)), others = keys.flatMap((key) => names.curvesOf(key)).filter((c) => !curves.has(page.groups.lower(c)));
-  const form = benchForm((values) => applyToCurves(page, values),
-    field("name", "Name", given.size === 1 ? [...given][0] : "", { placeholder: given.size > 1 ? "several" : "" }),
-    field("near", "Length near it", commonValue(state.near, keys), { inputmode: "decimal" }),
-    element("fieldset", {}, element("legend", {}, "Wall layers"),
-      field("first", "First", wall.first || "", { inputmode: "decimal" }), field("growth", "Growth", wall.growth || "", { placeholder: "1.2", inputmode: "decimal" }),
-      field("layers", "Number", wall.layers || "", { placeholder: "or fit" })),
-    element("div", { className: "bench-group" }, element("button", {}, "Apply"), action("Close", "Escape", () => page.select([]))));
-  const also = others.length ? [element("p", { className: "bench-hint" }, `Sizes and layers are for all curves of ${keys.length > 1 ? "these names" : "this name"}: ${others.length} more.`)] : [];
-  return [element("h2", {}, selectionTitle(page)), form, ...also, ...moreCurves(page)];
-}
-
-/** Buttons that select more curves. */
-function moreCurves(page) {
-  const [first] = page.curves, diameter = page.groups.diameterOf(first), rows = [];
-  if (diameter) {
-    const below = benchForm((values) => page.selectBelow(values.diameter),
-      field("diameter", "Circles below", Number((1.01 * diameter).toPrecision(3)), { inputmode: "decimal", "aria-label": "Diameter" }), element("button", {}, "Select"));
-    rows.push(Object.assign(below, { className: "bench-row" }));
-  }
-  const tangent = action("Tangent to it", "All curves that continue it without a corner", () => page.selectTangent());
-  return [element("h2", {}, "Select more"), ...rows, element("div", { className: "bench-group" }, tangent, boxButton(page))];
-}
-
-function cornerPanel(page, number) {
-  const valence = page.valenceOf(number), [a, b] = page.curvesAt(number);
-  const isPrescribed = page.state.valences.some((known) => String(known.corner) === String([a, b]));
-  const undo = () => page.prescribe(number, null, "corner as computed");
-  const buttons = [action("−", "One block less (arrow down)", () => page.changeValence(number, -1)),
-    element("output", {}, `${valence} block${valence === 1 ? "" : "s"}`),
-    action("+", "One block more (arrow up)", () => page.changeValence(number, 1))];
-  if (isPrescribed) buttons.push(action("As computed", "Without a prescribed number", undo));
-  return [element("h2", {}, `Corner between curves ${a} and ${b}`),
-    element("p", { className: "bench-hint" }, page.corners.heading(number)), element("div", { className: "bench-group" }, ...buttons)];
-}
-
-function nodePanel(page, number) {
-  const [x, y] = page.rounded(page.nodes.points.subarray(2 * number, 2 * number + 2));
-  const back = page.isMoved(number) ? [action("Put back", "To where it was", () => page.moveNodeTo(number, null))] : [];
-  const form = benchForm((values) => placeNode(page, number, [Number(values.x), Number(values.y)]),
-    field("x", "x", x, { inputmode: "decimal" }), field("y", "y", y, { inputmode: "decimal" }), element("div", { className: "bench-group" }, element("button", {}, "Move"), ...back));
-  const hint = `${page.nodes.heading(number)}. Its vertex of the mesh may lie beside it: vertices move to the sizes.`;
-  return [element("h2", {}, "Irregular node"), element("p", { className: "bench-hint" }, hint), form];
-}
-
-function placeNode(page, number, to) {
-  if (to.every(Number.isFinite)) page.moveNodeTo(number, to);
-  else showFailure(page, "A position has two numbers, x and y.");
-}
-
 /** A length above 0 as a number, null for "", undefined for other texts, with a message. */
 function lengthIn(page, text, what) {
   if (text === "") return null;
@@ -183,30 +102,4 @@ function lengthIn(page, text, what) {
 function setSize(page, text) {
   const size = lengthIn(page, text, "Edge length");
   if (size !== undefined) page.commit(size === null ? "default edge length" : `edge length ${size}`, (state) => (state.size = size));
-}
-
-/** The fields of curves that were changed: {name: text}, as they were if untouched. */
-function changedFields(page, values) {
-  const { curves, names, state } = page, keys = names.keysOf(curves), given = new Set([...curves].map((curve) => names.nameOf(curve)));
-  const wall = wallMembers(commonValue(state.walls, keys));
-  const before = { name: given.size === 1 ? [...given][0] : "", near: commonValue(state.near, keys), first: "", growth: "", layers: "", ...wall };
-  return Object.fromEntries(Object.entries(values).filter(([key, text]) => text !== String(before[key])));
-}
-
-/** Name, size and layers of the selected curves, as one step; fields that were not touched change nothing. */
-function applyToCurves(page, values) {
-  const { name, near, ...wall } = changedFields(page, values), { curves, boundary, rule } = page;
-  const length = near === undefined ? undefined : lengthIn(page, near, "Length");
-  if (near !== undefined && length === undefined) return;
-  if (name !== undefined && page.names.isRenumbered) return showFailure(page, "Layers with blocks of their own give curves other numbers: name curves on the command line (--name).");
-  if (/[=,@:*?"<>]/.test(name || "")) return showFailure(page, `Name: '${name}' has a character that options of names use: = , @ : * ? " < >`);
-  const isRule = rule && rule.curves.size === curves.size && [...curves].every((curve) => rule.curves.has(curve));
-  const what = [name && `name ${name}`, name === "" && "name taken away", length !== undefined && "length", Object.keys(wall).length && "layers"];
-  page.commit(what.filter(Boolean).join(", "), (state) => {
-    if (name !== undefined) nameCurves(state, curves, name, isRule ? rule.text : "", boundary);
-    for (const key of new CurveNames(state, boundary).keysOf(curves)) {
-      if (length !== undefined) setKey(state.near, key, length);
-      if (Object.keys(wall).length) setKey(state.walls, key, wallText(state.walls[key], wall));
-    }
-  });
 }

@@ -21,6 +21,7 @@ function listenToBench(page) {
   on("pointerdown", (event, at) => {
     pressed = event.isPrimary && event.button === 0 ? { at, item: benchItemAt(page, ...at) } : null;
     if (!pressed) return;
+    page.ghost = null; // of the keyboard
     pressed.isHeld = page.isBoxing || (pressed.item && pressed.item.kind === "node");
     if (!pressed.isHeld) return;
     event.stopPropagation();

@@ -6,7 +6,7 @@ class BenchSelection extends Page {
     this.curves = new Set(); // selected
     this.rule = null; // {text, curves}: what selected them
     this.item = null; // {kind: "curve", "corner" or "node", number}: chosen
-    this.ghost = null; // {number, at}: where a node is dragged to
+    this.ghost = null; // {number, at, isDropped}: where a node is dragged to
     this.box = null; // two corners, while it is dragged
     this.isBoxing = false;
   }
@@ -83,6 +83,7 @@ class BenchSelection extends Page {
   }
 
   dropGhost() {
+    this.ghost.isDropped = true;
     this.item = { kind: "node", number: this.ghost.number };
     this.curves = new Set();
     this.moveNodeTo(this.ghost.number, this.rounded(this.ghost.at));

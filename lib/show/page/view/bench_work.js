@@ -51,7 +51,9 @@ class Workbench extends BenchSelection {
 
   /** Something was done: `edit` changes the state, the server runs it. */
   commit(text, edit) {
-    if (this.history.add(text, edit)) this.run();
+    if (this.history.add(text, edit)) return this.run();
+    this.ghost = null;
+    this.drawOverlay();
   }
   /** Undo (-1) and redo (1). */
   step(by) {
@@ -69,7 +71,7 @@ class Workbench extends BenchSelection {
     if (answer.command) this.command = answer.command;
     if (answer.ok) this.replace(answer);
     else showFailure(this, answer.message);
-    this.ghost = null;
+    if (this.ghost && this.ghost.isDropped) this.ghost = null; // not one that is dragged meanwhile
     this.showBench();
     this.drawOverlay();
     performance.measure("change to mesh", { start });
