@@ -48,7 +48,7 @@ const actions = {
 };
 
 const keyActions = {
-  0: "fit", b: "body", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
+  0: "fit", v: "body", w: "worst", W: "back", l: "labels", t: "theme", "?": "help", f: "find", p: "panel", q: "quantity",
   Q: "quantityBack", Escape: "close", s: "beside", r: "report", "]": "next", "[": "before",
   c: "cut", C: "cutBack", ",": "cutDown", ".": "cutUp", x: "cutSide",
 };

@@ -180,7 +180,7 @@ function optionsText(json) {
 }
 
 const keys = [
-  ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["b", "show the body in a far field"], ["1 … 9", "stage by its number"],
+  ["←  ↑  →  ↓", "move"], ["+  −", "zoom"], ["0", "show everything"], ["v", "show the body in a far field"], ["1 … 9", "stage by its number"],
   ["[  ]", "stage before, next stage"], ["w  W", "next worst element, one back"], ["q  Q", "next quantity, one back"],
   ["l", "given names, numbers too, neither"], ["f", "find by number or name"], ["t", "light or dark"], ["r", "report of the run"], ["s", "side by side, of a comparison"], ["p", "panel"],
   ["c  C", "next direction of the cut in space, one back"], [",  .", "move the cut"], ["x", "other side of the cut"], ["Esc", "close"],
