@@ -23,7 +23,7 @@ PYTHON=/usr/bin/python3
     --jobs 2 --size 0.2
   assert_output "3 shapes: 2 with a mesh, 1 without, 0 done before: out/table.html"
   assert_equal "$stderr" ""
-  assert_nothing_left out out/{half_disc,square}.{msh,report.json,result.json} out/open_wire.result.json out/table.{csv,html}
+  assert_nothing_left out out/{half_disc,square}.{msh,blocks.svg,report.json,result.json} out/open_wire.result.json out/table.{csv,html}
   assert_equal "$(column exit_code | paste -sd ' ')" "0 3 0"
   assert_equal "$(column blocks | paste -sd ' ')" "4  1"
   assert_equal "$(column quads | head -1)" "$(jq .quads out/half_disc.report.json)"
@@ -32,6 +32,9 @@ PYTHON=/usr/bin/python3
   "$ROOT/pipelines/quadmesh" -q "$DATA/half_disc.step" --size 0.2 -o one.msh
   cmp one.msh out/half_disc.msh
   xmllint --html --noout out/table.html
+  xmllint --noout out/half_disc.blocks.svg
+  assert_equal "$(grep -c '<img src="half_disc.blocks.svg" alt="" loading="lazy">' out/table.html)" 1
+  assert_equal "$(grep -o '<th aria-sort="none"><button>' out/table.html | wc -l)" 11
 }
 
 @test "what is done is not done again; a changed shape, other options, a lost file and --retry are" {

@@ -155,6 +155,16 @@ shown() { grep -cE "$1" a.svg; }
   assert_file_not_exists b.svg
 }
 
+@test "--bare draws without title, labels and legend" {
+  run -0 stageview "$X.blocks.h5" --bare --width 300 -o a.svg
+  assert_output ''
+  xmllint --noout a.svg
+  assert_equal "$(grep -c '<text' a.svg)" 0
+  assert [ "$(grep -c 'id="block-' a.svg)" -gt 0 ]
+  run -2 stageview "$X.blocks.h5" --bare -o a.html
+  assert_output --partial '--bare is for the picture of one stage in the plane: give no page, --compare or --view'
+}
+
 @test "names that end in .png and .pdf choose the format, with the same bytes each time" {
   command -v rsvg-convert >/dev/null || skip "no rsvg-convert"
   for ending in png pdf; do

@@ -80,8 +80,9 @@ draw::DrawOptions draw_options(const StageviewOptions& options) {
   draw::DrawOptions draw;
   draw.width = options.width;
   draw.show = options.show;
+  draw.is_bare = options.is_bare;
   if (options.labels_all) draw.curve_labels = draw::CurveLabels::all;
-  if (options.labels_none) draw.curve_labels = draw::CurveLabels::none;
+  if (options.labels_none || options.is_bare) draw.curve_labels = draw::CurveLabels::none;
   if (!options.window.empty()) draw.window = parsed_window(options.window);
   if (!options.view.empty()) draw.view = parsed_view(options.view);
   return draw;
@@ -127,6 +128,9 @@ void declare(Options& o, StageviewOptions& stageview) {
          "only, each once for successive curves that have it");
   o.flag("--no-curve-labels", stageview.labels_none,
          "in a picture, do not write the names of boundary curves and regions");
+  o.flag("--bare", stageview.is_bare,
+         "in a picture of one stage in the plane, the drawing alone, without title, labels and legend, as for a small "
+         "one");
   o.text("--window", stageview.window, "X0,Y0,X1,Y1",
          "the part of the plane that a picture shows: its lower left and upper right corner in the coordinates and the "
          "unit of the file",
@@ -146,6 +150,8 @@ void require_view(const View& view, std::size_t num_files, bool has_record, cons
   if (!options.view.empty() && (view.is_page || view.is_comparison || !options.window.empty()))
     throw UsageError("--view is for the picture of one mesh: give no page, --compare or --window");
   if (!options.window.empty() && view.is_page) throw UsageError("--window is for pictures: a page zooms by itself");
+  if (options.is_bare && (view.is_page || view.is_comparison || !options.view.empty()))
+    throw UsageError("--bare is for the picture of one stage in the plane: give no page, --compare or --view");
   if (options.labels_all && options.labels_none)
     throw UsageError("--curve-labels and --no-curve-labels exclude each other");
   if (has_record && (!view.is_page || view.is_comparison))

@@ -14,9 +14,10 @@ namespace quadrille::stage {
 struct StageviewOptions {
   std::string show = "psi";  ///< of a field: "u", "v", "psi" or "order"
   bool labels_all = false, labels_none = false;
-  std::string window;  ///< "X0,Y0,X1,Y1", in the coordinates of the file; empty: everything
-  std::string view;    ///< "X,Y,Z" or "iso": of a mesh in space; empty: isometric, beside the chart
-  int width = 1000;    ///< pixels
+  bool is_bare = false;  ///< without title, labels and legend
+  std::string window;    ///< "X0,Y0,X1,Y1", in the coordinates of the file; empty: everything
+  std::string view;      ///< "X,Y,Z" or "iso": of a mesh in space; empty: isometric, beside the chart
+  int width = 1000;      ///< pixels
 };
 void declare(Options& options, StageviewOptions& stageview);
 

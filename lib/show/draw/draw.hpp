@@ -31,6 +31,7 @@ struct DrawOptions {
   std::optional<ViewDirection> view;
   std::string file;          ///< name of the file without folders, written beside the title; empty: none
   std::string title_prefix;  ///< "A: " in a comparison
+  bool is_bare = false;      ///< the drawing alone, without title, texts and legend
   /// Drawn under critical points. Without it, the outline of the face, if the points have it, is all that is drawn of
   /// the rest.
   const Field* field = nullptr;

@@ -155,6 +155,7 @@ Picture::Picture(const PictureBox& box, const DrawOptions& options, const std::s
       options.file;
   view_ = view_of(box, options.width, caption_lines_.size());
   view_.is_window = options.window.has_value();
+  view_.is_bare = options.is_bare;
   legend_ = {picture_margin, view_.top + view_.size.y + 2 * picture_margin + 2, {}};
 }
 
@@ -240,7 +241,21 @@ void Picture::legend_scale(const std::string& unit) {
   legend_.x += width + 24;
 }
 
+std::string Picture::bare_str() const {
+  constexpr double margin = 6;  // pixels, for the widths of lines
+  const double width = view_.size.x + 2 * margin, height = view_.size.y + 2 * margin;
+  return fmt::format(
+             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n",
+             svg_number(width), svg_number(height)) +
+         fmt::format("<title>{}</title>\n<style>{}</style>\n<defs>\n{}</defs>\n", xml_escaped(title_), style_sheet(),
+                     definitions_) +
+         fmt::format("<g id=\"drawing\" transform=\"translate({} {}) scale(1 -1)\">\n", margin, height - margin) +
+         (is_window() ? in_frame(drawing_, view_.size) : drawing_) + "</g>\n</svg>\n";
+}
+
 std::string Picture::str() const {
+  if (view_.is_bare) return bare_str();
   const double left = picture_margin + 0.5 * std::max(0.0, view_.width - 2 * picture_margin - view_.size.x);
   const int height = static_cast<int>(std::ceil(legend_.y + (legend_.markup.empty() ? -14 : 32)));
   std::string out = fmt::format(

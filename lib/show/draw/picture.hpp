@@ -83,6 +83,7 @@ class Picture {
     int width = 0;           ///< of the picture, pixels
     double top = 0;          ///< of the drawing, pixels from the top of the picture
     bool is_window = false;  ///< a part of the whole: the drawing is clipped
+    bool is_bare = false;    ///< the drawing alone
   };
   struct Legend {
     double x = 0, y = 0;  ///< of the next entry, pixels, y down
@@ -94,6 +95,7 @@ class Picture {
     std::vector<TextBox> boxes;
   };
 
+  std::string bare_str() const;
   static View view_of(const PictureBox& box, int width, std::size_t num_caption_lines);
   void reserve_legend(double width);
 

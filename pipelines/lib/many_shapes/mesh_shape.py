@@ -51,14 +51,15 @@ def mesh_shape(job):
 
 
 def new_result(job, results, shape):
-    for old in (results.row_file(shape), results.mesh(shape), results.report(shape)):
+    for old in (results.row_file(shape), results.mesh(shape), results.report(shape), results.thumbnail(shape)):
         old.unlink(missing_ok=True)
     work, inputs = results.part(shape), results.digests(shape)
     shutil.rmtree(work, ignore_errors=True)
     made = work / "made"
     try:
         made.mkdir(parents=True)
-        words = [job["quadmesh"], "-q", shape, "-o", made / results.mesh(shape).name, "--report", work / "report"]
+        words = [job["quadmesh"], "-q", shape, "-o", made / results.mesh(shape).name, "--report", work / "report",
+                 "--workdir", work / "stages"]
         code, text, seconds = run_quadmesh([*map(str, words), "--threads", job["threads"], *job["options"]], work)
         report = json.loads((work / "report").read_text(encoding="utf-8")) if code == 0 else None
         message = message_of(text, code, work.resolve())
@@ -67,11 +68,22 @@ def new_result(job, results, shape):
             for file in sorted(made.iterdir()):  # the mesh, and what its format has beside it
                 file.replace(results.folder / file.name)
             (work / "report").replace(results.report(shape))
+            draw_thumbnail(job["quadmesh"], work, results.thumbnail(shape))
         (work / "row").write_text(json.dumps(row, indent=1) + "\n", encoding="utf-8")
         (work / "row").replace(results.row_file(shape))
         return row
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def draw_thumbnail(quadmesh, work, picture):
+    """A small picture of the blocks for the table, which may lack it."""
+    for blocks in work.glob("stages/*.blocks.h5"):
+        words = [pathlib.Path(quadmesh).parent / "stageview", "-q", blocks, "--bare", "--width", "300"]
+        drawn = subprocess.run([*map(str, words), "-o", str(work / "picture.svg")], stdin=subprocess.DEVNULL,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        if drawn.returncode == 0:
+            (work / "picture.svg").replace(picture)
 
 
 def main():

@@ -47,6 +47,9 @@ class Results:
     def report(self, shape):
         return self.folder / f"{self.name(shape)}.report.json"
 
+    def thumbnail(self, shape):
+        return self.folder / f"{self.name(shape)}.blocks.svg"
+
     def row_file(self, shape):
         return self.folder / f"{self.short_name(shape)}.result.json"
 

@@ -70,6 +70,20 @@ TEST(Picture, TheDrawingIsFlippedAndTextsAreNot) {
   EXPECT_TRUE(contains(svg.substr(texts), "x &gt; y"));
 }
 
+TEST(Picture, WhatIsBareIsTheDrawingAlone) {
+  DrawOptions options;
+  options.width = 272;
+  options.is_bare = true;
+  Picture picture({{0, 0}, {2, 1}}, options, "title", "caption");
+  picture.add("<mark/>");
+  picture.text({1, 1}, "label", "text");
+  picture.legend_scale("mm");
+  const std::string svg = picture.str();
+  EXPECT_NE(svg.find("viewBox=\"0 0 212 112\""), std::string::npos) << "200 x 100 pixels and margins of 6";
+  EXPECT_NE(svg.find("<mark/>"), std::string::npos);
+  for (const char* omitted : {"caption<", "text<", "id=\"legend\""}) EXPECT_EQ(svg.find(omitted), std::string::npos);
+}
+
 TEST(Picture, ClippedGroupsReferToOutlinesOfTheirOwn) {
   Picture picture({{0, 0}, {1, 1}}, wide(200), "", "");
   EXPECT_FALSE(contains(picture.str(), "<defs>"));
