@@ -20,7 +20,7 @@ FOLDER = pathlib.Path(__file__).parent / "screenshots"
 # name: page, keys, kind, layers that must be missed
 SHOTS = {
     "bracket_field": (0, "2", "drawing", ["boundary", "field"]),
-    "bracket_points": (0, "3", "drawing", ["boundary", "directions of separatrices", "nodes"]),
+    "bracket_points": (0, "3", "drawing", ["boundary", "nodes"]),
     "bracket_separatrices": (0, "4", "drawing", ["separatrices", "nodes"]),
     "bracket_blocks": (0, "5", "drawing", ["blocks", "arcs", "irregular nodes"]),
     "bracket_quads_dark": (0, "6t", "drawing", ["quads"]),
