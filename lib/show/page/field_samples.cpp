@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/evaluate.hpp"
+
 namespace quadrille::page {
 
 namespace {
