@@ -297,8 +297,7 @@ void check_command_line(const ChainOptions& options, const StageOptions& values)
   if (options.shape.empty() && options.from.empty()) throw UsageError("no shape given");
   if (!options.html.empty() && (options.html.size() < 6 || !options.html.ends_with(".html")))
     throw UsageError(fmt::format("--html: '{}' does not end in .html", options.html));
-  if (options.html.empty() && !options.page_parts.empty())
-    throw UsageError("--html-parts is for the page of --html: give that too");
+  if (options.html.empty() && !options.page_parts.empty()) throw UsageError("--html-parts needs --html FILE");
   check_range(options);
   check_skipped_options(options);
   converter_of_shape(options);
@@ -309,9 +308,8 @@ void check_command_line(const ChainOptions& options, const StageOptions& values)
 }
 
 std::string stem_of(const std::string& shape) {
-  if (shape == "-") return "shape";
   const std::string name = shape.substr(shape.rfind('/') + 1);  // npos + 1 is 0
-  return name.substr(0, name.rfind('.'));
+  return shape == "-" ? "shape" : name.substr(0, name.rfind('.'));
 }
 
 std::string exported_ending(const ChainOptions& options, const StageOptions& values) {
@@ -344,9 +342,9 @@ void check_files(const ChainState& chain) {
 }
 
 void check_face(ChainState& chain) {
-  const std::optional<CadFace> face = known_face(chain);
-  for (const ChainStage stage : {ChainStage::critpoints, ChainStage::quadrefine, ChainStage::quadexport})
-    if (face) check_face_for(chain, stage, *face);
+  if (const std::optional<CadFace> face = known_face(chain))
+    for (const ChainStage stage : {ChainStage::critpoints, ChainStage::quadrefine, ChainStage::quadexport})
+      check_face_for(chain, stage, *face);
 }
 
 }  // namespace quadrille::chain

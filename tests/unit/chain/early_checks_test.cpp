@@ -29,7 +29,7 @@ TEST(CheckCommandLine, there_is_a_shape_unless_a_later_stage_begins) {
 
 TEST(CheckCommandLine, parts_of_pages_are_known_and_need_a_page) {
   EXPECT_EQ(refusal({"a.step", "--html", "x.html", "--html-parts", "blocks,quads"}), "");
-  EXPECT_EQ(refusal({"a.step", "--html-parts", "quads"}), "--html-parts is for the page of --html: give that too");
+  EXPECT_EQ(refusal({"a.step", "--html-parts", "quads"}), "--html-parts needs --html FILE");
   EXPECT_EQ(
       refusal({"a.step", "--html", "x.html", "--html-parts", "quads,feld"}),
       "--html-parts: 'feld' is no part of a page (did you mean field?): the parts are triangles field nodes phase "
