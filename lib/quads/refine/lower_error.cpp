@@ -164,7 +164,7 @@ class CountSearch {
         trials_(request, split, achieved_.of_mesh()),
         is_fixed_(fixed_chords(request, split)),
         num_elems_(num_elems),
-        trials_left_(max_moved / std::max(1, split.mesh.num_elems())) {
+        most_trials_(max_moved / std::max(1, split.mesh.num_elems())) {
     try_counts(achieved_.of_mesh());
   }
   /// N; that of the mesh, if none was given.
@@ -172,6 +172,7 @@ class CountSearch {
 
   /// What chords that get another count are asked for.
   std::vector<sizing::ChordCount> best();
+  int num_trials() const { return num_trials_; }
   /// With the best counts.
   PlacedVertices vertices() const { return trials_.kept(); }
 
@@ -188,8 +189,10 @@ class CountSearch {
   CountTrials trials_;
   const std::vector<bool> is_fixed_;
   double num_elems_;
-  int trials_left_;
+  const int most_trials_;
+  int num_trials_ = 0;
   CountTrials::Trial now_;
+  std::map<std::vector<int>, double> tried_;  ///< of the cost by counts that were tried since the last better ones
 };
 
 std::vector<sizing::ChordCount> CountSearch::best() {
@@ -202,11 +205,13 @@ std::vector<sizing::ChordCount> CountSearch::best() {
 }
 
 double CountSearch::try_counts(const std::vector<int>& counts) {
-  --trials_left_;
-  CountTrials::Trial next = trials_.at(counts);
+  if (const auto found = tried_.find(counts); found != tried_.end()) return found->second;
+  ++num_trials_;
   const bool is_first = now_.of.counts.empty();
+  CountTrials::Trial next = trials_.at(counts);
   const double change = next.cost - now_.cost;
-  if (!is_first && !(change < -least_gain)) return change;
+  if (!is_first && !(change < -least_gain)) return tried_[counts] = change;
+  tried_.clear();
   now_ = std::move(next);
   now_.of.is_fixed = is_fixed_;
   if (num_elems_ == 0) num_elems_ = now_.of.num_elems;
@@ -225,7 +230,7 @@ bool CountSearch::take_step(double part, std::map<Step, double>& losses) {
   std::erase_if(all, [&](const sizing::CountStep& step) { return loss(step) > hopeless; });
   std::stable_partition(all.begin(), all.end(), [&](const sizing::CountStep& step) { return loss(step) == 0; });
   for (const sizing::CountStep& step : all) {
-    if (trials_left_ <= 0) return false;
+    if (num_trials_ >= most_trials_) return false;
     const double change = try_counts(step.counts);
     if (change < -least_gain) return losses.erase({step.chord, step.direction}), true;
     losses[{step.chord, step.direction}] = std::max(change, least_gain);
@@ -285,6 +290,7 @@ struct Draft {
 /// With better counts than the first ones, if there are any.
 std::optional<Draft> better_draft(const SplitRequest& request, const Draft& first) {
   std::optional<Draft> best;
+  int num_trials = 0;
   double num_elems = 0;  // of the first mesh, that sizes and breaks mean
   std::vector<sizing::ChordCount> counts;
   double ratio = resolution_ratio(request, first.near.mesh);
@@ -293,6 +299,8 @@ std::optional<Draft> better_draft(const SplitRequest& request, const Draft& firs
     CountSearch search(request, now.near, num_elems);
     num_elems = search.num_elems();
     const std::vector<sizing::ChordCount> changed = search.best();
+    num_trials += search.num_trials();
+    request.report.set("count_trials", num_trials);
     if (changed.empty()) break;
     for (const sizing::ChordCount& change : changed) {
       std::erase_if(counts, [&](const sizing::ChordCount& c) { return c.chord == change.chord; });

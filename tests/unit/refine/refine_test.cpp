@@ -216,6 +216,17 @@ TEST(Refine, RingsMakeTheFirstRowsAroundSmallHolesThin) {
   }
 }
 
+TEST(Refine, NoCountsAreTriedTwice) {
+  // Of few elements a quarter is one: the steps of the second kind were tried already.
+  Report report;
+  refine(block::extract_blocks(hand_made::quarter_annulus(0.2), report),
+         {.size = 0.6, .order = 3, .geometry_tol = 5e-2}, report);
+  const auto trials =
+      std::ranges::find(report.entries(), "count_trials", [](const auto& entry) { return entry.first; });
+  ASSERT_NE(trials, report.entries().end());
+  EXPECT_EQ(std::get<long long>(trials->second), 2);
+}
+
 TEST(Refine, MeshesBeyondMeasureAreRefused) {
   EXPECT_THROW(refined(hand_made::unit_square(), {2e-4, 20, 5e-7}), ComputeError);
 }
