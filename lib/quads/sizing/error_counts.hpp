@@ -48,7 +48,8 @@ struct CountStep {
 
 /// For each chord that is not fixed (one of equal ones) a step to more elements and one to fewer, by `part` of its
 /// count, by at least one; the estimated best first. A step that would miss N by more than a tenth is taken together
-/// with the opposite one of another chord that is best with it; those that miss it all the same are left out.
+/// with the opposite one of another chord that is best with it; those that miss it all the same are left out, and those
+/// with an estimated cost above 0.5.
 std::vector<CountStep> count_steps(const ErrorParts& of, const AchievedCount& achieved, double part);
 
 }  // namespace quadrille::sizing

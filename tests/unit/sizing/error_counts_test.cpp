@@ -43,6 +43,14 @@ TEST(ErrorCounts, StepsThatMissTheNumberOfElementsAreLeftOut) {
   EXPECT_TRUE(count_steps(of, as_asked, 0.2).empty());
 }
 
+TEST(ErrorCounts, HopelessStepsAreLeftOut) {
+  // One element less of the chord with nearly the whole error is estimated at 4 ln (1.75 * 114 / 120) = 2.04.
+  const ErrorParts of{{0.98, 0.02}, {4, 30}, {false, false}, {{0, 1}}, 120};
+  const std::vector<CountStep> steps = count_steps(of, as_asked, 0.25);
+  ASSERT_FALSE(steps.empty());
+  for (const CountStep& step : steps) EXPECT_EQ(step.counts, (std::vector<int>{5, 22}));
+}
+
 TEST(ErrorCounts, PrescribedCountsStay) {
   ErrorParts of = one_block(9.0 / 13);
   of.is_fixed[0] = true;
