@@ -17,6 +17,7 @@ struct SizeConstants {
   int shortenings = 12;   ///< of edges that miss the tolerance of the boundary
   double shorter = 0.95;  ///< than the length at which the distance would be the tolerance
   int move_halvings = 4;  ///< of all moves, if elements are not valid or too skew
+  double hopeless = 4;    ///< energy with vertices at joints, over that without, above which they are not put there
 };
 constexpr SizeConstants size_constants;
 
@@ -92,10 +93,10 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRel
   return is_any;
 }
 
-/// Relaxes until all edges meet the tolerance. Returns whether that is possible.
-bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem, SizeRelaxer& relaxer) {
+/// Relaxes until all edges meet the tolerance. Returns whether that is possible with an energy of at most `most`.
+bool relax_within_tolerance(const SizeRelaxation& options, double most, RelaxProblem& problem, SizeRelaxer& relaxer) {
   relaxer.run();
-  for (int round = 0;; ++round) {
+  for (int round = 0; relaxer.value <= most; ++round) {
     const std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
     if (rough.empty()) return true;
     if (relaxer.is_exhausted()) return false;
@@ -104,6 +105,7 @@ bool relax_within_tolerance(const SizeRelaxation& options, RelaxProblem& problem
     if (is_any_fixed ? !relaxer.begin_again() : round >= size_constants.shortenings) return false;
     relaxer.run();
   }
+  return false;
 }
 
 /// Relaxes as if curves went on smoothly at the joints that vertices may slide off, so that there are about as many
@@ -165,6 +167,7 @@ bool VertexRelaxation::begin() {
   relaxer_.least_progress = coarse_progress;
   if (!passes_joints_) return true;
   relax_across_joints(options_, problem_, relaxer_);
+  most_value_ = size_constants.hopeless * relaxer_.value;
   return relaxer_.hold_joints(problem_);
 }
 
@@ -175,9 +178,9 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
   else if (!begin())
     return relaxer_.is_exhausted();
   SizeRelaxed relaxed{shaped_, 0, energy_before_};
-  if (!relax_within_tolerance(options_, problem_, relaxer_)) return relaxer_.is_exhausted();
+  if (!relax_within_tolerance(options_, most_value_, problem_, relaxer_)) return relaxer_.is_exhausted();
   if (std::exchange(relaxer_.least_progress, std::min(relaxer_.least_progress, least_progress)) > least_progress &&
-      !relax_within_tolerance(options_, problem_, relaxer_))
+      !relax_within_tolerance(options_, most_value_, problem_, relaxer_))
     return relaxer_.is_exhausted();
   relaxed.mesh = moved_mesh(problem_, options_, relaxer_.moves);
   relaxed.energy_after = relaxer_.value / std::max(1, shaped_.num_elems());

@@ -10,6 +10,7 @@
 // slide across smooth joints of curves without given names; then the nearest ones are put at these
 // (refine/joint_vertices).
 
+#include <limits>
 #include <memory>
 
 #include "base/report.hpp"
@@ -36,13 +37,15 @@ class VertexRelaxation {
   VertexRelaxation& operator=(const VertexRelaxation&) = delete;
 
   /// Relaxes until sweeps lower the energy by less than a part of it. Returns false if edges or elements cannot be as
-  /// they must: with joints that vertices slide off, it may be impossible to have vertices at all of them again.
-  /// `result` is kept then, and where the work was too much.
+  /// they must: with joints that vertices slide off, it may be impossible to have vertices at all of them again, or
+  /// take more than four times the energy. `result` is kept then, and where the work was too much.
   bool run(double least_progress, SizeRelaxed& result);
   /// Lowers the tolerance of the boundary for the next runs.
   void tighten(double factor) { options_.tolerance *= factor; }
   /// Of the last run.
   double least_progress() const { return relaxer_.least_progress; }
+  /// Whether vertices may slide off smooth joints.
+  bool passes_joints() const { return passes_joints_; }
   /// The mesh before.
   const QuadMesh& before() const { return problem_.start; }
 
@@ -55,6 +58,7 @@ class VertexRelaxation {
   SizeRelaxer relaxer_;
   const bool passes_joints_;
   const double energy_before_;
+  double most_value_ = std::numeric_limits<double>::infinity();  ///< of the energy: with more, joints are not met
   bool is_begun_ = false;
 };
 

@@ -207,6 +207,32 @@ TEST(RelaxSizes, ACurveEndsAtAVertexAndNotAlwaysAtTheOneBefore) {
   }
 }
 
+/// hand_made::elbow with a straight part of this length.
+SeparatrixGraph elbow_behind(double length) {
+  SeparatrixGraph graph = hand_made::elbow();
+  const Vec2 shift{length - 1, 0}, centre = Vec2{1, 2} + shift;
+  CadFace bent = hand_made::face(
+      {{curve::segment({0, 0}, {length, 0}), curve::circular_arc(centre, 2, -half_pi, 0),
+        curve::segment(centre + Vec2{2, 0}, centre + Vec2{1, 0}), curve::circular_arc(centre, 1, 0, -half_pi),
+        curve::segment({length, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})}},
+      std::sqrt(13.0));
+  bent.curve_names = graph.face.curve_names;
+  bent.unnamed_curves = graph.face.unnamed_curves;
+  return hand_made::one_block(std::move(bent), {{0, 1}, {2}, {3, 4}, {5}});
+}
+
+TEST(RelaxSizes, VerticesAreNotPutAtJointsWhereTheyWouldBeCrowded) {
+  // Before the second joint elements would be a hundredth as long as the others, which takes too much energy.
+  const sizing::SizeField sizes(0.25);
+  for (const double length : {1.0, 0.0025}) {
+    const QuadMesh mesh = mesh_of(elbow_behind(length), 0.25, 3);
+    const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 1e-3});
+    EXPECT_GT(relaxed.sweeps, 0);
+    EXPECT_EQ(relaxed.relaxation->passes_joints(), length == 1.0) << length;
+    EXPECT_EQ(vertex_at_joint(relaxed.mesh, 1) >= 0, length == 1.0 || vertex_at_joint(mesh, 1) >= 0) << length;
+  }
+}
+
 TEST(RelaxSizes, MirrorImagesStayMirrorImages) {
   QuadMesh mesh = mesh_of(hand_made::quarter_annulus(), 0.25, 3);
   const sizing::SizeField sizes(0.25);
