@@ -22,7 +22,7 @@ namespace quadrille::refine {
 namespace {
 
 constexpr int max_rounds = 2;             ///< meshes that are made
-constexpr double worthwhile = 0.95;       ///< of the resolution ratio: less is not worth another round
+constexpr int few_steps = 4;              ///< of a round: after fewer, trials on the mesh then made are much the same
 constexpr int max_moved = 60'000;         ///< elements of all counts that are tried in a round
 constexpr std::array steps{1.0 / 4, 0.};  ///< of a count, at least one element
 constexpr double shape_weight = 10;       ///< over ln R, of ln of the least scaled Jacobian
@@ -173,6 +173,7 @@ class CountSearch {
   /// What chords that get another count are asked for.
   std::vector<sizing::ChordCount> best();
   int num_trials() const { return num_trials_; }
+  int num_steps() const { return num_steps_; }  ///< that were taken
   /// With the best counts.
   PlacedVertices vertices() const { return trials_.kept(); }
 
@@ -190,7 +191,7 @@ class CountSearch {
   const std::vector<bool> is_fixed_;
   double num_elems_;
   const int most_trials_;
-  int num_trials_ = 0;
+  int num_trials_ = 0, num_steps_ = 0;
   CountTrials::Trial now_;
   std::map<std::vector<int>, double> tried_;  ///< of the cost by counts that were tried since the last better ones
 };
@@ -232,7 +233,7 @@ bool CountSearch::take_step(double part, std::map<Step, double>& losses) {
   for (const sizing::CountStep& step : all) {
     if (num_trials_ >= most_trials_) return false;
     const double change = try_counts(step.counts);
-    if (change < -least_gain) return losses.erase({step.chord, step.direction}), true;
+    if (change < -least_gain) return ++num_steps_, losses.erase({step.chord, step.direction}), true;
     losses[{step.chord, step.direction}] = std::max(change, least_gain);
   }
   return false;
@@ -314,7 +315,7 @@ std::optional<Draft> better_draft(const SplitRequest& request, const Draft& firs
     if (!is_better(next.near, now.near, factor)) break;
     best = std::move(next);
     ratio *= factor;
-    if (factor > worthwhile) break;
+    if (search.num_steps() < few_steps) break;
   }
   return best;
 }

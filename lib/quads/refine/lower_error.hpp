@@ -16,9 +16,10 @@
 namespace quadrille::refine {
 
 /// Places the vertices of `result`, a mesh that is not placed, and sets its prescribed lengths: with such counts, twice
-/// from the best ones so far, as long as the resolution ratio is above 1.5, this lowers it, and the mesh exceeds
-/// nothing more than before. Prescribed counts and end lengths, layers, and counts that remedies changed are kept.
-/// Vertices of meshes that are compared are nearly in place; those of the last one begin there.
+/// from the best ones so far if the first search took four steps or more, as long as the resolution ratio is above 1.5,
+/// this lowers it, and the mesh exceeds nothing more than before. Prescribed counts and end lengths, layers, and counts
+/// that remedies changed are kept. Vertices of meshes that are compared are nearly in place; those of the last one
+/// begin there.
 void lower_error(const SplitRequest& request, SplitMesh& result);
 
 }  // namespace quadrille::refine

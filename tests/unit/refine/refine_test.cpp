@@ -216,15 +216,24 @@ TEST(Refine, RingsMakeTheFirstRowsAroundSmallHolesThin) {
   }
 }
 
+/// Meshes with other counts that are tried on a quarter of an annulus with this inner radius; at least one.
+long long num_trials(double inner, double size) {
+  Report report;
+  const RefineOptions options{.size = size, .order = 3, .geometry_tol = 5e-2};
+  refine(block::extract_blocks(hand_made::quarter_annulus(inner), report), options, report);
+  for (const auto& [key, value] : report.entries())
+    if (key == "count_trials") return std::get<long long>(value);
+  return 0;
+}
+
 TEST(Refine, NoCountsAreTriedTwice) {
   // Of few elements a quarter is one: the steps of the second kind were tried already.
-  Report report;
-  refine(block::extract_blocks(hand_made::quarter_annulus(0.2), report),
-         {.size = 0.6, .order = 3, .geometry_tol = 5e-2}, report);
-  const auto trials =
-      std::ranges::find(report.entries(), "count_trials", [](const auto& entry) { return entry.first; });
-  ASSERT_NE(trials, report.entries().end());
-  EXPECT_EQ(std::get<long long>(trials->second), 2);
+  EXPECT_EQ(num_trials(0.2, 0.6), 2);
+}
+
+TEST(Refine, CountsAreSoughtAgainOnlyAfterSeveralSteps) {
+  // That of the mesh, the step that is taken, and one from there; none on the mesh with these counts.
+  EXPECT_EQ(num_trials(0.1, 0.4), 3);
 }
 
 TEST(Refine, MeshesBeyondMeasureAreRefused) {
