@@ -205,6 +205,18 @@ curve_names() {
   assert_output --partial 'no boundary curve fits circles(>100); the curves are'
 }
 
+@test "--name and --boundary-names name what continues a curve without a corner" {
+  cad2tri "$DATA/stadium.step" --name 'rim=tangent(2)' -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"rim""rim""rim""rim"'
+  echo '{"tangent(0)": "flat"}' >names.json
+  cad2tri "$DATA/half_disc.step" --boundary-names names.json -o a.tri.h5
+  assert_equal "$(curve_names a.tri.h5 | tr -d '\n')" '"flat""curve_1"'
+  run -3 cad2tri "$DATA/half_disc.step" --name 'x=tangent(99)' -o a.tri.h5
+  assert_output --partial 'no boundary curve fits tangent(99); the curves are'
+  run -2 cad2tri "$DATA/half_disc.step" --name 'x=tangent()' -o a.tri.h5
+  assert_output --partial 'expected tangent(N) or tangent(NAME)'
+}
+
 @test "a --name without a match ends with 3 and lists the curves, a mistaken one with 2" {
   refused() { # CODE OPTION MESSAGE
     run cad2tri "$DATA/labels.step" --name "$2" -o a.tri.h5

@@ -92,16 +92,6 @@ void keep_boundary(const CadFace& face, std::vector<int>& curves) {
   if (!std::ranges::all_of(curves, is_inside)) std::erase_if(curves, is_inside);
 }
 
-/// The curves with the name made from this number, which offset curves may have changed since; else the curve of this
-/// number.
-std::vector<int> curve_of_number(const CadFace& face, int number) {
-  std::vector<int> curves;
-  for (const int c : face.unnamed_curves)
-    if (face.curve_names[c] == fmt::format("curve_{}", number)) curves.push_back(c);
-  if (curves.empty() && number >= 0 && number < face.num_curves()) curves.push_back(number);
-  return curves;
-}
-
 }  // namespace
 
 std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option) {
@@ -110,7 +100,7 @@ std::vector<int> named_curves(const CadFace& face, const std::string& name, cons
   int number = -1;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
   const bool is_number = error == std::errc() && end == name.data() + name.size();
-  if (curves.empty() && is_number) curves = curve_of_number(face, number);
+  if (curves.empty() && is_number) curves = curves_of_number(face, number);
   if (!curves.empty()) return curves;
   if (const std::size_t at = name.rfind('@'); at != std::string::npos && face.num_regions() > 1)
     return curves_of_region(face, name, at, option);

@@ -7,9 +7,13 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "base/point_grid.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "surface/nurbs_surface.hpp"
 #include "surface/space_extent.hpp"
@@ -22,6 +26,7 @@ constexpr int points_per_curve = 64;
 /// border of a box.
 constexpr double closeness = 1e-6;
 constexpr double equal_diameters = 1e-3;  // of the diameter
+constexpr double smooth_turn = radians(1);
 
 /// In space; without the placement of a planar face if `in_plane`: (x, y, 0), with the face's origin.
 std::vector<Vec3> points_of(const CadFace& face, int curve, bool in_plane) {
@@ -112,6 +117,64 @@ std::vector<int> curves_of_circles(const CadFace& face, std::string arguments, c
   return curves;
 }
 
+/// Ends of curves by their places: end 2 c is the start of curve c, end 2 c + 1 its end.
+class CurveEnds {
+ public:
+  explicit CurveEnds(const CadFace& face) : face_(face), ends_at_(face.num_curves()) {
+    std::vector<Vec2> positions;
+    for (const Joint& joint : face.joints) {
+      positions.push_back(joint.position);
+      if (!joint.is_corner) most_turn_ = std::max(most_turn_, turn(joint.tangent_in, joint.tangent_out));
+    }
+    places_ = places_of(positions, tolerance::same_point * face.diameter);
+    for (int end = 0; end < 2 * face.num_curves(); ++end) ends_at_[places_[joint_of(end)]].push_back(end);
+  }
+
+  /// Curves that continue `curve` without a corner at one of its ends.
+  std::vector<int> continuations(int curve) const {
+    std::vector<int> curves;
+    for (const int end : {2 * curve, 2 * curve + 1})
+      for (const int other : ends_at_[places_[joint_of(end)]])
+        if (turn(direction(end) + pi, direction(other)) <= most_turn_) curves.push_back(other / 2);
+    return curves;
+  }
+
+ private:
+  static double turn(double from, double to) { return std::abs(wrap_pi(to - from)); }
+  int joint_of(int end) const { return end % 2 == 0 ? end / 2 : face_.next_in_loop(end / 2); }
+  /// Of the curve at this end, away from it.
+  double direction(int end) const {
+    const Joint& joint = face_.joints[joint_of(end)];
+    return end % 2 == 0 ? joint.tangent_out : joint.tangent_in + pi;
+  }
+
+  const CadFace& face_;
+  double most_turn_ = smooth_turn;
+  std::vector<int> places_;                // of each joint
+  std::vector<std::vector<int>> ends_at_;  // each place
+};
+
+std::vector<int> curves_tangent_to(const CadFace& face, const std::string& start, const std::string& where) {
+  if (start.empty()) throw UsageError(where + ": expected tangent(N) or tangent(NAME), of a curve");
+  const bool is_number = start.find_first_not_of("0123456789") == std::string::npos;
+  std::vector<int> curves =
+      is_number ? curves_of_number(face, static_cast<int>(std::min(number_in(start, where, "a number"), 1e9)))
+                : selected_curves(face, start, where);
+  const CurveEnds ends(face);
+  std::vector<char> is_selected(face.num_curves());
+  const auto select = [&](int c) {
+    if (!is_selected[c]) curves.push_back(c);
+    is_selected[c] = 1;
+  };
+  for (const int c : std::exchange(curves, {})) select(c);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (face.is_interface(curves[i])) select(face.partners[curves[i]]);
+    for (const int c : ends.continuations(curves[i])) select(c);
+  }
+  std::ranges::sort(curves);
+  return curves;
+}
+
 template <class Fits>
 std::vector<int> curves_whose_name(const CadFace& face, const Fits& fits) {
   std::vector<int> curves;
@@ -127,7 +190,16 @@ std::vector<int> selected_curves(const CadFace& face, const std::string& text, c
   if (!curves.empty()) return curves;
   if (const auto box = arguments_of(text, "box")) return curves_in_box(face, *box, where);
   if (const auto circles = arguments_of(text, "circles")) return curves_of_circles(face, *circles, where);
+  if (const auto start = arguments_of(text, "tangent")) return curves_tangent_to(face, *start, where);
   return curves_whose_name(face, [&](const std::string& name) { return matches_wildcard(name, text); });
+}
+
+std::vector<int> curves_of_number(const CadFace& face, int number) {
+  std::vector<int> curves;
+  for (const int c : face.unnamed_curves)
+    if (face.curve_names[c] == fmt::format("curve_{}", number)) curves.push_back(c);
+  if (curves.empty() && number >= 0 && number < face.num_curves()) curves.push_back(number);
+  return curves;
 }
 
 }  // namespace quadrille::curve

@@ -101,9 +101,10 @@ OPTIONS
   --section PLANE           cut the solids of SHAPE by a plane, z=0.5 or NX,NY,NZ@X,Y,Z (its normal and a point), and
                             mesh the faces of the cut (see cad2tri --help)
   --name NAME=LIST|NAME@X,Y name of boundary curves by number (wall=1,3-6), present name or pattern ('wall=edge_*'), in
-                            a box or by the diameter of circles ('bolts=circles(<5)'), or of the curve nearest to a
-                            point; '*': all others of the outline and of holes, 'interface:*' those between regions; may
-                            be given several times (see cad2tri --help)
+                            a box, by the diameter of circles ('bolts=circles(<5)'), as what continues curve 4 without
+                            a corner ('rim=tangent(4)'), or of the curve nearest to a point; '*': all others of the
+                            outline and of holes, 'interface:*' those between regions; may be given several times (see
+                            cad2tri --help)
   --region-name NAME=LIST|NAME@X,Y
                             name of regions, where SHAPE has several faces in one plane, in the same way; a point lies
                             inside the region; neighbours of one name become one region

@@ -181,8 +181,9 @@ void declare_names(Options& o, Cad2triOptions& cad2tri) {
   o.texts(
       "--name", cad2tri.curve_names, "NAME=LIST|NAME@X,Y",
       "name of boundary curves; LIST has their numbers (wall=1,3-6), present names, or patterns of these with the "
-      "wild cards * and ? ('wall=edge_*'), box(X0,Y0,X1,Y1) for curves in a rectangle, or circles(<D) for circles of a "
-      "diameter below D; * alone: all other curves of the outline and of holes, interface:* those "
+      "wild cards * and ? ('wall=edge_*'), box(X0,Y0,X1,Y1) for curves in a rectangle, circles(<D) for circles of a "
+      "diameter below D, or tangent(N) for all that continue curve N without a corner; * alone: all other curves of "
+      "the outline and of holes, interface:* those "
       "between regions and inside one (boundary: and interface: also before other patterns); NAME@X,Y: the curve "
       "nearest to this point, in file units, which must be within a tenth of the diameter (on a curved face "
       "NAME@X,Y,Z, in space); overrides "

@@ -7,6 +7,7 @@
 
 #include "../chart_samples.hpp"
 #include "../hand_made.hpp"
+#include "../region_samples.hpp"
 #include "base/error.hpp"
 #include "curve/named_places.hpp"
 #include "curve/nurbs.hpp"
@@ -71,8 +72,26 @@ TEST(SelectCurves, OfACurvedFaceInSpace) {
   EXPECT_THROW(selected(face, "box(0,0,1,1)"), UsageError);
 }
 
+TEST(SelectCurves, ThatContinueACurveWithoutACorner) {
+  const std::vector<Nurbs> stadium{segment({0, 0}, {2, 0}), circular_arc({2, 1}, 1, -M_PI / 2, M_PI / 2),
+                                   segment({2, 2}, {0, 2}), segment({0, 2}, {0, 0})};
+  CadFace face = hand_made::face({stadium}, 3);
+  face.curve_names = {"a", "b", "c", "d"};
+  for (const char* text : {"tangent(0)", "tangent(1)", "tangent(c)", "tangent(b*)", "tangent(box(1,0,3,2))"})
+    EXPECT_EQ(selected(face, text), (Curves{0, 1, 2})) << text;
+  EXPECT_EQ(selected(face, "tangent(3)"), Curves{3});
+  EXPECT_EQ(selected(face, "tangent(99999999999)"), Curves{});
+  EXPECT_EQ(selected(plate(), "tangent(5)"), (Curves{5, 6}));
+}
+
+TEST(SelectCurves, ThatContinueACurvePastTheEndOfAnInterface) {
+  const CadFace face = samples::two_regions_face();
+  EXPECT_EQ(selected(face, "tangent(0)"), (Curves{0, 4})) << "the lower sides of both squares";
+  EXPECT_EQ(selected(face, "tangent(1)"), (Curves{1, 7})) << "both sides of the interface";
+}
+
 TEST(SelectCurves, RefusesWhatIsNoBoxOrCircle) {
-  for (const char* text : {"box(0,0,1)", "box(0,0,1,x)", "circles(<x)", "circles(=2)", "box()"})
+  for (const char* text : {"box(0,0,1)", "box(0,0,1,x)", "circles(<x)", "circles(=2)", "box()", "tangent()"})
     EXPECT_THROW(selected(plate(), text), UsageError) << text;
 }
 
