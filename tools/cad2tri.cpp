@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
                    "cad2tri half_disc.step --size 0.3 --corner-angle 2 -o fine.tri.h5",
                    "cad2tri half_disc.step --name axis=0 --name wall@0,1 -o named.tri.h5",
                    "cad2tri --list half_disc.step",
+                   "cad2tri --list planar bracket_solid.step",
                    "cad2tri bracket_solid.step --section z=0.5 -o cut.tri.h5",
                    "cad2tri half_disc.step | fieldsolve -o half_disc.solve.h5"};
   tool.options = [&](Options& o) {
@@ -51,7 +52,7 @@ int main(int argc, char** argv) {
     stage::Cad2triInput from{{file.bytes, file}, {}};
     std::optional<ChartedFace> chart;
     if (io::is_chart(file)) from.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
-    if (options.is_listing) return io::write_output(output, stage::list_faces(from.cad, options, s), false);
+    if (!options.listed.empty()) return io::write_output(output, stage::list_faces(from.cad, options, s), false);
     if (!options.names_file.empty()) from.names.emplace(names, names_file);
     const stage::LoadedShape shape = stage::load_shape(from, options, s);
     if (!options.healed_file.empty())

@@ -432,6 +432,18 @@ print(step_text("beside", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1 + 0j, 1 + 1j, 
   assert_nothing_left list.json table.txt
 }
 
+@test "--list planar and --list curved show these faces alone, with their numbers" {
+  shape=$DATA/curved/half_cylinder.step
+  numbers() { cad2tri "$@" | awk '$1 ~ /^[0-9]+$/ && $2 ~ /^[a-z]/ && $2 !~ /^(line|circle|spline|ellipse)$/ { print $1 }' | xargs; }
+  planar=$(numbers --list planar "$shape") curved=$(numbers "$shape" --list=curved) all=$(numbers --list "$shape")
+  assert_not_equal "$planar" ''
+  assert_not_equal "$curved" ''
+  assert_equal "$(xargs -n1 <<<"$planar $curved" | sort -n | xargs)" "$all"
+  assert_equal "$(cad2tri "$shape" --list curved | grep -c plane)" 0
+  run -2 cad2tri --list=flat "$shape"
+  assert_output --partial "--list: 'flat' is not one of planar|curved"
+}
+
 @test "--face takes a face by number or name" {
   for face in 0 5; do
     cad2tri "$DATA/bad/solid.step" --face $face -o a.tri.h5

@@ -107,10 +107,11 @@ Row face_row(int number, const ListedFace& listed, double noise) {
   return cells;
 }
 
-std::vector<Row> rows_of(const FaceList& list) {
+std::vector<Row> rows_of(const FaceList& list, const std::function<bool(const ListedFace&)>& shows) {
   const double noise = 1e-12 * greatest_coordinate(list);
   std::vector<Row> rows{{"face", "edge", "kind", "length", "place", "name", "part", "layer", ""}};
   for (size_t f = 0; f < list.faces.size(); ++f) {
+    if (!shows(list.faces[f])) continue;
     rows.push_back(face_row(static_cast<int>(f), list.faces[f], noise));
     for (size_t e = 0; e < list.faces[f].edges.size(); ++e)
       rows.push_back(row("", std::to_string(e), list.faces[f].edges[e], noise));
@@ -141,8 +142,8 @@ std::string not_built_text(const std::vector<std::string>& entities) {
 
 }  // namespace
 
-std::string face_table(const FaceList& list) {
-  const std::vector<Row> rows = rows_of(list);
+std::string face_table(const FaceList& list, const std::function<bool(const ListedFace&)>& shows) {
+  const std::vector<Row> rows = rows_of(list, shows);
   std::array<size_t, 9> widths{};
   for (const Row& cells : rows)
     for (size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());

@@ -4,6 +4,7 @@
 // sections in one for all of them (cad2tri-section), because loading the libraries of the
 // CAD kernel takes most of the time of a small shape, and because its readers can crash on malformed files.
 
+#include <functional>
 #include <string>
 
 #include "base/report.hpp"
@@ -44,9 +45,10 @@ std::string file_of_face(const CadFace& face, CadFormat format);
 
 // The faces of a CAD file for a person, as a table, and for programs, as keys of a report. No OpenCASCADE types.
 
-/// One line for each face and, below it, one for each of its edges: number, kind, length, place, name; for faces also
-/// part and layer.
-std::string face_table(const FaceList& list);
+/// One line for each face that `shows` and, below it, one for each of its edges: number, kind, length, place, name; for
+/// faces also part and layer.
+std::string face_table(
+    const FaceList& list, const std::function<bool(const ListedFace&)>& shows = [](const ListedFace&) { return true; });
 
 /// Adds the keys `list.*` (formats/report.md), and a warning that names the faces which could not be built.
 void report_faces(const FaceList& list, Report& report);

@@ -98,7 +98,7 @@ void OptionRecord::flag(const std::string& flag, bool& value, const std::string&
 void OptionRecord::one_of(const std::string& flag, const std::vector<std::string>&,
                           const std::function<std::string()>& get, const std::function<void(const std::string&)>&,
                           const std::string&) {
-  record(flag, [get] { return json_string(get()); });
+  record(flag, [get] { return get().empty() ? "false" : json_string(get()); });
 }
 
 std::string OptionRecord::json() const {

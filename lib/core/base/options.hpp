@@ -48,7 +48,7 @@ class Options {
   virtual void texts(const std::string& /*flag*/, std::vector<std::string>& /*values*/,
                      const std::string& /*placeholder*/, const std::string& /*help*/, bool /*records_none*/ = true) {}
   virtual void flag(const std::string& /*flag*/, bool& /*value*/, const std::string& /*help*/) {}
-  /// A choice between `words`: `get` returns the present one, `set` is called with one of them.
+  /// A choice between `words`: `get` returns the present one (none: a flag, as cli has it), `set` takes one.
   virtual void one_of(const std::string& /*flag*/, const std::vector<std::string>& /*words*/,
                       const std::function<std::string()>& /*get*/,
                       const std::function<void(const std::string&)>& /*set*/, const std::string& /*help*/) {}

@@ -5,8 +5,10 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include "base/error.hpp"
 #include "base/name_text.hpp"
@@ -43,75 +45,6 @@ int integer_within(const std::string& flag, const std::string& text, int low, in
 
 int threads_of(const std::string& text) { return text == "auto" ? 0 : integer_within("--threads", text, 1, 1024); }
 
-namespace {
-
-/// `text` broken at blanks into lines of at most `width` bytes, each but the first indented.
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
-  std::string out;
-  std::size_t column = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = text.find_first_of(" \n", begin);
-    if (end == std::string::npos) end = text.size();
-    const std::string word = text.substr(begin, end - begin);
-    if (column != 0 && column + 1 + word.size() > width) {
-      out += '\n' + std::string(indent, ' ');
-      column = 0;
-    } else if (column != 0) {
-      out += ' ';
-      ++column;
-    }
-    out += word;
-    column += word.size();
-    if (end < text.size() && text[end] == '\n') {
-      out += '\n' + std::string(indent, ' ');
-      column = 0;
-    }
-    begin = end + 1;
-  }
-  return out;
-}
-
-const std::vector<HelpRow>& exit_codes() {
-  static const std::vector<HelpRow> rows{
-      {"0", "success"},
-      {"1", "the input is well formed but has no valid result; the message states why and where"},
-      {"2", "error on the command line"},
-      {"3", "an input file cannot be read or breaks a rule of its format"},
-      {"4", "the output could not be written"},
-      {"70", "internal error, please report it"},
-      {"128 + n", "terminated by signal n"}};
-  return rows;
-}
-
-}  // namespace
-
-std::string help_rows(const std::vector<HelpRow>& rows) {
-  constexpr std::size_t indent = 28;
-  std::string out;
-  for (const HelpRow& row : rows) {
-    out += "  " + row.left;
-    if (row.left.size() + 4 > indent)
-      out += '\n' + std::string(indent, ' ');
-    else
-      out += std::string(indent - 2 - row.left.size(), ' ');
-    out += wrapped(row.right, indent, 100 - indent) + '\n';
-  }
-  return out;
-}
-
-std::string help_text(const HelpPage& page) {
-  std::string out = fmt::format("Usage: {} [OPTIONS]{}\n\n{} {}.\n", page.name, page.synopsis, page.name,
-                                wrapped(page.summary, 0, 80));
-  if (!page.description.empty()) out += '\n' + wrapped(page.description, 0, 100) + '\n';
-  if (!page.inputs.empty()) out += "\nINPUTS\n" + help_rows(page.inputs);
-  if (!page.options.empty()) out += "\nOPTIONS\n" + help_rows(page.options);
-  out += "\nOPTIONS OF EVERY COMMAND\n" + help_rows(page.common_options);
-  out += "\nEXIT CODES\n" + help_rows(exit_codes());
-  out += "\nEXAMPLES\n";
-  for (const std::string& example : page.examples) out += "  " + example + '\n';
-  return out;
-}
-
 struct CommandLine::Impl {
   explicit Impl(HelpPage help) : page(std::move(help)), app(page.summary, page.name) {
     app.set_help_flag("-h,--help");
@@ -123,6 +56,22 @@ struct CommandLine::Impl {
     note(flag, OptionKind::value);
     CLI::Option* const option = app.add_option(flag, std::move(set));
     return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  }
+
+  /// A choice without a default is a flag; one of the other words than the first may follow it.
+  void add_flag_or_word(const std::string& flag, const std::vector<std::string>& words,
+                        const std::function<void(const std::string&)>& set, const std::string& help) {
+    const std::string list = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), "|"));
+    page.options.push_back({fmt::format("{} [{}]", flag, list), help});
+    note(flag, OptionKind::flag);
+    optional_words[flag] = words;
+    const auto set_known = [=](const std::string& word) {
+      if (std::ranges::find(words, word) == words.end())
+        throw UsageError(fmt::format("{}: '{}' is not one of {}", flag, word, list));
+      set(word);
+      return std::string();
+    };
+    app.add_flag(fmt::format("{}{{{}}}", flag, words.front()))->check(set_known);
   }
 
   /// Keeps the name of an option of the tool itself.
@@ -138,6 +87,19 @@ struct CommandLine::Impl {
     add("--threads", "N|auto", set,
         "number of threads, 1 to 1024; auto: as many as there are processors, for work that lasts longer than 0.2 s; "
         "results do not depend on it (default: auto)");
+  }
+
+  /// The words of the command line after the command; a word that may follow a flag joined to it by =.
+  std::vector<std::string> joined_words(int argc, char** argv) const {
+    std::vector<std::string> words;
+    for (int i = 1; i < argc; ++i) {
+      const auto flag = words.empty() ? optional_words.end() : optional_words.find(words.back());
+      if (flag != optional_words.end() && std::ranges::find(flag->second, argv[i]) != flag->second.end())
+        words.back() += std::string("=") + argv[i];
+      else
+        words.emplace_back(argv[i]);
+    }
+    return words;
   }
 
   /// Names the first word that is no option, with the nearest one, or the first surplus argument. Throws UsageError.
@@ -166,8 +128,9 @@ struct CommandLine::Impl {
   bool quiet = false;
   CommonOptions* common = nullptr;
   const std::string* output = nullptr;
-  std::vector<std::function<void(RunFiles&)>> files;  ///< that are declared, after parsing
-  std::vector<OptionName> options;                    ///< without those of every command
+  std::vector<std::function<void(RunFiles&)>> files;               ///< that are declared, after parsing
+  std::vector<OptionName> options;                                 ///< without those of every command
+  std::map<std::string, std::vector<std::string>> optional_words;  ///< by flag
 };
 
 CommandLine::CommandLine(HelpPage page) : impl_(std::make_unique<Impl>(std::move(page))) {}
@@ -234,6 +197,8 @@ void CommandLine::integer(const std::string& flag, int& value, int low, int high
 void CommandLine::one_of(const std::string& flag, const std::vector<std::string>& words,
                          const std::function<std::string()>& get, const std::function<void(const std::string&)>& set,
                          const std::string& help) {
+  if (impl_->common == nullptr) impl_->record.one_of(flag, words, get, set, help);
+  if (get().empty()) return impl_->add_flag_or_word(flag, words, set, help);
   const std::string list = fmt::format("{}", fmt::join(words, "|"));
   const auto set_known = [=](const CLI::results_t& texts) {
     if (std::find(words.begin(), words.end(), texts.back()) == words.end())
@@ -244,7 +209,6 @@ void CommandLine::one_of(const std::string& flag, const std::vector<std::string>
   const std::size_t line = std::min(help.find('\n'), help.size());
   impl_->add(flag, line < help.size() ? "WORD" : list, set_known,
              fmt::format("{} (default: {}){}", help.substr(0, line), get(), help.substr(line)));
-  if (impl_->common == nullptr) impl_->record.one_of(flag, words, get, set, help);
 }
 
 void CommandLine::text(const std::string& flag, std::string& value, const std::string& placeholder,
@@ -310,7 +274,9 @@ void CommandLine::add_common(CommonOptions& common) {
 
 void CommandLine::parse(int argc, char** argv) {
   try {
-    impl_->app.parse(argc, argv);
+    std::vector<std::string> words = impl_->joined_words(argc, argv);
+    std::ranges::reverse(words);  // as CLI11 takes them
+    impl_->app.parse(std::move(words));
   } catch (const CLI::ArgumentMismatch& e) {
     const std::string message = e.what();
     throw UsageError(message.substr(0, message.find(':')) + " needs a value");

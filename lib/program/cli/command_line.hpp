@@ -40,6 +40,8 @@ std::string help_rows(const std::vector<HelpRow>& rows);
 
 /// What follows an option: nothing, a value, a value where the option may be given several times, the name of a file
 /// that is read.
+/// A choice without a default (an empty text) is of kind flag: alone it means the first of its words, another one may
+/// follow it. Without it `false` is recorded.
 enum class OptionKind { flag, value, values, file };
 constexpr auto enum_names(OptionKind) { return std::to_array({"flag", "value", "values", "file"}); }
 

@@ -131,7 +131,7 @@ void report_smoothed(int num_corners, const Run& run) {
 
 void Cad2triOptions::validate() const {
   parsed(*this);
-  if (is_listing && !face.empty()) throw UsageError("--list and --face exclude each other");
+  if (!listed.empty() && !face.empty()) throw UsageError("--list and --face exclude each other");
   if (!healed_file.empty()) healed_format(healed_file);
 }
 
@@ -139,9 +139,10 @@ namespace {
 
 /// What is read and repaired.
 void declare_face(Options& o, Cad2triOptions& cad2tri) {
-  o.flag("--list", cad2tri.is_listing,
-         "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places in "
-         "space, names, and the parts (products, solids, shells) and layers that hold the faces");
+  o.choice("--list", cad2tri.listed, {"all", "planar", "curved"},
+           "write a table of the faces of SHAPE and their edges instead of a mesh: numbers, kinds, lengths, places "
+           "in space, names, and the parts (products, solids, shells) and layers that hold the faces; of all "
+           "faces, of those in a plane, or of the others");
   o.text("--face", cad2tri.face, "N|NAME",
          "the one face to read of a solid, shell or assembly: its name, or its number in --list, from 0, or the name "
          "of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if its "
@@ -328,7 +329,9 @@ std::string list_faces(const Input<std::string>& file, const Cad2triOptions& opt
     run.info(fmt::format("{}: give the number of one to cad2chart --face, or to quadmesh --face",
                          counted(num_curved, "curved face")),
              0);
-  return cad::face_table(list);
+  return cad::face_table(list, [&](const cad::ListedFace& face) {
+    return options.listed == "all" || (face.face.kind == "plane") == (options.listed == "planar");
+  });
 }
 
 std::string cad_file_of(const CadFace& face, const std::string& path) {

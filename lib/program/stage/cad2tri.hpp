@@ -18,7 +18,8 @@
 namespace quadrille::stage {
 
 struct Cad2triOptions {
-  bool is_listing = false;  ///< the caller writes a table of the faces (list_faces), not a mesh
+  /// "all", "planar", "curved": the caller writes a table of these faces (list_faces), not a mesh; empty: a mesh.
+  std::string listed;
   std::string face;         ///< number or name of the one face to read; empty: the only one, or all
   std::string section;      ///< a plane that cuts solids, as cad::section_plane reads it; empty: none
   double corner_angle = 1;  ///< degrees; greater tangent jumps are corners of the layout

@@ -74,7 +74,7 @@ TEST_F(Cad2tri, WhatIsWrongIsToldBeforeTheFileIsRead) {
   options.healed_file = "x.iges";
   expect_contains(refusal(), "--write-healed x.iges");
   options = {};
-  options.is_listing = true;
+  options.listed = "all";
   options.face = "0";
   EXPECT_EQ(refusal(), "--list and --face exclude each other");
 }
