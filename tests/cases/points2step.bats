@@ -239,7 +239,7 @@ names() { jq -c .names fit.json; }
 @test "a CAD file is no file of points, and a far field needs a radius: both are said" {
   for file in square.step labels.iges; do
     run -3 --separate-stderr "$points2step" "$ROOT/tests/data/$file" --farfield circle:20
-    assert_regex "$stderr" "$file: a CAD file, for which options of points are not"
+    assert_regex "$stderr" "$file: a CAD file: --farfield and the other options of points do not apply: draw"
   done
   circle 8 >points
   run -2 --separate-stderr "$points2step" points --farfield cgrid

@@ -77,6 +77,8 @@ CadFormat cad_format(const std::string& bytes, const std::string& name) {
   if (bytes.empty()) throw FormatError(name + ": the file is empty");
   const std::string extension = lower_extension(name);
   const auto content = format_of_content(bytes), claimed = format_of_extension(extension);
+  if (!content && extension == ".fcstd")
+    throw FormatError(name + ": a document of FreeCAD: select the shape there, and export it as STEP (File, Export)");
   if (!content) throw FormatError(name + ": not a CAD file: " + expected + ": export the shape as STEP");
   if (!extension.empty() && !claimed)
     throw FormatError(name + ": wrong extension " + extension + " for a " + format_name(*content) +

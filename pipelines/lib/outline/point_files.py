@@ -68,8 +68,8 @@ def read_point_file(path):
     """The file, or standard input for -; UTF-8 or else Latin-1."""
     data = read_bytes(path)
     if is_cad_file(data):
-        raise Failure(BAD_INPUT, f"{path}: a CAD file, for which options of points are not: draw the region up to the "
-                                 "far field in the CAD program, and leave them out")
+        raise Failure(BAD_INPUT, f"{path}: a CAD file: --farfield and the other options of points do not apply: draw the "
+                                 "region up to the far field in the CAD program, and leave them out")
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:

@@ -38,6 +38,7 @@ TEST(FileKind, ExtensionMustNotContradict) {
 TEST(FileKind, RefusesEmptyOtherAndTruncatedFiles) {
   EXPECT_NE(refusal("", "a.step").find("a.step: the file is empty"), std::string::npos);
   EXPECT_NE(refusal("solid cube\n", "a.stl").find("not a CAD file"), std::string::npos);
+  EXPECT_NE(refusal("PK\3\4", "a.FCStd").find("a document of FreeCAD"), std::string::npos);
   EXPECT_NE(refusal("ISO-10303-21;\nHEADER;\n", "a.step").find("truncated"), std::string::npos);
   EXPECT_NE(refusal(iges_line('S', "1") + iges_line('G', "1"), "a.igs").find("truncated"), std::string::npos);
 }
