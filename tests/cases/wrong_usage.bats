@@ -57,6 +57,9 @@ table() {
 2 | quadrefine --size-near hole w/half_disc.blocks.h5 | hole
 2 | quadrefine --count x w/half_disc.blocks.h5 | x
 2 | quadrefine --count hole=0 w/half_disc.blocks.h5 | --count: 'hole=0' is not CHORD=N or NAME=N
+2 | quadrefine --count 0=4,even w/half_disc.blocks.h5 | --count: '0=4,even' is not CHORD=N or NAME=N
+2 | quadrefine --count curve_0=9,even --relax none w/half_disc.blocks.h5 | leave out --relax none
+2 | quadrefine --count curve_0=9,even --blocks 0 w/half_disc.blocks.h5 | with --blocks no vertex moves
 2 | quadrefine --grading hole=0.1 w/half_disc.blocks.h5 | --grading: 'hole=0.1' is not NAME=FIRST:LAST
 2 | quadrefine --refine 11 w/half_disc.blocks.h5 | --refine: 11 is outside its interval
 2 | quadrefine --relax 20 w/half_disc.blocks.h5 | --relax 20 is now --relax shape --relax-sweeps 20

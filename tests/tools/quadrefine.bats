@@ -404,6 +404,20 @@ setup() {
   assert_output --partial "W-SIZ-001: the Reynolds number 1e+04 lies outside"
 }
 
+@test "a boundary has elements of equal length by --count NAME=N,even, and not beside other lengths" {
+  quadrefine --count curve_1=31,even "$blocks" -o a.quad.h5 --report a.json
+  run jq -c '.counts["0"] | [.achieved, .unevenness < 1e-6]' a.json
+  assert_output '[31,true]'
+  run -0 stagecheck a.quad.h5
+  quadrefine --count curve_1=31 "$blocks" -o b.quad.h5 --report b.json
+  run jq -c '.counts["0"] | has("unevenness")' b.json
+  assert_output false
+  for other in "--size-near curve_1=0.05" "--grading curve_1=0.1:" "--wall curve_1:first=0.01,layers=2"; do
+    run -2 quadrefine --count curve_1=31,even $other "$blocks" -o c.quad.h5
+    assert_output --partial "${other%%[=:]*}: --count prescribes elements of equal length (even) along this boundary"
+  done
+}
+
 @test "a boundary has the prescribed number of elements, and what cannot be is refused with the nearest numbers" {
   quadrefine --count curve_0=23 --count curve_1=31 "$blocks" -o a.quad.h5 --report a.json
   run jq -c '[.counts[] | [.boundary, .prescribed, .achieved]]' a.json

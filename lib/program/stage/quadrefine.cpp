@@ -18,6 +18,7 @@
 #include "model/length_scale.hpp"
 #include "outline/extent.hpp"
 #include "refine/chosen_blocks.hpp"
+#include "refine/even_vertices.hpp"
 #include "refine/refine.hpp"
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
@@ -147,9 +148,11 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
            "at-most makes no edge longer than prescribed; error begins with nearest, and then moves elements from "
            "chord to chord as long as this lowers the error of a smooth solution at their number; elements are shorter "
            "only where the boundary needs it. With --wall, or without --relax size, error is nearest");
-  o.texts("--count", options.counts, "CHORD=N|NAME=N",
-          "N elements across a chord, or along the boundary NAME (all its curves together), instead of the number from "
-          "the sizes; the pictures of stageview BLOCKS and arc_chord in BLOCKS show the numbers of the chords");
+  o.texts("--count", options.counts, "CHORD=N|NAME=N[,even]",
+          "N elements across a chord, or along the boundary NAME (all its curves together; each side of an interface "
+          "that has nodes of its own), instead of the number from the sizes; even: of equal lengths along each of its "
+          "curves, from its start on, as both sides of a sliding band need; the pictures of stageview BLOCKS and "
+          "arc_chord in BLOCKS show the numbers of the chords");
   o.texts(
       "--grading", options.gradings, "NAME=FIRST:LAST",
       "lengths of the elements at both ends of the boundary NAME, in file units, in the direction in which the face "
@@ -238,7 +241,7 @@ void declare(Options& o, QuadrefineOptions& options) {
       "row more; none: not. Not in faces of several regions, with slits, periodic sides or lines of symmetry; only "
       "with --relax size and --size-rule error, without --wall and --blocks");
   o.integer("--refine", options.refine.levels, 0, 10,
-            "nested refinement, for studies of convergence: at the end each element becomes 2^K x 2^K elements of its "
+            "nested refinement, for studies of convergence: at the end each element becomes 2^N x 2^N elements of its "
             "own map, so that the geometry and all vertices stay as they are");
   declare_limits(o, options.refine);
 }
@@ -258,6 +261,7 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
     inputs.push_back(input.metric->file.digest("metric"));
   }
   if (input.alignment) inputs.push_back(input.alignment->file.digest("alignment"));
+  refine::require_even_alone(layout.face, refine, sizes.near);
   sizes.symmetry = refine.symmetry = symmetry_names(layout.face, options.symmetry);
   set_first_heights(options, layout.face, refine);
   sizes.scale = sizing::chart_scale(layout.face);
@@ -292,6 +296,7 @@ void require_quadrefine_of(const CadFace& face, const SizeSources& sources, cons
   layers::curve_walls(refine.walls, face);
   layers::require_offsets(refine.walls, face);
   for (const auto& count : refine.boundary_counts) curve::named_curves(face, count.boundary, "--count");
+  refine::require_even_alone(face, refine, sizes.near);
   for (const auto& grading : refine.end_gradings) curve::named_curves(face, grading.boundary, "--grading");
   if (refine.counts.empty() && refine.boundary_counts.empty() && options.blocks.empty())
     sizing::require_area_within(outline::area(face), refine.size_field->greatest(),

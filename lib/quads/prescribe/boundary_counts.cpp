@@ -7,16 +7,21 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
+#include "curve/named_places.hpp"
 #include "prescribe/named_arcs.hpp"
 
 namespace quadrille::prescribe {
 namespace {
+
+constexpr std::string_view even = ",even";
 
 /// A chord with a free count along a boundary.
 struct FreeChord {
@@ -36,34 +41,63 @@ struct Demand {
 
 using Sums = std::map<int, std::pair<double, int>>;  ///< by sum: least cost, and the last count that gives it
 
-/// The arcs of a boundary by their chord.
-std::map<int, int> arcs_by_chord(const sizing::MeasuredLayout& measured, const std::string& boundary) {
-  std::map<int, int> num_arcs;
-  for (const HalfEdge arc : named_arcs(measured, boundary, "--count")) ++num_arcs[measured.chord_of(arc.arc)];
-  return num_arcs;
+/// The arcs of a boundary in a chord.
+struct ArcsInChord {
+  int num = 0;
+  double length = 0;  ///< of all
+};
+
+using ArcsByChord = std::map<int, ArcsInChord>;
+
+/// The arcs of a boundary; of an interface whose sides have arcs of their own one entry for each side.
+std::vector<ArcsByChord> arcs_by_side(const sizing::MeasuredLayout& measured, const BoundaryCount& boundary) {
+  const std::vector<HalfEdge> arcs = named_arcs(measured, boundary.boundary, "--count");
+  const CadFace& face = measured.blocks().face;
+  const auto curve_of = [&](HalfEdge arc) { return measured.blocks().arcs[arc.arc].pieces.front().curve; };
+  std::set<int> curves;
+  for (const HalfEdge arc : arcs) curves.insert(curve_of(arc));
+  const auto is_second_side = [&](HalfEdge arc) {
+    if (!measured.blocks().arcs[arc.arc].is_boundary || !face.is_interface(curve_of(arc))) return false;
+    const int partner = face.partners[curve_of(arc)];
+    return partner < curve_of(arc) && curves.contains(partner);
+  };
+  std::vector<ArcsByChord> sides(std::ranges::any_of(arcs, is_second_side) ? 2 : 1);
+  for (const HalfEdge arc : arcs) {
+    ArcsInChord& in_chord = sides[is_second_side(arc) ? 1 : 0][measured.chord_of(arc.arc)];
+    ++in_chord.num;
+    in_chord.length += measured.length(arc.arc);
+  }
+  return sides;
 }
 
 /// 0 unless a chord along the boundary has layers.
-int least_with_layers(const std::map<int, int>& num_arcs, const std::vector<LayeredCount>& layered) {
+int least_with_layers(const ArcsByChord& arcs, const std::vector<LayeredCount>& layered) {
   int least = 0;
   bool any = false;
-  for (const auto& [chord, num] : num_arcs) {
+  for (const auto& [chord, in_chord] : arcs) {
     const int layers = layered.empty() ? 0 : layered[chord].layers;
     any = any || layers > 0;
-    least += num * (layers + 1);
+    least += in_chord.num * (layers + 1);
   }
   return any ? least : 0;
 }
 
-Demand demand_of(const sizing::MeasuredLayout& measured, const BoundaryCount& boundary,
-                 const std::vector<sizing::ChordPlan>& plans, const std::vector<LayeredCount>& layered) {
-  const std::map<int, int> num_arcs = arcs_by_chord(measured, boundary.boundary);
-  Demand demand{boundary.count, 0, least_with_layers(num_arcs, layered), {}, {}};
-  for (const auto& [chord, num] : num_arcs) {
+/// A boundary that is to have its number, or one side of an interface.
+struct CountedSide {
+  const BoundaryCount* boundary;
+  ArcsByChord arcs;
+};
+
+Demand demand_of(const CountedSide& side, const std::vector<sizing::ChordPlan>& plans,
+                 const std::vector<LayeredCount>& layered) {
+  Demand demand{side.boundary->count, 0, least_with_layers(side.arcs, layered), {}, {}};
+  for (const auto& [chord, arcs] : side.arcs) {
+    const int num = arcs.num;
     const sizing::ChordPlan& plan = plans[chord];
     if (!plan.is_prescribed) {
       const int layers = layered.empty() ? 0 : layered[chord].layers;
-      const double target = layered.empty() ? plan.grading.count() : layered[chord].count - layers;
+      const double by_sizes = layered.empty() ? plan.grading.count() : layered[chord].count - layers;
+      const double target = side.boundary->is_even ? arcs.length / num : by_sizes;
       demand.free.push_back({chord, num, target, layers});
       continue;
     }
@@ -158,14 +192,30 @@ void warn_if_count_missed(const BoundaryCount& boundary, int achieved, int least
 void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chords,
                  std::vector<BoundaryCount>& boundaries) {
   const std::size_t equals = text.rfind('=');
-  const std::string name = text.substr(0, equals), value = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const std::string name = text.substr(0, equals);
+  std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const bool is_even = value.ends_with(even);
+  if (is_even) value.resize(value.size() - even.size());
   const std::optional<int> chord = number_of<int>(name), count = number_of<int>(value);
-  if (name.empty() || !count || *count < 1)
-    throw UsageError(fmt::format("--count: '{}' is not CHORD=N or NAME=N with a whole number N >= 1", text));
+  if (name.empty() || !count || *count < 1 || (chord && is_even))
+    throw UsageError(fmt::format("--count: '{}' is not CHORD=N or NAME=N[,even] with a whole number N >= 1", text));
   if (chord)
     chords.push_back({*chord, *count});
   else
-    boundaries.push_back({name, *count});
+    boundaries.push_back({name, *count, is_even});
+}
+
+std::vector<bool> even_curves(const CadFace& face, const std::vector<BoundaryCount>& boundaries) {
+  std::vector<bool> is_even;
+  for (const BoundaryCount& boundary : boundaries) {
+    if (!boundary.is_even) continue;
+    is_even.resize(face.num_curves(), false);
+    for (const int c : curve::named_curves(face, boundary.boundary, "--count")) {
+      is_even[c] = true;
+      if (face.is_interface(c)) is_even[face.partners[c]] = true;
+    }
+  }
+  return is_even;
 }
 
 std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayout& measured,
@@ -175,18 +225,20 @@ std::vector<sizing::ChordCount> with_boundary_counts(const sizing::MeasuredLayou
                                                      const std::vector<LayeredCount>& layered,
                                                      const std::vector<EndGrading>& gradings, double growth) {
   if (boundaries.empty()) return counts;
-  std::vector<BoundaryCount> open = boundaries;
+  std::vector<CountedSide> open;
+  for (const BoundaryCount& boundary : boundaries)
+    for (ArcsByChord& arcs : arcs_by_side(measured, boundary)) open.push_back({&boundary, std::move(arcs)});
   std::vector<sizing::ChordPlan> plans = sizing::grade_chords(measured, sizes, sizing::SizeRule::nearest, counts);
   apply_end_gradings(measured, gradings, growth, plans);
   for (std::size_t c = 0; c < layered.size(); ++c)
     if (plans[c].is_prescribed) plans[c].count = std::max(plans[c].count, layered[c].layers + 1);
   while (!open.empty()) {
     std::vector<Demand> demands;
-    for (const BoundaryCount& boundary : open) demands.push_back(demand_of(measured, boundary, plans, layered));
+    for (const CountedSide& side : open) demands.push_back(demand_of(side, plans, layered));
     const auto next = std::min_element(demands.begin(), demands.end(),
                                        [](const Demand& a, const Demand& b) { return a.free.size() < b.free.size(); });
     const auto at = next - demands.begin();
-    for (const sizing::ChordCount& found : counts_that_meet(open[at], *next)) {
+    for (const sizing::ChordCount& found : counts_that_meet(*open[at].boundary, *next)) {
       counts.push_back(found);
       plans[found.chord].count = found.count;
       plans[found.chord].is_prescribed = true;
@@ -200,11 +252,13 @@ void report_boundary_counts(const sizing::MeasuredLayout& measured, const sizing
                             const std::vector<BoundaryCount>& boundaries, const std::vector<LayeredCount>& layered,
                             Report& report) {
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
-    const std::map<int, int> num_arcs = arcs_by_chord(measured, boundaries[i].boundary);
     int achieved = 0;
-    for (const auto& [chord, num] : num_arcs)
-      achieved += num * divisions[measured.chords()[chord].arcs.front()].num_intervals();
-    warn_if_count_missed(boundaries[i], achieved, least_with_layers(num_arcs, layered), report);
+    for (const ArcsByChord& side : arcs_by_side(measured, boundaries[i])) {
+      achieved = 0;
+      for (const auto& [chord, arcs] : side)
+        achieved += arcs.num * divisions[measured.chords()[chord].arcs.front()].num_intervals();
+      warn_if_count_missed(boundaries[i], achieved, least_with_layers(side, layered), report);
+    }
     const std::string key = fmt::format("counts.{}.", i);
     report.set(key + "boundary", boundaries[i].boundary);
     report.set(key + "prescribed", boundaries[i].count);

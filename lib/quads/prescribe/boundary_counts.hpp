@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of elements by the name of a boundary: --count outlet=24.
+// Numbers of elements by the name of a boundary: --count outlet=24, and --count slide=90,even of equal lengths.
 //
 // The elements along a boundary are the sum over its arcs of the counts of their chords. The counts n of its chords
 // that are not prescribed minimise
@@ -8,6 +8,8 @@
 //
 // m the number of the boundary's arcs in a chord, t its count by the prescribed sizes, times one factor for all. Where
 // chords have wall layers, n and t are their intervals between the layers, at least one, and N is less by the layers.
+// For elements of equal lengths t is the mean length of the chord's arcs along the boundary. Of an interface whose two
+// sides have nodes of their own, each side has N.
 
 #include <string>
 #include <vector>
@@ -21,6 +23,7 @@ namespace quadrille::prescribe {
 struct BoundaryCount {
   std::string boundary;
   int count = 1;
+  bool is_even = false;  ///< vertices at equal lengths along each of its curves (refine/even_vertices)
 };
 
 /// A chord with the layers along walls, before boundaries prescribe counts.
@@ -29,10 +32,14 @@ struct LayeredCount {
   int layers = 0;  ///< at both ends of its arc that has the most of them
 };
 
-/// Adds the count that "NAME=N" (the last = counts) prescribes: if NAME is a number, that of this chord, else that of
-/// the boundary. Throws UsageError.
+/// Adds the count that "NAME=N" or "NAME=N,even" (the last = counts) prescribes: if NAME is a number, that of this
+/// chord, else that of the boundary. Throws UsageError.
 void parse_count(const std::string& text, std::vector<sizing::ChordCount>& chords,
                  std::vector<BoundaryCount>& boundaries);
+
+/// By curve, whether its elements are to be of equal lengths; empty if none are. Throws UsageError for a name that no
+/// curve has.
+std::vector<bool> even_curves(const CadFace& face, const std::vector<BoundaryCount>& boundaries);
 
 /// `counts`, and those of all chords along the boundaries. Boundaries with the fewest chords that are still free come
 /// first; equal ones as given. Throws UsageError if a boundary cannot have its number, with those nearest to it that it

@@ -29,6 +29,7 @@ std::vector<HalfEdge> named_arcs(const sizing::MeasuredLayout& measured, const s
                                  const std::string& option) {
   const CadFace& face = measured.blocks().face;
   std::vector<bool> is_named(face.curves.size(), false);
+  const int region = curve::named_region(face, name);
   for (const int curve : curve::named_curves(face, name, option)) {
     is_named[curve] = true;
     if (face.is_interface(curve)) is_named[face.partners[curve]] = true;
@@ -37,6 +38,7 @@ std::vector<HalfEdge> named_arcs(const sizing::MeasuredLayout& measured, const s
   for (int a = 0; a < measured.num_arcs(); ++a) {
     const GraphArc& arc = measured.blocks().arcs[a];
     if (!measured.is_on_cad_curve(a)) continue;
+    if (region >= 0 && measured.region_of(a) >= 0 && measured.region_of(a) != region) continue;
     const auto follows = [&](const ArcPiece& piece) { return is_named[piece.curve]; };
     const auto num_named = std::count_if(arc.pieces.begin(), arc.pieces.end(), follows);
     if (num_named == 0) continue;

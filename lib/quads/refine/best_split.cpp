@@ -184,6 +184,7 @@ SizeRelaxation size_relaxation(const SplitRequest& request, const SplitMesh& spl
   relaxation.directions = request.options.directions;
   relaxation.greatest_lengths = sizing::ring_lengths(split.mesh, request.rings);
   if (!request.options.boundary_counts.empty()) relaxation.slides_off = SlidesOff::breaks;
+  relaxation.even_curves = prescribe::even_curves(split.mesh.face, request.options.boundary_counts);
   return relaxation;
 }
 

@@ -51,6 +51,9 @@ class BoundarySlide {
   /// Joints between curves of different names that vertices may slide off.
   const std::vector<LoopJoint>& free_joints() const { return free_joints_; }
   double loop_length(int loop) const { return loops_[loop].length() / 2; }
+  /// The length along its loop at which a curve starts, and its own.
+  double curve_start(int curve) const { return curve_start_[curve]; }
+  double curve_length(int curve) const { return table_.arc_length(curve).total(); }
   /// Pairs of vertices, on periodic curves or on both sides of an open slit, that slide together, in opposite
   /// directions.
   const std::vector<std::array<int, 2>>& twins() const { return twins_; }

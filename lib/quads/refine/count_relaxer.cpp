@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/tolerance.hpp"
+#include "refine/even_vertices.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -56,6 +57,7 @@ CountRelaxer::CountRelaxer(const QuadMesh& mesh, SizeRelaxation options)
       kept_(relaxer_.moves),
       mesh_(straight(problem_, mesh)) {
   fix_at_joints(problem_);
+  for (const int vertex : vertices_on(problem_, options_.even_curves)) problem_.fix_vertex(vertex);
 }
 
 const QuadMesh& CountRelaxer::moved(std::vector<Vec2> counts) {

@@ -117,7 +117,7 @@ class JointChoice {
       : problem_(problem), moves_(moves), tolerance_(tolerance) {}
 
   /// Adds those of one loop. Returns whether there are any.
-  bool add(int loop, std::vector<JointVertex>& found) const;
+  bool add(int loop, std::vector<HeldVertex>& found) const;
 
  private:
   std::vector<LoopVertex> vertices(int loop) const;
@@ -176,7 +176,7 @@ std::vector<Place> JointChoice::places(int loop, const std::vector<LoopVertex>& 
   return found;
 }
 
-bool JointChoice::add(int loop, std::vector<JointVertex>& found) const {
+bool JointChoice::add(int loop, std::vector<HeldVertex>& found) const {
   const std::vector<LoopVertex> vertices = this->vertices(loop);
   const std::vector<Place> places = this->places(loop, vertices);
   if (std::ranges::all_of(places, [](const Place& p) { return p.fixed >= 0; })) return true;
@@ -190,10 +190,10 @@ bool JointChoice::add(int loop, std::vector<JointVertex>& found) const {
 
 }  // namespace
 
-std::optional<std::vector<JointVertex>> vertices_at_joints(const RelaxProblem& problem, const VertexMoves& moves,
-                                                           double tolerance) {
+std::optional<std::vector<HeldVertex>> vertices_at_joints(const RelaxProblem& problem, const VertexMoves& moves,
+                                                          double tolerance) {
   const JointChoice choice(problem, moves, tolerance);
-  std::vector<JointVertex> found;
+  std::vector<HeldVertex> found;
   int last = -1;
   for (const LoopJoint& joint : problem.boundary.free_joints())
     if (joint.loop != std::exchange(last, joint.loop) && !choice.add(joint.loop, found)) return std::nullopt;

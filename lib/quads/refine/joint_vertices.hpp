@@ -10,17 +10,18 @@
 
 namespace quadrille::refine {
 
-struct JointVertex {
+/// A vertex that is put at a position on its loop and stays there.
+struct HeldVertex {
   int vertex = 0;
-  double slide = 0;  ///< along its loop from where it is to its joint, a length
+  double slide = 0;  ///< along its loop from where it is, a length
 };
 
 /// The vertex for each joint that vertices may slide off (BoundarySlide::free_joints) and where none is fixed. The sum
 /// of squared slides is least among all choices that keep the order of vertices around the loop, and that leave between
 /// successive joints the edges that it takes to lie within `tolerance`, a length, of the curves. O(j n) for j joints
 /// and n vertices of a loop. No value if a loop has no such choice.
-std::optional<std::vector<JointVertex>> vertices_at_joints(const RelaxProblem& problem, const VertexMoves& moves,
-                                                           double tolerance);
+std::optional<std::vector<HeldVertex>> vertices_at_joints(const RelaxProblem& problem, const VertexMoves& moves,
+                                                          double tolerance);
 
 /// The joints between curves of different names, interfaces apart, where no element ends: each is inside an edge, which
 /// has the name of one of them. Numbers of the curves that begin there, ascending.

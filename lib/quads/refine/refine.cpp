@@ -10,6 +10,7 @@
 #include "mesh/nested_quads.hpp"
 #include "refine/align_chords.hpp"
 #include "refine/best_split.hpp"
+#include "refine/even_vertices.hpp"
 #include "refine/joint_vertices.hpp"
 #include "refine/lifted_split.hpp"
 #include "refine/lower_error.hpp"
@@ -170,6 +171,7 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   const double tolerance = geometric_tolerance(options) * sizing::diameter_in_space(layout.face);
   SplitMesh split = map ? lifted_split(*map, tolerance, request, there) : placed_split(request);
   warn_of_joints(split.mesh, report);
+  report_even_counts(split.mesh, options.boundary_counts, report);
   refine_nested(split.mesh, options, report);
   if (map) {
     const bool is_smooth = there.is_smooth;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/enum_names.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
@@ -22,6 +24,12 @@ void RefineOptions::validate() const {
   if (relax_sweeps < 0 || relax_sweeps > 1000) throw UsageError("--relax-sweeps must lie in 0..1000");
   if (max_elements < 1) throw UsageError("--max-elements must be at least 1");
   if (!(geometry_tol >= 0)) throw UsageError("--geometry-tol must not be negative");
+  const auto even = std::ranges::find_if(boundary_counts, &prescribe::BoundaryCount::is_even);
+  if (even == boundary_counts.end()) return;
+  const std::string count = fmt::format("--count {}={},even", even->boundary, even->count);
+  if (relax == Relax::none || relax_sweeps == 0)
+    throw UsageError(count + ": vertices have to move for elements of equal length: leave out --relax none");
+  if (!blocks.empty()) throw UsageError(count + " and --blocks exclude each other: with --blocks no vertex moves");
 }
 
 Relax parse_relax(const std::string& text) {

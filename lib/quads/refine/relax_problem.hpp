@@ -69,12 +69,14 @@ struct RelaxProblem {
   void fix_vertex(int vertex);
   /// Makes moves, or a gradient, of vertices that slide together the same.
   void join_twins(VertexMoves& moves) const;
+  /// That with which a vertex slides together, in opposite directions, or -1.
+  int twin(int vertex) const { return twin_[vertex]; }
   /// The first of the two vertices that slide together, in opposite directions, or the vertex itself.
   int slides_with(int vertex) const { return twin_[vertex] < 0 ? vertex : std::min(vertex, twin_[vertex]); }
   int num_vertices() const { return follow.num_vertices(); }
 
  private:
-  std::vector<int> twin_;  ///< by vertex: that with which it slides together, or -1
+  std::vector<int> twin_;
 };
 
 }  // namespace quadrille::refine

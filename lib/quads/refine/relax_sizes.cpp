@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "base/tolerance.hpp"
+#include "refine/even_vertices.hpp"
+#include "refine/joint_vertices.hpp"
 #include "refine/size_relaxer.hpp"
 #include "refine/validity.hpp"
 
@@ -165,10 +167,11 @@ bool VertexRelaxation::begin() {
   if (options_.start) relaxer_.begin_at(*options_.start);
   // What edges and elements need is settled while vertices are nearly in place; at last they are put there.
   relaxer_.least_progress = coarse_progress;
+  if (!relaxer_.hold(even_vertices(problem_, relaxer_.moves, options_.even_curves), problem_)) return false;
   if (!passes_joints_) return true;
   relax_across_joints(options_, problem_, relaxer_);
   most_value_ = size_constants.hopeless * relaxer_.value;
-  return relaxer_.hold_joints(problem_);
+  return relaxer_.hold(vertices_at_joints(problem_, relaxer_.moves, options_.tolerance), problem_);
 }
 
 bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
@@ -185,7 +188,7 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
   relaxed.mesh = moved_mesh(problem_, options_, relaxer_.moves);
   relaxed.energy_after = relaxer_.value / std::max(1, shaped_.num_elems());
   if (is_any_worse(options_, shaped_, relaxed.mesh, relaxer_.energy)) {
-    if (passes_joints_) return relaxer_.is_exhausted();
+    if (passes_joints_ || !options_.even_curves.empty()) return relaxer_.is_exhausted();
     halve_moves(problem_, options_, shaped_, relaxer_, relaxed.mesh);
   }
   relaxed.sweeps = relaxer_.num_sweeps;
@@ -211,9 +214,12 @@ SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) 
   for (const SlidesOff slides_off : {SlidesOff::joints, SlidesOff::breaks}) {
     if (slides_off == SlidesOff::joints && options.slides_off == SlidesOff::breaks) continue;
     result.relaxation = std::make_shared<VertexRelaxation>(mesh, result.mesh, options, slides_off);
-    if (result.relaxation->run(options.least_progress, result)) break;
+    if (result.relaxation->run(options.least_progress, result)) return result;
   }
-  return result;
+  if (options.even_curves.empty()) return result;
+  SizeRelaxation uneven = options;  // a mesh that is even nowhere, but relaxed, which report_even_counts tells
+  uneven.even_curves.clear();
+  return relax_to_sizes(mesh, uneven);
 }
 
 }  // namespace quadrille::refine

@@ -8,7 +8,7 @@
 // steps, it is that of the Hessian itself (refine/factored_hessian). Where sizes differ, they are those at the middles
 // of elements, and are taken anew every few sweeps. Vertices on the boundary
 // slide across smooth joints of curves without given names; then the nearest ones are put at these
-// (refine/joint_vertices).
+// (refine/joint_vertices). Those on curves of equal elements are first put at equal lengths (refine/even_vertices).
 
 #include <limits>
 #include <memory>

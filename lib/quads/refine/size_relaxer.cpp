@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "refine/joint_vertices.hpp"
-
 namespace quadrille::refine {
 namespace {
 
@@ -25,7 +23,7 @@ struct StepConstants {
   double descent = 1e-4;      ///< least decrease of a step, of that of the linear model
   int max_halvings = 20;      ///< of a step
   double factors_work = 0.5;  ///< steps that take as long as factors of the Hessian, over the root of the elements
-  int joint_steps = 8;        ///< in which vertices slide to joints
+  int held_steps = 8;         ///< in which vertices slide to where they are held
   double shape_first = 20;    ///< factor of the weight of shapes where elements keep their lengths
 };
 constexpr StepConstants step_constants;
@@ -150,19 +148,18 @@ bool SizeRelaxer::step(EnergyDerivatives& at) {
   return false;
 }
 
-bool SizeRelaxer::hold_joints(RelaxProblem& problem) {
-  const std::optional<std::vector<JointVertex>> at_joints = vertices_at_joints(problem, moves, options_.tolerance);
-  if (!at_joints) return false;
-  for (const JointVertex& at : *at_joints) problem.fix_vertex(at.vertex);
+bool SizeRelaxer::hold(const std::optional<std::vector<HeldVertex>>& vertices, RelaxProblem& problem) {
+  if (!vertices) return false;
+  for (const HeldVertex& at : *vertices) problem.fix_vertex(at.vertex);
   inverse_.forget();
   const VertexMoves before = moves;
   // In each step as far as elements allow; then the other vertices follow.
   double left = 1;
-  for (int step = 0; step < step_constants.joint_steps && left > 0; ++step) {
+  for (int step = 0; step < step_constants.held_steps && left > 0; ++step) {
     const VertexMoves from = moves;
     const auto is_possible = [&](double part) {
       moves = from;
-      for (const JointVertex& at : *at_joints) held_[at.vertex].x = moves[at.vertex].x += part * at.slide;
+      for (const HeldVertex& at : *vertices) held_[at.vertex].x = moves[at.vertex].x += part * at.slide;
       return std::isfinite(energy.value(moves));
     };
     double part = left;
@@ -170,7 +167,7 @@ bool SizeRelaxer::hold_joints(RelaxProblem& problem) {
     left -= part;
     if (left > 0) run();
   }
-  for (const JointVertex& at : *at_joints) moves[at.vertex].x = held_[at.vertex].x = before[at.vertex].x + at.slide;
+  for (const HeldVertex& at : *vertices) moves[at.vertex].x = held_[at.vertex].x = before[at.vertex].x + at.slide;
   return std::isfinite(energy.value(moves));
 }
 

@@ -10,6 +10,7 @@
 
 #include "refine/inner_edges.hpp"
 #include "refine/inverse_hessian.hpp"
+#include "refine/joint_vertices.hpp"
 #include "refine/placed_vertices.hpp"
 #include "refine/refine_options.hpp"
 #include "refine/size_energy.hpp"
@@ -37,6 +38,7 @@ struct SizeRelaxation {
   double least_progress =
       fine_progress;  ///< relaxation ends after sweeps in turn that lower the energy by a lesser part
   PrescribedDirections directions = {};  ///< of the sides of elements; empty: none
+  std::vector<bool> even_curves = {};    ///< by curve: its vertices are at equal lengths (refine/even_vertices)
 };
 
 /// Moves vertices to the least energy.
@@ -48,9 +50,9 @@ class SizeRelaxer {
   void begin_at(const PlacedVertices& start);
   /// Relaxes until the energy hardly falls.
   void run();
-  /// Puts vertices at the joints that they may slide off (refine/joint_vertices), and fixes them. Returns whether that
-  /// is possible.
-  bool hold_joints(RelaxProblem& problem);
+  /// Puts vertices where they are to be held (refine/joint_vertices, refine/even_vertices), and fixes them. Returns
+  /// whether that is possible; not without a value.
+  bool hold(const std::optional<std::vector<HeldVertex>>& vertices, RelaxProblem& problem);
   /// With the vertices that are fixed by now where they are held; if that is not possible, with all. Returns whether
   /// either is possible.
   bool begin_again();
