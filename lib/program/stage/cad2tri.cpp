@@ -330,7 +330,8 @@ std::string list_faces(const Input<std::string>& file, const Cad2triOptions& opt
                          counted(num_curved, "curved face")),
              0);
   return cad::face_table(list, [&](const cad::ListedFace& face) {
-    return options.listed == "all" || (face.face.kind == "plane") == (options.listed == "planar");
+    const bool is_planar = face.face.kind == "plane";
+    return options.listed == "planar" ? is_planar : options.listed == "curved" ? !is_planar : true;
   });
 }
 
