@@ -21,6 +21,16 @@ struct ExportOptions {
   bool merge_blocks = false;  ///< blocks of one region are joined (export/merge_blocks)
 };
 
+/// What the file has of each element.
+enum class WrittenPieces {
+  whole,          ///< the element itself
+  between_nodes,  ///< elements of order 1 between its nodes
+  quadratic,      ///< of a quad elements of order 1 or 2 between equal intervals, of a hexahedron the element
+};
+
+/// The nodes that the file has of an element of its own; readers make the others by blending (Gordon and Hall).
+enum class WrittenNodes { all, sides, edges };
+
 struct ExportFormat {
   std::string_view name;      ///< for --format
   std::string_view ending{};  ///< of file names; empty: by --format only
@@ -36,6 +46,8 @@ struct ExportFormat {
   Exported (*write_hex)(const HexMesh& mesh) = nullptr;  ///< nullptr: the format has no hexahedra
   Exported (*write_hex_with_types)(const HexMesh& mesh, const std::vector<PatchType>& types) = nullptr;
   int max_hex_order = 20;
+  WrittenPieces pieces = WrittenPieces::whole;
+  WrittenNodes written_nodes = WrittenNodes::all;
   /// A program in libexec that makes the file of what the writer returns; empty: that is the file.
   std::string_view program = {};
 };
