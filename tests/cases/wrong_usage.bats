@@ -77,6 +77,8 @@ table() {
 2 | quadexport --formt msh w/half_disc.quad.h5 | unknown option --formt: did you mean --format?
 2 | quadexport w/half_disc.quad.h5 -o out.unknown | out.unknown does not determine the format: end it in one of
 2 | quadexport w/half_disc.quad.h5 --format unv -o out.unv | 'unv' is not one of
+2 | quadexport w/half_disc.quad.h5 --check-for openfoam -o out.msh | OpenFOAM does not read the format msh: choose
+2 | quadexport w/half_disc.blocks.h5 --check-for su2 -o out.step | SU2 does not read the format step: choose su2
 3 | quadexport w/half_disc.blocks.h5 -o out.msh | expected a quad-mesh file
 2 | stageview --feild w/half_disc.field.h5 w/half_disc.crit.json | did you mean --field?
 2 | stageview w/half_disc.quad.h5 --field w/half_disc.field.h5 -o out.svg | --field needs a critical-points file

@@ -252,6 +252,42 @@ PYTHON
   assert_failure 2
 }
 
+@test "--check-for reports what the solver measures, and changes no byte" {
+  local pair
+  for pair in openfoam:blockmesh su2:su2 nektar:nektar trixi:inp calculix:abaqus moose:exodus; do
+    quadexport -q "$quad" --format "${pair#*:}" -o a.out
+    run -0 quadexport -q "$quad" --format "${pair#*:}" --check-for "${pair%:*}" -o b.out --report b.json
+    cmp a.out b.out
+    jq -e --arg solver "${pair%:*}" '.check_for.solver == $solver and .check_for.elements > 0' b.json
+  done
+  run -0 quadexport -v "$quad" --check-for su2 -o a.su2
+  assert_output --regexp 'SU2: Jacobian ratio 0\.[0-9]+ at worst, of element [0-9]+ near \('
+}
+
+@test "--check-for warns where a measure reaches the solver's limit, and ends with 1 and no file where it must not" {
+  hexsweep -q "$quad" --height 0.5 --layers 4 --twist 80 -o a.hex.h5
+  run -0 quadexport a.hex.h5 --check-for openfoam --format polymesh -o points
+  assert_output --regexp 'W-EXP-004: non-orthogonality 7[0-9.]+ degrees of element [0-9]+ near \(.* limit 70 of OpenFOAM'
+  quadrefine -q "$blocks" --wall curve_0:first=2e-5,growth=1.5,layers=12 -o a.quad.h5
+  run -1 quadexport a.quad.h5 --check-for openfoam -o blockMeshDict --report a.json
+  assert_output --regexp 'aspect ratio [0-9]+ of element [0-9]+ near \(.* limit 1000 of OpenFOAM .*without --check-for'
+  assert_file_not_exists blockMeshDict
+  jq -e '.check_for.aspect_ratio.value > 1000 and (.check_for.aspect_ratio.position | length == 2)' a.json
+  quadexport -q a.quad.h5 -o blockMeshDict
+}
+
+@test "--check-for refuses formats and orders that the solver does not read, quadmesh before it begins" {
+  run -2 quadexport "$quad" --check-for openfoam -o a.msh
+  assert_output --partial 'OpenFOAM does not read the format msh: choose blockmesh, polymesh'
+  run -1 quadexport "$quad" --check-for flexi -o a.cgns
+  assert_output --partial 'hexsweep'
+  run -1 quadexport "$quad" --check-for dealii -o a.msh
+  assert_output --partial 'deal.II reads quads up to order 1, these have order'
+  run -2 quadmesh "$DATA/half_disc.step" --order 4 --check-for dolfinx -o a.msh
+  assert_output --partial 'dolfinx reads quads up to order 3'
+  assert_file_not_exists a.msh
+}
+
 @test "tables of names beside two meshes do not overwrite each other, and messages have their paths" {
   mkdir x.d
   run -0 quadexport "$quad" -o x.d/a.re2

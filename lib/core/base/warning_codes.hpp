@@ -67,6 +67,7 @@ inline constexpr const char* motion_missed = "W-HEX-002";     ///< too few layer
 inline constexpr const char* format_loss = "W-EXP-001";
 inline constexpr const char* side_file_not_written = "W-EXP-002";
 inline constexpr const char* ending_of_trixi = "W-EXP-003";
+inline constexpr const char* limit_of_solver = "W-EXP-004";  ///< of --check-for
 
 inline constexpr const char* stage_stopped = "W-RUN-001";
 

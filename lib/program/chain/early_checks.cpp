@@ -87,7 +87,7 @@ void check_output_format(const ChainOptions& options, const StageOptions& values
   if (options.is_swept)
     stage::require_hexahedra(format, values.quadrefine.refine.order, values.quadexport);
   else
-    stage::require_order(format, values.quadrefine.refine.order);
+    stage::require_order(format, values.quadrefine.refine.order, values.quadexport);
 }
 
 void check_nodes_option(const ChainOptions& options, const StageOptions& values) {

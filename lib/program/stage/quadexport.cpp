@@ -13,6 +13,7 @@
 #include "export/format_table.hpp"
 #include "export/step_request.hpp"
 #include "export/translate.hpp"
+#include "stage/solver_check.hpp"
 
 namespace quadrille::stage {
 
@@ -109,6 +110,34 @@ exports::ExportOptions parsed(const QuadexportOptions& options) {
           options.merge_blocks};
 }
 
+// The row of --check-for; nullptr: none. Throws UsageError for a name that is not in the table.
+const SolverRow* checked_solver(const QuadexportOptions& options) {
+  if (options.check_for == "none") return nullptr;
+  const SolverRow* solver = find_solver(options.check_for);
+  if (solver == nullptr) throw UsageError(fmt::format("--check-for: {} is not known", options.check_for));
+  return solver;
+}
+
+void require_order_of_solver(const QuadexportOptions& options, ElementKind kind, int order) {
+  const SolverRow* const solver = checked_solver(options);
+  if (solver == nullptr) return;
+  if (const std::string refusal = order_refusal(*solver, kind, order); !refusal.empty()) throw UsageError(refusal);
+}
+
+const CadFace& lengths_of(const QuadMesh& mesh) { return mesh.face; }
+const HexMesh& lengths_of(const HexMesh& mesh) { return mesh; }
+
+template <typename Mesh>
+void check_for(const Mesh& mesh, const exports::ExportFormat& format, const QuadexportOptions& options, Run& run) {
+  const SolverRow* const solver = checked_solver(options);
+  if (solver == nullptr) return;
+  run.begin_phase("check");
+  const exports::ExportOptions parsed_options = parsed(options);
+  check_for_solver(
+      mesh, {*solver, format, parsed_options.patch_types, length_scale(lengths_of(mesh), parsed_options.length).factor},
+      run);
+}
+
 // The files beside the main one, and warnings of what is lost.
 std::vector<OutputFile> side_files(exports::Exported& exported, const std::string& output, Report& report) {
   const bool takes_one = takes_one_file(output);
@@ -143,11 +172,12 @@ std::vector<OutputFile> exported_files(Mesh mesh, const char* elements, const st
   check::require_sound(mesh, file);
   require_valid_mesh(mesh, options.allow_invalid, run);
   warn_of_trixi(output, format, options, run);
+  const exports::ExportFormat& row = *exports::find_export_format(format);
+  check_for(mesh, row, options, run);
   run.begin_phase("write");
   run.report().set("format", format);
   run.report().set(elements, mesh.num_elems());
   run.report().set("nodes", mesh.nodes.size());
-  const exports::ExportFormat& row = *exports::find_export_format(format);
   const exports::ExportOptions parsed_options = parsed(options);
   exports::translate(mesh, exports::parse_translation(options.translation), parsed_options.in_space);
   exports::Exported exported = exports::export_mesh(std::move(mesh), row, parsed_options);
@@ -189,6 +219,11 @@ void declare(Options& o, QuadexportOptions& quadexport) {
   o.flag("--merge-blocks", quadexport.merge_blocks,
          "join blocks of one region to the fewest rectangular grids, none of which touches itself: for structured "
          "solvers (plot3d, cgns-structured)");
+  std::vector<std::string> solvers{"none"};
+  for (const SolverRow& solver : solver_rows()) solvers.emplace_back(solver.name);
+  o.choice("--check-for", quadexport.check_for, solvers,
+           "measure the mesh as this program has it that reads the file, by the program's own measures: warn, or write "
+           "no file, where one reaches the program's limit; the file is the same");
   o.flag("--allow-invalid", quadexport.allow_invalid, "export a mesh that is marked as not valid");
 }
 
@@ -207,6 +242,7 @@ std::string format_of(const std::string& output, const QuadexportOptions& option
     throw UsageError("--translate: a STEP model lies where the CAD file has it");
   }
   exports::parse_translation(options.translation);
+  if (const SolverRow* const solver = checked_solver(options)) require_format_of_solver(*solver, name);
   return name;
 }
 
@@ -223,11 +259,12 @@ bool has_straight_sides(const std::string& format) {
   return row != nullptr && row->has_straight_sides;
 }
 
-void require_order(const std::string& format, int order) {
+void require_order(const std::string& format, int order, const QuadexportOptions& options) {
   const exports::ExportFormat* row = exports::find_export_format(format);
   if (row != nullptr && order > row->max_order)
     throw UsageError(
         fmt::format("--order {}: the format {} supports quads up to order {}", order, format, row->max_order));
+  require_order_of_solver(options, ElementKind::quads, order);
 }
 
 void require_hexahedra(const std::string& format, int order, const QuadexportOptions& options) {
@@ -237,6 +274,7 @@ void require_hexahedra(const std::string& format, int order, const QuadexportOpt
   if (order > row->max_hex_order)
     throw UsageError(
         fmt::format("--order {}: the format {} supports hexahedra up to order {}", order, format, row->max_hex_order));
+  require_order_of_solver(options, ElementKind::hexahedra, order);
 }
 
 void require_format_in_space(const std::string& format) {

@@ -22,12 +22,13 @@ struct QuadexportOptions {
   ScaleRequest length;                   ///< unit and factor of the coordinates
   bool block_groups = false;             ///< each block without a name is a region of its own
   bool merge_blocks = false;             ///< blocks of one region are joined to the fewest grids
+  std::string check_for = "none";        ///< a name of stage/solver_table: measure the mesh as that program does
   bool allow_invalid = false;            ///< export a mesh that is marked as not valid
 };
 void declare(Options& options, QuadexportOptions& quadexport);
 
 /// The name of the format for the file `output` ("-": standard output). Throws UsageError if its name does not
-/// determine one, and for options that are wrong or that the format does not support.
+/// determine one, and for options that are wrong or that the format, or the program of --check-for, does not support.
 std::string format_of(const std::string& output, const QuadexportOptions& options);
 
 /// Paths of the files that may be written beside `output`. Throws UsageError as format_of.
@@ -36,8 +37,9 @@ std::vector<std::string> side_paths(const std::string& output, const QuadexportO
 /// Whether the format `name` has elements with straight sides alone.
 bool has_straight_sides(const std::string& format);
 
-/// Throws UsageError if the format `name` does not support quads of this order, before there is a mesh.
-void require_order(const std::string& format, int order);
+/// Throws UsageError if the format `name`, or the program of --check-for, does not support quads of this order, before
+/// there is a mesh.
+void require_order(const std::string& format, int order, const QuadexportOptions& options);
 
 /// The same for hexahedra; also for formats without hexahedra, and for options that do not apply to them.
 void require_hexahedra(const std::string& format, int order, const QuadexportOptions& options);
@@ -57,8 +59,9 @@ struct OutputFile {
 
 /// The files of the mesh, the one at `output` last. Beside standard output, a pipe or a device there are no others: a
 /// warning is given for each. So it is for properties that the format cannot represent. `file`: of the mesh, for
-/// messages. Throws FormatError if the mesh breaks a rule, ComputeError if it is marked as not valid or the format does
-/// not support its order, UsageError as above. The phase `write` goes on, for the caller who writes the files.
+/// messages. Throws FormatError if the mesh breaks a rule, ComputeError if it is marked as not valid, the format does
+/// not support its order, or it reaches a limit of --check-for, UsageError as above. The phase `write` goes on, for the
+/// caller who writes the files.
 std::vector<OutputFile> quadexport(QuadMesh mesh, const std::string& file, const std::string& output,
                                    const QuadexportOptions& options, Run& run);
 
