@@ -95,6 +95,38 @@ assert far < float(sys.argv[3]), far
 END
 }
 
+# same_figures FILE: what --check-for reports are checkMesh's figures, to six digits.
+same_figures() {
+  new_case
+  mkdir -p case/constant/polyMesh
+  run quadexport -q --check-for openfoam "$1" -o case/constant/polyMesh/points --report a.json
+  quadexport -q "$1" -o case/constant/polyMesh/points
+  run checkMesh -case case
+  local pair wanted
+  for pair in 'aspect_ratio:ax(imum)? aspect ratio(:| =) ' 'non_orthogonality:on-orthogonality Max: ' \
+    'skewness:Max skewness = '; do
+    wanted=$(grep -oP "${pair#*:}\\K[0-9.e+-]+" <<<"$output" | tail -1 | sed 's/[.,]$//')
+    jq -e --argjson wanted "$wanted" ".check_for.${pair%%:*}.value | . / \$wanted - 1 | fabs < 1e-6" a.json >/dev/null ||
+      fail "$1: ${pair%%:*} is $wanted, not $(jq ".check_for.${pair%%:*}.value" a.json)"
+  done
+}
+
+@test "--check-for openfoam measures what checkMesh does: quads, sweeps, cyclic patches, wall layers" {
+  quadrefine -q --order 2 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
+  same_figures a.quad.h5
+  hexsweep -q a.quad.h5 --height 0.5 --layers 4 --twist 80 -o a.hex.h5
+  same_figures a.hex.h5
+  hexsweep -q a.quad.h5 --one-layer -o a.hex.h5
+  same_figures a.hex.h5
+  quadmesh -q "$DATA/regions/periodic_sector.step" --periodic from=to --order 3 --workdir . -o a.msh
+  same_figures periodic_sector.quad.h5
+  quadmesh -q "$DATA/naca0012.step" --wall curve_4:first=7e-5,growth=1.3,layers=15 --order 2 --workdir . -o a.msh
+  same_figures naca0012.quad.h5
+  assert_output --partial 'High aspect ratio cells found'
+  run -1 quadexport naca0012.quad.h5 --check-for openfoam -o blockMeshDict
+  assert_output --partial 'reaches the limit 1000 of OpenFOAM'
+}
+
 @test "blockMesh builds straight sweeps with their layers where polyMesh has them, and checkMesh accepts it" {
   local shape motion file
   for shape in half_disc plate_hole s_bend; do
