@@ -111,6 +111,17 @@ same_figures() {
   done
 }
 
+@test "OpenFOAM refuses a symmetryPlane that is not flat, as --check-for does" {
+  quadrefine -q "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
+  new_case
+  mkdir -p case/constant/polyMesh
+  run -1 quadexport a.quad.h5 --check-for openfoam --patch-type curve_1=symmetryPlane -o case/constant/polyMesh/points
+  assert_output --partial 'plane deviation'
+  quadexport -q a.quad.h5 --patch-type curve_1=symmetryPlane -o case/constant/polyMesh/points
+  run checkMesh -case case
+  assert_output --partial 'is not planar'
+}
+
 @test "--check-for openfoam measures what checkMesh does: quads, sweeps, cyclic patches, wall layers" {
   quadrefine -q --order 2 "$(blocks_of "$DATA/half_disc.step")" -o a.quad.h5
   same_figures a.quad.h5

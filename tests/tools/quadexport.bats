@@ -272,6 +272,8 @@ PYTHON
   run -1 quadexport a.quad.h5 --check-for openfoam -o blockMeshDict --report a.json
   assert_output --regexp 'aspect ratio [0-9]+ of element [0-9]+ near \(.* limit 1000 of OpenFOAM .*without --check-for'
   assert_file_not_exists blockMeshDict
+  run -1 quadexport "$quad" --check-for openfoam --patch-type curve_1=symmetryPlane -o blockMeshDict
+  assert_output --partial 'choose --patch-type NAME=symmetry'
   jq -e '.check_for.aspect_ratio.value > 1000 and (.check_for.aspect_ratio.position | length == 2)' a.json
   quadexport -q a.quad.h5 -o blockMeshDict
 }

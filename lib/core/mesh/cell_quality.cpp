@@ -143,6 +143,18 @@ std::vector<CellSample> face_pyramids(const StraightCells& cells, const CellGeom
   return samples;
 }
 
+std::vector<CellSample> plane_deviations(const StraightCells& cells, const CellGeometry& geometry) {
+  std::vector<CellSample> samples;
+  for (const std::vector<int>& faces : cells.planes) {
+    Vec3 mean;
+    for (const int f : faces) mean += normalized(geometry.face_areas[f]) / static_cast<double>(faces.size());
+    for (const int f : faces)
+      samples.push_back(
+          {norm(normalized(geometry.face_areas[f]) - mean), cells.faces[f].owner, geometry.face_centres[f]});
+  }
+  return samples;
+}
+
 std::vector<CellSample> volume_ratios(const StraightCells& cells, const CellGeometry& geometry) {
   return of_faces(
       cells, geometry, [&](std::size_t f) { return is_inner(cells.faces[f]); },

@@ -3,7 +3,7 @@
 //
 // d is the line from the centre of a face's owner to that of its neighbour, S the area vector of the face, F its
 // centre, O the point where the line of d meets the plane of the face, V the volume of a cell. Sources: OpenFOAM,
-// primitiveMeshTools.C and polyMeshTools.C; code_saturne, cs_mesh_bad_cells.c.
+// primitiveMeshTools.C and polyMeshTools.C; symmetryPlanePolyPatch.C; code_saturne, cs_mesh_bad_cells.c.
 
 #include <vector>
 
@@ -37,6 +37,9 @@ std::vector<CellSample> cell_aspects(const StraightCells& cells, const CellGeome
 /// Volume of the pyramid from a face to the centre of each of its cells, times the cell's number of faces over V:
 /// of a cube 1, not positive if the face cannot be seen from there.
 std::vector<CellSample> face_pyramids(const StraightCells& cells, const CellGeometry& geometry);
+
+/// |n - m| of the faces of each set of StraightCells::planes, n the normal of the face, m their mean in the set.
+std::vector<CellSample> plane_deviations(const StraightCells& cells, const CellGeometry& geometry);
 
 /// The greater V over the smaller one, of faces between two cells.
 std::vector<CellSample> volume_ratios(const StraightCells& cells, const CellGeometry& geometry);

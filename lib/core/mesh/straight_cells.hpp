@@ -30,6 +30,7 @@ struct StraightCells {
   std::vector<Vec3> points;
   std::vector<StraightFace> faces;
   std::vector<CoupledFaces> coupled;
+  std::vector<std::vector<int>> planes;  ///< faces that the program requires to lie on one plane, set by set
   int num_cells = 0;
   bool is_plate = false;  ///< one cell thick along z, which no program solves for
 };

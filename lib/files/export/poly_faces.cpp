@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -153,8 +154,12 @@ mesh::StraightCells straight_cells(const HexMesh& mesh, const PolyFaces& faces) 
   }
   for (std::size_t b = 0; b < faces.patches.size(); ++b) {
     const PolyPatch& patch = faces.patches[b];
-    for (int k = 0; k < static_cast<int>(patch.faces.size()) && patch.is_first; ++k)
+    const int count = static_cast<int>(patch.faces.size());
+    for (int k = 0; k < count && patch.is_first; ++k)
       cells.coupled.push_back({starts[b] + k, starts[patch.neighbour] + k, patch.motion});
+    if (patch.type != "symmetryPlane") continue;
+    cells.planes.emplace_back(count);
+    std::iota(cells.planes.back().begin(), cells.planes.back().end(), starts[b]);
   }
   return cells;
 }

@@ -42,7 +42,8 @@ PolyFaces poly_faces(const HexMesh& mesh, const std::vector<PatchType>& types);
 /// "(x y z)", no coordinate -0.
 std::string vector_text(Vec3 x);
 
-/// The cells with straight edges between the corners of the mesh, its cyclic patches coupled.
+/// The cells with straight edges between the corners of the mesh, its cyclic patches coupled, its patches of the type
+/// symmetryPlane as planes.
 mesh::StraightCells straight_cells(const HexMesh& mesh, const PolyFaces& faces);
 
 }  // namespace quadrille::exports

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "base/error.hpp"
@@ -98,8 +99,14 @@ std::string key_of(const SolverMeasureRow& row) {
   return key;
 }
 
+/// How bad a value is: great if it is no number.
+double badness(const SolverMeasureRow& row, double value) {
+  if (std::isnan(value)) return std::numeric_limits<double>::infinity();
+  return row.is_least_worst ? -value : value;
+}
+
 bool reaches(const SolverMeasureRow& row, double value, const std::optional<double>& limit) {
-  return limit && (row.is_least_worst ? value <= *limit : value >= *limit);
+  return limit && badness(row, value) >= badness(row, *limit);
 }
 
 /// "skewness 5.3 of element 12 near (1, 2) reaches the limit 4 of OpenFOAM (3 places do): refine there"
@@ -137,9 +144,9 @@ class SolverChecker {
                                                       ? row.of_cells(cells_, geometry_)
                                                       : jacobian_samples(read_, request_, row.measure, run_.threads());
     if (samples.empty()) return;
-    const auto is_better = [](const mesh::CellSample& a, const mesh::CellSample& b) { return a.value < b.value; };
-    const mesh::CellSample worst = row.is_least_worst ? *std::min_element(samples.begin(), samples.end(), is_better)
-                                                      : *std::max_element(samples.begin(), samples.end(), is_better);
+    const mesh::CellSample worst = *std::max_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
+      return badness(row, a.value) < badness(row, b.value);
+    });
     const int element = exports::source_element(mesh_, read_, worst.cell);
     report_worst(row, worst, element);
     const bool is_failure = reaches(row, worst.value, limit.failure);

@@ -24,11 +24,15 @@ const std::vector<SolverLimit> not_folded{{jacobian_ratio, {}, 0}};
 /// Of cells with straight edges.
 std::vector<SolverRow> volume_solvers() {
   return {
-      // primitiveMeshCheck.C, whose errors are failures here.
+      // primitiveMeshCheck.C, whose errors are failures here, and symmetryPlanePolyPatch.C: |n - m|^2 below 1e-15.
       {.name = "openfoam",
        .title = "OpenFOAM",
        .formats = {"blockmesh", "polymesh"},
-       .limits = {{face_angle, 70, 90}, {skewness, {}, 4}, {aspect_ratio, {}, 1000}, {pyramid, {}, 0}}},
+       .limits = {{face_angle, 70, 90},
+                  {skewness, {}, 4},
+                  {aspect_ratio, {}, 1000},
+                  {pyramid, {}, 0},
+                  {plane_deviation, {}, 3.1623e-8}}},
       // cs_mesh_bad_cells.c, which only reports. Its cells are hexahedra, straight whatever their order.
       {.name = "code_saturne",
        .title = "code_saturne",
@@ -123,6 +127,8 @@ std::vector<SolverMeasureRow> measure_rows() {
       {aspect_ratio, "aspect ratio", "", false, mesh::cell_aspects,
        "prescribe shorter elements along walls (quadrefine --size-near, --max-edge-ratio) or a greater first height"},
       {pyramid, "pyramid volume", "", true, mesh::face_pyramids, refine_there},
+      {plane_deviation, "plane deviation", "", false, mesh::plane_deviations,
+       "a symmetryPlane must be flat: choose --patch-type NAME=symmetry for it"},
       {volume_ratio, "volume ratio", "", false, mesh::volume_ratios, "limit the growth (quadrefine --target-growth)"},
       {face_offset, "face offset", "", true, mesh::face_offsets, refine_there},
       {gradient_condition, "gradient condition", "", true, mesh::gradient_conditions,

@@ -17,6 +17,7 @@ enum class SolverMeasure {
   skewness,
   aspect_ratio,
   pyramid,
+  plane_deviation,
   volume_ratio,
   face_offset,
   gradient_condition,

@@ -89,7 +89,13 @@ TEST(StraightCells, AHexahedralMeshHasItsCornersAsCellsAndItsPeriodicFacesCouple
     EXPECT_EQ(geometry.face_centres[pair.first].z, 0);
     EXPECT_EQ(geometry.face_centres[pair.first] + pair.motion.shift, geometry.face_centres[pair.second]);
   }
-  EXPECT_TRUE(straight_cells(mesh, poly_faces(mesh, {{"top", "wall"}})).coupled.empty());
+  EXPECT_TRUE(cells.planes.empty());
+  const mesh::StraightCells walls = straight_cells(mesh, poly_faces(mesh, {{"top", "symmetryPlane"}}));
+  EXPECT_TRUE(walls.coupled.empty());
+  ASSERT_EQ(walls.planes.size(), 1U);
+  ASSERT_EQ(walls.planes[0].size(), 2U);
+  for (const int face : walls.planes[0])
+    EXPECT_EQ(mesh::cell_geometry(walls, mesh::CellCentre::volume).face_centres[face].z, 1);
 }
 
 TEST(StraightCells, AQuadMeshIsAPlateOneCellThick) {

@@ -114,6 +114,17 @@ TEST(CellQuality, RatiosOfVolumesAndConditionOfGradients) {
   EXPECT_NEAR(measured(gradient_conditions, row_of_cells({0, 1}, leaning))[0].value, 1.0 / 3, 1e-14);
 }
 
+TEST(CellQuality, FacesOfAPlaneDeviateFromTheirMeanNormal) {
+  StraightCells cells = row_of_cells({0, 1, 2}, rising);
+  EXPECT_TRUE(measured(plane_deviations, cells).empty());
+  cells.planes = {{4, 9}, {2, 7}};  // z = 0; the lower sides, of which the second one turns by 45 degrees
+  const std::vector<CellSample> samples = measured(plane_deviations, cells);
+  ASSERT_EQ(samples.size(), 4U);
+  EXPECT_NEAR(samples[0].value, 0, 1e-15);
+  for (const int k : {2, 3}) EXPECT_NEAR(samples[k].value, std::sin(22.5 * degree), 1e-14);
+  EXPECT_EQ(samples[3].cell, 1);
+}
+
 TEST(CellQuality, CoupledFacesHaveTheCellBehindTheMotion) {
   // A quarter ring of four cells that turn about z; a rotation by 90 degrees maps the first face onto the last.
   StraightCells cells = row_of_cells({0, 1, 2, 3, 4}, [](Vec3 x) {
