@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 
 #include "base/error.hpp"
@@ -99,11 +98,8 @@ std::string key_of(const SolverMeasureRow& row) {
   return key;
 }
 
-/// How bad a value is: great if it is no number.
-double badness(const SolverMeasureRow& row, double value) {
-  if (std::isnan(value)) return std::numeric_limits<double>::infinity();
-  return row.is_least_worst ? -value : value;
-}
+/// The greater the worse.
+double badness(const SolverMeasureRow& row, double value) { return row.is_least_worst ? -value : value; }
 
 bool reaches(const SolverMeasureRow& row, double value, const std::optional<double>& limit) {
   return limit && badness(row, value) >= badness(row, *limit);

@@ -103,9 +103,17 @@ TEST(CellQuality, AspectRatioOfABoxAndOfAPlate) {
 
 TEST(CellQuality, PyramidsOfAFoldedCellAreNotPositive) {
   EXPECT_NEAR(least(measured(face_pyramids, row_of_cells({0, 1}, same))), 1, 1e-14);
-  StraightCells cells = row_of_cells({0, 1}, same);
-  for (const int corner : {0, 1, 2, 3}) cells.points[corner].x = 1.5;  // behind the other face
-  EXPECT_LE(least(measured(face_pyramids, cells)), 0);
+  // A dart of area 10, whose centroid (2, 2) lies behind both of its short sides.
+  const StraightCells dart = row_of_cells({0, 1}, [](Vec3 x) {
+    const double a = x.x, b = x.y;
+    return Vec3{10 * a * (1 - b) + a * b, 10 * b * (1 - a) + a * b, x.z};
+  });
+  EXPECT_NEAR(cell_geometry(dart, CellCentre::volume).volumes[0], 10, 1e-13);
+  const std::vector<CellSample> samples = measured(face_pyramids, dart);
+  for (const int face : {1, 3}) EXPECT_LT(samples[face].value, 0) << face;
+  StraightCells folded = row_of_cells({0, 1}, same);
+  for (const int corner : {0, 1, 2, 3}) folded.points[corner].x = 1.5;  // behind the other face
+  EXPECT_LE(least(measured(face_pyramids, folded)), 0);
 }
 
 TEST(CellQuality, RatiosOfVolumesAndConditionOfGradients) {
