@@ -85,6 +85,13 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
   assert_line --regexp '^ok +periodic nodes: [1-9][0-9]+ pairs'
 }
 
+@test "a sliding band: both sides have their number of equal edges" {
+  runs '### 4.4'
+  assert_line --partial '17 blocks, 8 irregular nodes, 1533 quads'
+  refute_output --partial W-QUA-007
+  grep -qE '^1 [0-9]+ "pin surface"$' work/turning.msh
+}
+
 @test "an aerofoil from points: the drag of a finer mesh, no lift" {
   runs '## 3.' 'command -v simpleFoam'
   # Counts follow the last digits of the sizes: 2820 to 3374 quads within 1e-6 of them.
@@ -110,7 +117,7 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
 
 @test "the sections above are all that have commands" {
   run -0 awk '/^###? / { heading = $2 } /^```sh$/ && !seen[heading]++ { printf " %s", heading }' "$page"
-  assert_output "  1. 2. 3. 4.1 4.2 4.3 5."
+  assert_output "  1. 2. 3. 4.1 4.2 4.3 4.4 5."
 }
 
 @test "the shapes and points are those that make_examples.py and make_regions.py draw" {
