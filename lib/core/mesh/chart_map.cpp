@@ -13,6 +13,7 @@ namespace quadrille::mesh {
 namespace {
 
 constexpr double farthest_outside = 0.5;  ///< of a triangle, in barycentric coordinates: polynomials are useless beyond
+constexpr double beside_outline = 1e-8;   ///< diameters, by which boundary curves and triangles differ as a rule
 constexpr double farthest_radii = 4;      ///< of a triangle, from its centre: points so far outside are no nearer to it
 /// Diameters: a projection that moves a point farther is at a wrong place. Coarse elements may be as far away.
 constexpr double farthest_projection = 0.05;
@@ -99,11 +100,12 @@ ChartMap::Ball ChartMap::ball_around(int elem) const {
 }
 
 Location ChartMap::locate(Vec2 x) const {
-  if (const Location at = locator_.find(x); at.elem >= 0) return at;
+  if (const Location at = locator_.find(x, beside_outline * face_.diameter); at.elem >= 0) return at;
   Location nearest;
   double least = HUGE_VAL;
   for (int e = 0; e < chart_.num_elems(); ++e) {
     Vec2 xi{-1.0 / 3, -1.0 / 3};
+    if (locator_.distance_to_box(e, x) > least) continue;
     if (distance(x, balls_[e].centre) > farthest_radii * balls_[e].radius) continue;
     if (!maps_[e].invert(x, xi) || outside_reference(xi) > farthest_outside) continue;
     const Vec2* corners = &chart_.nodes[e * chart_.nodes_per_elem()];
@@ -203,11 +205,12 @@ double ChartMap::log_scale(Vec2 x, Vec2& gradient) const {
 }
 
 // In the tiny triangles at a tip lambda has an error that does not become smaller with them, and so has any gradient:
-// there it is the variation over a length below all sizes.
+// there it is the variation over a length below all sizes, and nothing where no size is sampled.
 double ChartMap::greatest_gradient() const {
-  constexpr double least_length = 1e-3;  // diameters
+  constexpr double least_length = 1e-3, least_radius = 1e-5;  // diameters
   double greatest = 0;
   for (int e = 0; e < chart_.num_elems(); ++e) {
+    if (balls_[e].radius < least_radius * face_.diameter) continue;
     double in_triangle = 0;
     for (const Vec2 xi : spectral::tri_nodes(chart_.order)) {
       const Tangents at = tangents({e, xi});

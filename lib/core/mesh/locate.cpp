@@ -90,12 +90,18 @@ bool Locator::is_in_box(int elem, Vec2 x) const {
   return x.x >= box.lower.x && x.x <= box.upper.x && x.y >= box.lower.y && x.y <= box.upper.y;
 }
 
-Location Locator::find(Vec2 x) const {
+double Locator::distance_to_box(int elem, Vec2 x) const {
+  const Box& box = boxes_[elem];
+  return norm(Vec2{std::max({box.lower.x - x.x, 0.0, x.x - box.upper.x}),
+                   std::max({box.lower.y - x.y, 0.0, x.y - box.upper.y})});
+}
+
+Location Locator::find(Vec2 x, double beside) const {
   if (boxes_.empty() || !std::isfinite(x.x) || !std::isfinite(x.y)) return {};
   const auto [i, j] = cell_of(x);
   const int cell = j * nx_ + i;
   Location nearest;
-  double least = round_off_;
+  double least = beside;
   for (int n = offsets_[cell]; n < offsets_[cell + 1]; ++n) {
     const int elem = values_[n];
     if (!is_in_box(elem, x)) continue;

@@ -26,7 +26,11 @@ class Locator {
   /// The element that contains x, the lowest number if several do; points within 1e-10 of an element's reference
   /// triangle count as inside. If none does, the element that is nearest within 1e-14 diameters: round-off is more than
   /// 1e-10 of the elements in a corner's fan, and a point on their common edge may lie outside both.
-  Location find(Vec2 x) const;
+  Location find(Vec2 x) const { return find(x, round_off_); }
+  /// The same with another length in place of 1e-14 diameters; only elements whose boxes contain x count.
+  Location find(Vec2 x, double beside) const;
+  /// From the box around an element; no point of the element is nearer.
+  double distance_to_box(int elem, Vec2 x) const;
 
  private:
   struct Box {

@@ -134,6 +134,10 @@ bool TriMap::invert(Vec2 x, Vec2& xi) const {
     xi = inverse(jacobian_) * (x - centre_);
     return true;
   }
+  // Round-off in a tiny element far from the origin may prevent steps from reaching the strict limit: then they end
+  // where they no longer become shorter.
+  constexpr double converged = 1e-14, near = 1e-9;
+  double last = HUGE_VAL;
   for (int iteration = 0; iteration < 40; ++iteration) {
     Vec2 here;
     Mat2 jacobian;
@@ -145,13 +149,10 @@ bool TriMap::invert(Vec2 x, Vec2& xi) const {
     if (length > 0.5) step = step * (0.5 / length);
     xi = xi + step;
     if (norm2(xi) > 25) return false;
-    if (length < 1e-14) return true;
+    if (length < converged || (length < near && length > last / 2)) return true;
+    last = length;
   }
-  // Round-off in a tiny element far from the origin may prevent the steps above from reaching the strict limit.
-  Vec2 here;
-  Mat2 jacobian;
-  evaluate(xi, here, jacobian);
-  return norm(inverse(jacobian) * (x - here)) < 1e-9;
+  return last < near;
 }
 
 Vec2 tri_edge_point(int edge, double s) {

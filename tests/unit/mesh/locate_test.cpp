@@ -38,6 +38,17 @@ TEST_F(LocatorTest, knows_the_outside) {
     EXPECT_EQ(locator.find(x).elem, -1);
 }
 
+TEST_F(LocatorTest, finds_points_beside_the_mesh) {
+  const Vec2 x{-1 - 1e-9, 3};
+  EXPECT_EQ(locator.find(x).elem, -1);
+  const Location at = locator.find(x, 1e-8);
+  ASSERT_GE(at.elem, 0);
+  EXPECT_NEAR(distance(maps[at.elem].position(at.xi), x), 0, 1e-13);
+  EXPECT_EQ(locator.find(x, 1e-10).elem, -1);
+  EXPECT_EQ(locator.distance_to_box(at.elem, x), 0) << "boxes have a margin";
+  EXPECT_NEAR(locator.distance_to_box(at.elem, {-1.5, 3}), 0.5, 1e-7);
+}
+
 TEST_F(LocatorTest, walks_from_any_element_to_any_other) {
   const TriTopology topology = tri_topology(mesh);
   for (int from = 0; from < mesh.num_elems(); ++from)
