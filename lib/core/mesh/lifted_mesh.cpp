@@ -67,6 +67,16 @@ struct Worst {
   }
 };
 
+/// The end of the curve if x is there to the accuracy of its spline in the chart, else t: a node at a joint of curves
+/// is the joint in space.
+double end_if_there(const CadFace& face, int curve, double t, Vec2 x) {
+  constexpr double same_place = 1e-8;  // diameters; splines are within 1e-9
+  const Nurbs& spline = face.curves[curve];
+  if (distance(x, spline.poles.front()) < same_place * face.diameter) return spline.begin();
+  if (distance(x, spline.poles.back()) < same_place * face.diameter) return spline.end();
+  return t;
+}
+
 }  // namespace
 
 void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
@@ -78,7 +88,8 @@ void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
       for (const int node : side_nodes(mesh, edge.elem, edge.side)) {
         if (is_placed[node]) continue;
         const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, mesh.nodes[node]);
-        mesh.space_nodes[node] = map.boundary_point(at.curve, at.t);
+        const double t = end_if_there(mesh.face, at.curve, at.t, mesh.nodes[node]);
+        mesh.space_nodes[node] = map.boundary_point(at.curve, t);
         is_placed[node] = true;
       }
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
