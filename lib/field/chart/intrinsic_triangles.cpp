@@ -18,6 +18,8 @@ namespace {
 
 constexpr double longest_side = 0.04, shortest_half = 1e-4;  // of the size of the face
 constexpr double most_turn = 0.3;                            // of the normal along a side, radians
+// Along a side so short, of the size of the face, a normal that turns by more is that of a surface that turns over.
+constexpr double short_side = 4e-4, turned_over = 2.5, beside_pole = 4e-3;
 constexpr double flat_angle = 1e-6;  // the least angle of a triangle with its corners on one line, radians
 constexpr double least_gain = 1e-9;  // radians: rounding errors flip nothing
 constexpr std::size_t most_triangles = 40000;
@@ -47,6 +49,7 @@ class Builder {
   IntrinsicTriangles made() {
     if (has_pole()) flip_sides(flat_angle);
     while (result_.triangles.size() < most_triangles && split_sides()) continue;
+    require_no_fold();
     flip_sides(pi);
     return std::move(result_);
   }
@@ -73,6 +76,7 @@ class Builder {
   bool is_to_be_split(int side) const;
   Vec2 middle_uv(int side) const;
   bool has_pole() const;
+  void require_no_fold() const;
   std::pair<Vec3, Vec2> middle(int side) const;
   void set(int t, const std::array<int, 3>& vertices, const std::array<Vec2, 3>& uv,
            const std::array<double, 3>& lengths, const std::array<int, 3>& across);
@@ -181,6 +185,23 @@ bool Builder::split_sides() {
     if (longest >= 0) split(longest), has_split = true;
   }
   return has_split;
+}
+
+// Sides are halved where the normal turns: short ones with opposite normals at their ends lie across a fold, but for
+// those beside a tip.
+void Builder::require_no_fold() const {
+  std::vector<Vec3> poles;
+  for (int side = 0; side < num_sides(); ++side)
+    if (norm2(face_normal(face_, uv(side))) == 0) poles.push_back(result_.vertices[vertex(side)]);
+  for (int side = 0; side < num_sides(); ++side) {
+    if (across(side) < 0 || length(side) > short_side * size_ || !(turn(side) > turned_over)) continue;
+    const Vec3 at = result_.vertices[vertex(side)];
+    if (std::ranges::any_of(poles, [&](Vec3 pole) { return distance(pole, at) < beside_pole * size_; })) continue;
+    throw ComputeError(fmt::format(
+        "the face has no chart: its triangles turn over near {}, where the surface is folded: cut the face there, or "
+        "draw the surface without the fold, in the CAD system",
+        position_text(at)));
+  }
 }
 
 /// Whether a triangle has a corner where the parametrisation degenerates.

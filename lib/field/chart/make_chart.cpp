@@ -24,8 +24,9 @@ namespace {
 
 struct ChartConstants {
   int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
-  int most_meshes = 8, most_elements = 5000, most_refinements = 3;
+  int most_meshes = 8, most_elements = 5000;
   double most_folded = 0.1;      ///< part of the elements
+  double least_folded = 1e-4;    ///< diameters, of elements that are divided as they are folded
   int dear_elements = 1500;      ///< from which meeting the goal is enough
   double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
@@ -86,15 +87,19 @@ void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, doubl
   }
 }
 
-/// A third of the size of these elements.
-void add_third_sizes(const SurfaceMesh& mesh, const std::vector<int>& elems, std::vector<SizePoint>& sizes) {
+/// A third of the size of these elements, where they are longer than `least`. Returns whether any is.
+bool add_third_sizes(const SurfaceMesh& mesh, const std::vector<int>& elems, double least,
+                     std::vector<SizePoint>& sizes) {
+  const std::size_t num_before = sizes.size();
   for (const int e : elems) {
     const std::array<int, 3>& v = mesh.plane.elem2vertices[e];
     double longest = 0;
     for (int k = 0; k < 3; ++k)
       longest = std::max(longest, distance(mesh.plane.vertices[v[k]], mesh.plane.vertices[v[(k + 1) % 3]]));
+    if (longest <= least) continue;
     for (const int k : v) sizes.push_back({mesh.plane.vertices[k], longest / 3, 0});
   }
+  return sizes.size() > num_before;
 }
 
 /// Moves the image: the longest curve runs to the right (the first of equal ones), from its start to its end or, if it
@@ -210,14 +215,13 @@ void require_finite(const MadeChart& made) {
   refuse_folded(made.mesh, static_cast<int>(broken - made.fit.elem_squares.begin()));
 }
 
-/// Smaller sizes where elements are folded; returns whether there are any. Throws ComputeError where many are folded
-/// although they are small: then the surface itself turns over.
+/// Smaller sizes where elements are folded and not yet small; returns whether there are any. Throws ComputeError where
+/// many are folded although they are small: then the surface itself turns over.
 bool add_sizes_of_folded(const SurfaceMesh& mesh, std::vector<SizePoint>& sizes) {
   const std::vector<int> folded = folded_elements(mesh);
   const bool are_many = static_cast<double>(folded.size()) > constants.most_folded * mesh.num_elems();
   if (are_many && mesh.num_elems() > constants.most_elements) refuse_folded(mesh, folded.front());
-  add_third_sizes(mesh, folded, sizes);
-  return !folded.empty();
+  return add_third_sizes(mesh, folded, constants.least_folded * mesh.plane.face.diameter, sizes);
 }
 
 /// Meshes the outline of the last image and makes a new one, until it is closed or no longer becomes better.
@@ -229,7 +233,6 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   made.mesh = rough_chart(space_face, delaunay_triangles(space_face, lengths));
   std::vector<SizePoint> by_error;
   Judge judge(options);
-  int refinements = 0;  // of meshes with folded elements
   for (double tolerance = constants.rough_outline;;) {
     normalize(space_face, lengths, made.mesh);
     made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
@@ -242,7 +245,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
     TriMesh plane = triangles_of(made.face, triangle_options(made.face.diameter, std::move(sizes), is_first));
     SurfaceMesh mesh = lifted_mesh(space_face, lengths, made.mesh, std::move(plane),
                                    is_first ? constants.first_order : constants.order);
-    if (add_sizes_of_folded(mesh, by_error) && ++refinements < constants.most_refinements) continue;
+    if (add_sizes_of_folded(mesh, by_error)) continue;
     made.mesh = std::move(mesh);
     made.fit = make_isothermal(made.mesh, space_face.face.loop_offsets);
     require_finite(made);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -91,6 +92,24 @@ TEST(IntrinsicTriangles, ParametersAreContinuousAcrossTheSeam) {
       EXPECT_LT(std::abs(t.uv[k].x - t.uv[(k + 1) % 3].x), 0.5);
       EXPECT_LT(distance(surface::point(face.surface, t.uv[k]), fine.vertices[t.vertices[k]]), 1e-9);
     }
+}
+
+// z^2 = x^3, of x = t^2, z = t^3 for t from -1 to 0.9: the fold at t = 0 lies inside triangles.
+TEST(IntrinsicTriangles, RefusesAFold) {
+  constexpr double a = -1, b = 0.9;
+  NurbsSurface cusp{3, 1, {a, a, a, a, b, b, b, b}, {0, 0, 1, 1}, {}, {}};
+  const std::array<std::array<double, 3>, 4> blossoms{{{a, a, a}, {a, a, b}, {a, b, b}, {b, b, b}}};
+  for (const auto& [p, q, r] : blossoms)
+    for (const double y : {0.0, 1.0}) {
+      cusp.poles.push_back({(p * q + q * r + r * p) / 3, y, p * q * r});
+      cusp.weights.push_back(1);
+    }
+  try {
+    triangles_of(face_of(cusp, {{0, 1, 2, 3}}, 20, 8));
+    ADD_FAILURE() << "is not refused";
+  } catch (const ComputeError& e) {
+    EXPECT_NE(std::string(e.what()).find("where the surface is folded"), std::string::npos) << e.what();
+  }
 }
 
 TEST(IntrinsicTriangles, RefusesAnEdgeWithoutLength) {
