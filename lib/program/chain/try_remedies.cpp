@@ -127,6 +127,7 @@ stage::QuadrefineOptions trial_options(const ChainState& chain, double good) {
   options.refine.good_resolution = good;
   options.refine.least_progress = refine::coarse_progress;
   options.refine.allow_invalid = true;
+  options.refine.keeps_to_surface = false;
   options.refine.rings = refine::Rings::none;  // they lower another error than the one that is compared
   options.relax = "size";
   options.align_strength = chain.values.quadrefine.align_strength;

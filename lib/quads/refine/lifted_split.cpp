@@ -21,6 +21,7 @@ namespace {
 constexpr double aim = 0.5;
 constexpr double least_factor = 0.4;  ///< by which lengths are multiplied at once
 constexpr double unproved_factor = 0.5;
+constexpr double tip_reach = 1;  ///< of the length of an element, to which a tip counts
 /// Between the first power of the length, with which the distance falls at a tip or a kink whatever the order, and the
 /// second, with which it does where the curvature jumps.
 constexpr double slow_power = 1.5;
@@ -34,12 +35,29 @@ auto num_unproved(const LiftedMesh& lifted) {
   return std::ranges::count_if(lifted.mesh.elem_jacobian_bound, [](double bound) { return !(bound > 0); });
 }
 
-/// The longer diagonal of the element that is farthest from the surface.
-double size_of_worst(const LiftedMesh& lifted) {
-  const auto corner = [&](int side) {
-    return lifted.mesh.space_nodes[side_start(lifted.mesh, lifted.distance.worst_elem, side)];
-  };
-  return std::max(distance(corner(0), corner(2)), distance(corner(1), corner(3)));
+Vec3 corner(const QuadMesh& mesh, int elem, int side) { return mesh.space_nodes[side_start(mesh, elem, side)]; }
+
+double longer_diagonal(const QuadMesh& mesh, int elem) {
+  return std::max(distance(corner(mesh, elem, 0), corner(mesh, elem, 2)),
+                  distance(corner(mesh, elem, 1), corner(mesh, elem, 3)));
+}
+
+/// Of the element that is farthest from the surface.
+double size_of_worst(const LiftedMesh& lifted) { return longer_diagonal(lifted.mesh, lifted.farthest()); }
+
+// A tip inside or at an element, or one element away: polynomials converge where the tip is farther than that.
+bool is_near_any(const std::vector<Vec3>& tips, const QuadMesh& mesh, int elem) {
+  return std::ranges::any_of(tips, [&](Vec3 tip) {
+    double least = HUGE_VAL;
+    for (int side = 0; side < 4; ++side) least = std::min(least, distance(corner(mesh, elem, side), tip));
+    return least <= tip_reach * longer_diagonal(mesh, elem);
+  });
+}
+
+std::vector<bool> elements_at(const std::vector<Vec3>& tips, const QuadMesh& mesh) {
+  std::vector<bool> result(mesh.num_elems());
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) result[elem] = is_near_any(tips, mesh, elem);
+  return result;
 }
 
 Vec2 middle(const QuadMesh& mesh, int elem) {
@@ -50,23 +68,31 @@ Vec2 middle(const QuadMesh& mesh, int elem) {
 
 }  // namespace
 
-LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress) {
+int LiftedMesh::farthest() const {
+  int worst = -1;
+  for (int elem = 0; elem < std::ssize(distance.elem); ++elem)
+    if (!is_at_tip[elem] && (worst < 0 || distance.elem[elem] > distance.elem[worst])) worst = elem;
+  return worst;
+}
+
+LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, const std::vector<Vec3>& tips, Progress* progress) {
   mesh::lift_nodes(map, mesh);
   for (int elem = 0; elem < static_cast<int>(mesh.elem_prescribed_length.size()); ++elem)
     mesh.elem_prescribed_length[elem] *= std::exp(map.log_scale(middle(mesh, elem)));
   measure_elements(mesh, progress);
   mesh::measure_element_sizes(mesh);
   mesh::SurfaceDistance distance = mesh::surface_distance(map, mesh);
-  return {std::move(mesh), std::move(distance), true};
+  std::vector<bool> at_tips = elements_at(tips, mesh);
+  return {std::move(mesh), std::move(distance), std::move(at_tips)};
 }
 
 std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
                                              const sizing::SizeField& sizes, double tolerance, int power) {
   std::vector<sizing::SizeSegment> segments;
   const QuadMesh& mesh = lifted.mesh;
-  if (lifted.distance.worst() <= tolerance * (1 + tolerance::tied) && num_unproved(lifted) == 0) return segments;
+  if (lifted.farthest_distance() <= tolerance * (1 + tolerance::tied) && num_unproved(lifted) == 0) return segments;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    double factor = shortened(lifted.distance.elem[elem], tolerance, power);
+    double factor = lifted.is_at_tip[elem] ? 1 : shortened(lifted.distance.elem[elem], tolerance, power);
     if (!(mesh.elem_jacobian_bound[elem] > 0)) factor = std::min(factor, unproved_factor);
     if (factor == 1) continue;
     const Vec2 x = middle(mesh, elem);
@@ -79,33 +105,42 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
 
 bool is_nearer(const LiftedMesh& a, const LiftedMesh& b) {
   const auto of_a = num_unproved(a), of_b = num_unproved(b);
-  return of_a < of_b || (of_a == of_b && a.distance.worst() < b.distance.worst());
+  return of_a < of_b || (of_a == of_b && a.farthest_distance() < b.farthest_distance());
 }
 
 bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance, int power) {
   if (num_unproved(last) > 0 || num_unproved(next) > 0) return num_unproved(next) >= num_unproved(last);
-  const double before = last.distance.worst(), after = next.distance.worst();
-  if (after <= tolerance) return false;
+  const double before = last.farthest_distance(), after = next.farthest_distance();
+  if (after <= tolerance || last.farthest() < 0) return false;
   // Counts are integers: elements may be longer than asked for.
   const double factor = std::max(shortened(before, tolerance, power), size_of_worst(next) / size_of_worst(last));
   return after > std::pow(factor, slow_power) * before;
 }
 
-void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const CadFace& face, double tolerance,
-                    Report& report) {
+void report_surface(const LiftedMesh& lifted, double tolerance, Report& report) {
+  if (!std::isfinite(tolerance)) return;
+  const mesh::SurfaceDistance& distance = lifted.distance;
+  const CadFace& face = lifted.mesh.face;
   report.set("surface.distance", distance.worst());
   report.set("surface.position", surface::position_in_file(face, distance.position));
   report.set("surface.tolerance", tolerance);
   if (distance.worst() <= tolerance * (1 + tolerance::tied)) return;
-  const double diameter = sizing::diameter_in_space(face);
-  report.warn(
-      warning::geometry_tol_missed,
-      fmt::format("elements deviate from the surface by up to {:.2g} diameters at {}, more than the "
-                  "geometric tolerance {:.2g}: {}",
-                  distance.worst() / diameter, surface::position_text(face, distance.position), tolerance / diameter,
-                  is_smooth ? "raise --order or lower --size"
-                            : "shorter edges hardly help, as the surface has a tip or a kink there, which no element "
-                              "follows: round it or cut it off in the CAD system"));
+  const double diameter = sizing::diameter_in_space(face), elsewhere = lifted.farthest_distance();
+  const std::string excess =
+      fmt::format("{:.2g} diameters at {}, more than the geometric tolerance {:.2g}", distance.worst() / diameter,
+                  surface::position_text(face, distance.position), tolerance / diameter);
+  const std::string text =
+      elsewhere <= tolerance * (1 + tolerance::tied)
+          ? fmt::format(
+                "elements at a tip of the surface deviate from it by up to {}, all others by up to {:.2g}: no "
+                "element follows a tip; prescribe shorter ones there, to whose length the distance is "
+                "proportional (--size-field), or round the tip or cut it off in the CAD system",
+                excess, elsewhere / diameter)
+          : fmt::format("elements deviate from the surface by up to {}: {}", excess,
+                        lifted.is_smooth ? "raise --order or lower --size"
+                                         : "shorter edges hardly help, as the surface has a kink there, which no "
+                                           "element follows: round it or cut the face there in the CAD system");
+  report.warn(warning::geometry_tol_missed, text);
 }
 
 }  // namespace quadrille::refine

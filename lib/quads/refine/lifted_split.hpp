@@ -1,7 +1,8 @@
 #pragma once
 // From the mesh of a chart to the mesh on the surface (lib/method.md §12). All of refine works in the chart; what
 // exists in space alone is measured here: the proof of elements and their distance from the surface. Where one fails,
-// shorter edges are prescribed and the mesh is made again.
+// shorter edges are prescribed and the mesh is made again; but not for the distance of elements at a tip, which only
+// falls with their length (refine/surface_tips).
 
 #include <memory>
 #include <optional>
@@ -14,25 +15,31 @@ namespace quadrille::refine {
 
 /// Times that a mesh is made again with shorter edges, at most.
 inline constexpr int max_lifts = 5;
-/// Of these, the slow ones in a row after which the surface is taken to have a tip or a kink.
+/// Of these, the slow ones in a row after which the surface is taken to have a kink.
 inline constexpr int max_slow_lifts = 2;
 
 /// A lifted mesh, measured in space; prescribed lengths are lengths there.
 struct LiftedMesh {
   QuadMesh mesh;
   mesh::SurfaceDistance distance;
-  bool is_smooth = true;  ///< false: shorter edges hardly helped, as at a tip or a kink of the surface
+  std::vector<bool> is_at_tip = {};  ///< elements as near to a tip of the surface as they are long
+  bool is_smooth = true;             ///< false: shorter edges hardly helped, as at a kink of the surface
+
+  /// The element that is farthest from the surface of those that are at no tip; -1: there are none.
+  int farthest() const;
+  double farthest_distance() const { return farthest() < 0 ? 0 : distance.elem[farthest()]; }
 };
 
-LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, Progress* progress);
+/// `tips`: in space.
+LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, const std::vector<Vec3>& tips, Progress* progress);
 
-/// Sources of the edge lengths with which elements that are not proved would be, and all elements well within
+/// Sources of the edge lengths with which elements that are not proved would be, and all elements at no tip well within
 /// `tolerance` (a length) of the surface, if their distance fell with this power of their length. Lengths are in space.
 /// Empty: the mesh is as it must be.
 std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const LiftedMesh& lifted,
                                              const sizing::SizeField& sizes, double tolerance, int power);
 
-/// Whether fewer elements of `a` are not proved or, if as many are, they are nearer to the surface.
+/// Whether fewer elements of `a` are not proved or, if as many are, those at no tip are nearer to the surface.
 bool is_nearer(const LiftedMesh& a, const LiftedMesh& b);
 
 /// Whether edges that finer_sizes made shorter hardly helped: as many elements are not proved, or the distance fell
@@ -43,8 +50,7 @@ bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double toleranc
 /// curvatures jump, as at the knots of a cubic surface: then 2.
 inline int expected_power(int round, int order) { return round == 0 ? order + 1 : 2; }
 
-/// Reports the distance (surface.*), and warns if it is above the tolerance, a length. `is_smooth`: as in LiftedMesh.
-void report_surface(const mesh::SurfaceDistance& distance, bool is_smooth, const CadFace& face, double tolerance,
-                    Report& report);
+/// Reports the distance (surface.*), and warns if it is above the tolerance, a length; neither if that is infinite.
+void report_surface(const LiftedMesh& lifted, double tolerance, Report& report);
 
 }  // namespace quadrille::refine

@@ -1,6 +1,7 @@
 #include "refine/refine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "refine/joint_vertices.hpp"
 #include "refine/lifted_split.hpp"
 #include "refine/lower_error.hpp"
+#include "refine/surface_tips.hpp"
 #include "refine/validity.hpp"
 #include "sizing/chart_scale.hpp"
 #include "sizing/element_limit.hpp"
@@ -124,10 +126,11 @@ std::optional<SplitMesh> finer_split(const SplitRequest& request) {
 }
 
 /// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space: the
-/// nearest of these meshes. `tolerance`: a length in space. `there`: the mesh, lifted.
-SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, SplitRequest& request, LiftedMesh& there) {
+/// nearest of these meshes. `tolerance`: a length in space. `tips`: of the surface. `there`: the mesh, lifted.
+SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const std::vector<Vec3>& tips,
+                       SplitRequest& request, LiftedMesh& there) {
   SplitMesh best = placed_split(request);
-  there = lifted(map, best.mesh, request.report.progress());
+  there = lifted(map, best.mesh, tips, request.report.progress());
   LiftedMesh last = there;
   int num_slow = 0;
   for (int round = 0; round < max_lifts && num_slow < max_slow_lifts; ++round) {
@@ -138,7 +141,7 @@ SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, SplitRequest
     request.sizes_at_bends = sizing::sizes_at_bends(request.equal.blocks().face, request.sizes);
     std::optional<SplitMesh> next = finer_split(request);
     if (!next || (next->mesh.num_elems() == last.mesh.num_elems() && next->mesh.nodes == last.mesh.nodes)) break;
-    LiftedMesh next_there = lifted(map, next->mesh, request.report.progress());
+    LiftedMesh next_there = lifted(map, next->mesh, tips, request.report.progress());
     num_slow = fell_slowly(last, next_there, tolerance, power) ? num_slow + 1 : 0;
     if (is_nearer(next_there, there)) best = std::move(*next), there = next_there;
     last = std::move(next_there);
@@ -168,16 +171,19 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   std::optional<mesh::ChartMap> map;
   if (layout.face.chart) map.emplace(layout.face);
   LiftedMesh there;
-  const double tolerance = geometric_tolerance(options) * sizing::diameter_in_space(layout.face);
-  SplitMesh split = map ? lifted_split(*map, tolerance, request, there) : placed_split(request);
+  const std::vector<Vec3> tips = map ? surface_tips(*layout.face.chart) : std::vector<Vec3>{};
+  const double tolerance =
+      options.keeps_to_surface ? geometric_tolerance(options) * sizing::diameter_in_space(layout.face) : HUGE_VAL;
+  SplitMesh split = map ? lifted_split(*map, tolerance, tips, request, there) : placed_split(request);
   warn_of_joints(split.mesh, report);
   report_even_counts(split.mesh, options.boundary_counts, report);
   refine_nested(split.mesh, options, report);
   if (map) {
     const bool is_smooth = there.is_smooth;
-    if (options.levels > 0) there = lifted(*map, std::move(split.mesh), report.progress());
+    if (options.levels > 0) there = lifted(*map, std::move(split.mesh), tips, report.progress());
+    there.is_smooth = is_smooth;
+    report_surface(there, tolerance, report);
     split.mesh = std::move(there.mesh);
-    report_surface(there.distance, is_smooth, layout.face, tolerance, report);
   }
   report_split(request, split);
   report_prescribed(request, split, prescribed.counts, layered);

@@ -128,7 +128,8 @@ TEST(LiftedSplit, TheNearestMeshHasTheFewestUnprovedElements) {
   const auto with = [](double bound, double distance) {
     LiftedMesh lifted;
     lifted.mesh.elem_jacobian_bound = {1, bound};
-    lifted.distance.elem = {distance};
+    lifted.distance.elem = {distance, 0};
+    lifted.is_at_tip = {false, false};
     return lifted;
   };
   EXPECT_TRUE(is_nearer(with(1, 1e-6), with(1, 2e-6)));
@@ -137,14 +138,74 @@ TEST(LiftedSplit, TheNearestMeshHasTheFewestUnprovedElements) {
   EXPECT_FALSE(is_nearer(with(1, 1e-6), with(1, 1e-6)));
 }
 
+TEST(LiftedSplit, ANodeBesideAJointIsTheJointInSpace) {
+  Report report;
+  QuadMesh mesh = refined({}, report);
+  const mesh::ChartMap map(mesh.face);
+  const Nurbs& curve = mesh.face.curves.front();
+  const auto corner = std::ranges::min_element(
+      mesh.nodes, [&](Vec2 a, Vec2 b) { return norm2(a - curve.poles.front()) < norm2(b - curve.poles.front()); });
+  *corner += 2e-9 * normalized(curve.poles[1] - curve.poles[0]);
+  mesh::lift_nodes(map, mesh);
+  const Vec3 there = mesh.face.chart->space_curves.front().poles.front();
+  EXPECT_EQ(distance(mesh.space_nodes[corner - mesh.nodes.begin()], there), 0);
+}
+
+TEST(LiftedSplit, ElementsAtATipAreNotShorter) {
+  RefineOptions options;
+  options.order = 1;
+  options.geometry_tol = 0.1;
+  Report report;
+  const QuadMesh mesh = refined(options, report);
+  const mesh::ChartMap map(mesh.face);
+  const Vec3 tip = mesh.space_nodes[side_start(mesh, 0, 0)];
+  const LiftedMesh at_tip = lifted(map, mesh, {tip}, nullptr), smooth = lifted(map, mesh, {}, nullptr);
+  EXPECT_EQ(std::ranges::count(smooth.is_at_tip, true), 0);
+  EXPECT_TRUE(at_tip.is_at_tip[0]);
+  const auto num_at_tip = std::ranges::count(at_tip.is_at_tip, true);
+  EXPECT_LT(num_at_tip, mesh.num_elems() / 4);
+  const sizing::SizeField sizes(0.1);
+  const double tolerance = smooth.distance.elem[0] / 100;
+  EXPECT_EQ(finer_sizes(map, smooth, sizes, tolerance, 2).size(), mesh.num_elems());
+  EXPECT_EQ(finer_sizes(map, at_tip, sizes, tolerance, 2).size(), mesh.num_elems() - num_at_tip);
+  EXPECT_FALSE(at_tip.is_at_tip[at_tip.farthest()]);
+}
+
+TEST(LiftedSplit, TheWarningNamesATip) {
+  Report report;
+  LiftedMesh lifted{refined({}, report), {}, {}};
+  lifted.distance.elem.assign(lifted.mesh.num_elems(), 1e-9);
+  lifted.distance.elem[0] = 1e-3;
+  lifted.is_at_tip.assign(lifted.mesh.num_elems(), false);
+  lifted.is_at_tip[0] = true;
+  report_surface(lifted, 1e-6, report);
+  ASSERT_EQ(report.warnings().size(), 1U);
+  EXPECT_NE(report.warnings().back().message.find("elements at a tip of the surface deviate"), std::string::npos);
+}
+
+TEST(LiftedSplit, TrialsAreOnlyProved) {
+  RefineOptions options;
+  options.size = 0.5;
+  options.order = 1;
+  options.geometry_tol = 0.1;
+  Report report;
+  const QuadMesh coarse = refined(options, report);
+  options.geometry_tol = 2e-3;
+  options.keeps_to_surface = false;
+  const QuadMesh trial = refined(options, report);
+  EXPECT_EQ(trial.num_elems(), coarse.num_elems());
+  EXPECT_TRUE(trial.is_valid);
+  EXPECT_TRUE(report.warnings().empty());
+}
+
 TEST(LiftedSplit, PlanarFacesHaveNoNodesInSpace) {
   Report report;
   EXPECT_TRUE(refine(samples::block_layout(), {}, report).space_nodes.empty());
 }
 
 // Edges of 0.4 times the length are 0.4^(N + 1) times as far from a smooth surface, 0.4^2 times where curvatures jump,
-// and 0.4 times at a tip.
-TEST(LiftedSplit, DistancesFallSlowlyAtATip) {
+// and 0.4 times at a kink.
+TEST(LiftedSplit, DistancesFallSlowlyAtAKink) {
   const auto at_distance = [](double distance, double bound, double size = 0.4) {
     LiftedMesh lifted;
     lifted.mesh.order = 1;
@@ -152,7 +213,7 @@ TEST(LiftedSplit, DistancesFallSlowlyAtATip) {
     lifted.mesh.elem_nodes = {0, 1, 2, 3, 0, 1, 2, 3};
     lifted.mesh.elem_jacobian_bound = {1, bound};
     lifted.distance.elem = {0, distance};
-    lifted.distance.worst_elem = 1;
+    lifted.is_at_tip = {false, false};
     return lifted;
   };
   const double tolerance = 1e-6;
