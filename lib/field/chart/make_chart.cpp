@@ -26,7 +26,7 @@ struct ChartConstants {
   int first_order = 4, order = 8;  ///< of the first triangles, which only make the outline accurate, and the others
   int most_meshes = 8, most_elements = 5000;
   double most_folded = 0.1;      ///< part of the elements
-  double least_folded = 1e-4;    ///< diameters, of elements that are divided as they are folded
+  double least_folded = 1e-3;    ///< diameters, of elements that are divided as they are folded
   int dear_elements = 1500;      ///< from which meeting the goal is enough
   double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
