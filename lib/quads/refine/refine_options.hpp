@@ -51,11 +51,11 @@ inline constexpr double fine_progress = 1e-5, coarse_progress = 1e-3;
 using PrescribedDirections = std::function<Vec2(Vec2)>;
 
 struct RefineOptions {
-  double size = 0;             ///< prescribed edge length in file units; 0: diameter / 20
-  int order = 4;               ///< shape order N, 1..20
-  double geometry_tol = 0;     ///< greatest distance of mesh boundary and CAD curve, in diameters; 0: by the order
+  double size = 0;               ///< prescribed edge length in file units; 0: diameter / 20
+  int order = 4;                 ///< shape order N, 1..20
+  double geometry_tol = 0;       ///< greatest distance of mesh boundary and CAD curve, in diameters; 0: by the order
   bool keeps_to_surface = true;  ///< geometry_tol also limits distances of elements from the surface of a curved face
-  bool allow_invalid = false;  ///< return the mesh, marked as not valid, also if elements are not proved
+  bool allow_invalid = false;    ///< return the mesh, marked as not valid, also if elements are not proved
   std::optional<sizing::SizeField> size_field =
       {};  ///< prescribed edge lengths, in place of `size` (sizing/make_size_field)
   sizing::SizeRule size_rule = sizing::SizeRule::error;
