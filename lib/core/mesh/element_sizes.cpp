@@ -134,12 +134,6 @@ void measure_area_jumps(QuadMesh& mesh, const std::vector<double>& areas) {
   }
 }
 
-Vec2 centre(const QuadMesh& mesh, int elem) {
-  const ElementGrid grid(mesh, mesh.nodes, elem);
-  const int n = mesh.order;
-  return (grid.at(0, 0) + grid.at(n, 0) + grid.at(n, n) + grid.at(0, n)) / 4;
-}
-
 template <typename Point>
 void measure_by(const std::vector<Point>& nodes, QuadMesh& mesh) {
   std::vector<double> areas;
@@ -155,6 +149,12 @@ void measure_by(const std::vector<Point>& nodes, QuadMesh& mesh) {
 }
 
 }  // namespace
+
+Vec2 centre(const QuadMesh& mesh, int elem) {
+  Vec2 sum;
+  for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
+  return sum / 4;
+}
 
 void measure_element_sizes(QuadMesh& mesh) {
   mesh.space_nodes.empty() ? measure_by(mesh.nodes, mesh) : measure_by(mesh.space_nodes, mesh);
@@ -290,11 +290,15 @@ Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_le
   return result;
 }
 
-Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths) {
+std::vector<ElementPowers> element_powers(const QuadMesh& mesh) {
   std::vector<ElementPowers> powers(mesh.num_elems());
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     if (const double length = resolution_length(mesh, elem); length > 0) powers[elem] = powers_of(mesh, elem, length);
-  return resolution(mesh, greatest_lengths, powers);
+  return powers;
+}
+
+Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths) {
+  return resolution(mesh, greatest_lengths, element_powers(mesh));
 }
 
 std::vector<double> relative_sizes(const QuadMesh& mesh) {

@@ -16,6 +16,9 @@ namespace quadrille::mesh {
 /// elements.
 void measure_element_sizes(QuadMesh& mesh);
 
+/// The mean of an element's corners, relative to face.origin.
+Vec2 centre(const QuadMesh& mesh, int elem);
+
 /// The worst of all elements, and the positions of their centres relative to face.origin.
 struct ElementSizes {
   double edge_ratio = 1;     ///< greatest
@@ -66,6 +69,9 @@ struct ElementPowers {
   std::array<double, 2> along{};  ///< of E, by direction
   double area = 0;
 };
+
+/// Of all elements, with lengths in units of the prescribed ones; 0 where an element does not count.
+std::vector<ElementPowers> element_powers(const QuadMesh& mesh);
 
 /// The same from the parts of all elements, however they were integrated: of those that count.
 Resolution resolution(const QuadMesh& mesh, const std::vector<Vec2>& greatest_lengths,

@@ -60,12 +60,6 @@ std::vector<bool> elements_at(const std::vector<Vec3>& tips, const QuadMesh& mes
   return result;
 }
 
-Vec2 middle(const QuadMesh& mesh, int elem) {
-  Vec2 sum;
-  for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
-  return sum / 4;
-}
-
 }  // namespace
 
 int LiftedMesh::farthest() const {
@@ -78,7 +72,7 @@ int LiftedMesh::farthest() const {
 LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, const std::vector<Vec3>& tips, Progress* progress) {
   mesh::lift_nodes(map, mesh);
   for (int elem = 0; elem < static_cast<int>(mesh.elem_prescribed_length.size()); ++elem)
-    mesh.elem_prescribed_length[elem] *= std::exp(map.log_scale(middle(mesh, elem)));
+    mesh.elem_prescribed_length[elem] *= std::exp(map.log_scale(mesh::centre(mesh, elem)));
   measure_elements(mesh, progress);
   mesh::measure_element_sizes(mesh);
   mesh::SurfaceDistance distance = mesh::surface_distance(map, mesh);
@@ -95,7 +89,7 @@ std::vector<sizing::SizeSegment> finer_sizes(const mesh::ChartMap& map, const Li
     double factor = lifted.is_at_tip[elem] ? 1 : shortened(lifted.distance.elem[elem], tolerance, power);
     if (!(mesh.elem_jacobian_bound[elem] > 0)) factor = std::min(factor, unproved_factor);
     if (factor == 1) continue;
-    const Vec2 x = middle(mesh, elem);
+    const Vec2 x = mesh::centre(mesh, elem);
     const mesh::ChartMap::Sample at = map.sample(x);
     const double length = factor * sizes.at(x) * std::exp(at.log_scale);
     segments.push_back({at.position, at.position, length, length});

@@ -131,11 +131,9 @@ void set_prescribed_lengths(const SplitRequest& request, SplitMesh& split) {
   mesh.elem_prescribed_length.clear(), mesh.elem_prescribed_stretch.clear();
   const std::vector<bool> is_layered = elements_on_layered_chords(request.equal.blocks(), split);
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    Vec2 sum;
-    for (int side = 0; side < 4; ++side) sum += mesh.nodes[side_start(mesh, elem, side)];
     const bool is_by_layers = !is_layered.empty() && is_layered[elem];
     const sizing::DirectedSize size =
-        request.sizes.directed(sum / 4, request.equal.region_of_block(mesh.elem_block[elem]));
+        request.sizes.directed(mesh::centre(mesh, elem), request.equal.region_of_block(mesh.elem_block[elem]));
     mesh.elem_prescribed_length.push_back(is_by_layers ? 0 : size.size);
     if (request.sizes.has_metric()) mesh.elem_prescribed_stretch.push_back(size.stretch);
   }
