@@ -8,7 +8,7 @@ here() { TMPDIR=$PWD "$@"; }
 
 @test "the only words are one line about the mesh; nothing but the mesh is left" {
   run -0 --separate-stderr here "$quadmesh" "$DATA/half_disc.step" -o out.msh
-  assert_output --regexp '^4 blocks, 2 irregular nodes, [0-9]+ quads, worst scaled Jacobian 0\.[0-9]+, greatest edge ratio [.0-9]+$'
+  assert_output --regexp '^4 blocks, 2 irregular nodes, [0-9]+ quads, worst scaled Jacobian 0\.[0-9]+, greatest edge ratio [.0-9]+; good$'
   assert_equal "$stderr" ""
   assert_nothing_left out.msh
 }
@@ -24,9 +24,33 @@ here() { TMPDIR=$PWD "$@"; }
   cmp out.step again.step
 }
 
+# strip HEIGHT: a rectangle of length 10.
+strip() { printf '%s\n' "0 0" "10 0" "10 $1" "0 $1" | "$ROOT/pipelines/points2step" - --straight -o strip.step; }
+
+@test "the line ends with a verdict, which names an option that makes the mesh better, and so does the report" {
+  strip 0.2
+  run -0 --separate-stderr "$quadmesh" strip.step --size 0.5 -o out.msh --workdir . --report before.json
+  assert_output --regexp '; usable: resolution ratio [.0-9]+ near \(.*\), elements there are [.0-9]+ by [.0-9]+ prescribed lengths; give --size 0.25 \(about [0-9]+ quads\) for a lower resolution ratio$'
+  assert_equal "$(jq -r '.verdict.text' before.json)" "${output#*; }"
+  run -0 jq -c '.verdict | [.grade, .limit, .option, .improves, (.position | length), .value > 10]' before.json
+  assert_output '["usable","resolution ratio","--size 0.25","resolution ratio",2,true]'
+  run -0 "$quadmesh" strip.step --size 0.25 -o out.msh --report after.json
+  assert_output --regexp '; good$'
+  run -0 stagecheck -v strip.quad.h5 --report check.json
+  assert_output --partial '; usable: resolution ratio'
+  assert_equal "$(jq -r .verdict.grade check.json)" usable
+}
+
+@test "a corner that no mesh can better is named, and no option" {
+  printf '%s\n' "0 0" "10 0" "10 3" | "$ROOT/pipelines/points2step" - --straight -o wedge.step
+  run -0 "$quadmesh" wedge.step -o out.msh --report out.json
+  assert_output --partial "least scaled Jacobian 0.29, that of the face's corner of 17 degrees, which no mesh can better, at (0, 0)"
+  assert_equal "$(jq -c .verdict.option out.json)" null
+}
+
 @test "one block, zero nodes: the line counts in English" {
   run -0 "$quadmesh" "$DATA/square.step" -o out.msh
-  assert_output --regexp '^1 block, 0 irregular nodes, [0-9]+ quads, worst scaled Jacobian 1, greatest edge ratio 1$'
+  assert_output --regexp '^1 block, 0 irregular nodes, [0-9]+ quads, worst scaled Jacobian 1, greatest edge ratio 1; good$'
 }
 
 @test "the mesh goes to standard output, the line then to standard error" {
@@ -266,7 +290,7 @@ failing() {
   failing critpoints '{"tool": "critpoints", "exit_code": 1, "error": "no luck", "timings": {"total":
     {"cpu_seconds": 1, "wall_seconds": 1}}, "warnings": []}'
   run -0 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh --report report.json
-  assert_output --regexp ', by midpoint division of triangles$'
+  assert_output --regexp ', by midpoint division of triangles; (good|usable: .*|poor: .*)$'
   assert_equal "${stderr_lines[0]}" "critpoints: no luck"
   assert_equal "${stderr_lines[1]}" "quadmesh: critpoints found no valid result: the quads are made without a field"
   assert_regex "${stderr_lines[2]}" '^separatrix: warning W-SEP-002: '
@@ -288,7 +312,7 @@ failing() {
   failing quadrefine '{"tool": "quadrefine", "exit_code": 1, "error": "no luck", "valid": false, "timings": {"total":
     {"cpu_seconds": 1, "wall_seconds": 1}}, "warnings": []}'
   run -0 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o out.msh
-  assert_output --regexp ', by midpoint division of triangles$'
+  assert_output --regexp ', by midpoint division of triangles; (good|usable: .*|poor: .*)$'
   rm begun
   run -1 --separate-stderr here "$quadmesh" "${replaced[@]}" "$DATA/half_disc.step" -o other.msh --layout traced
   run -1 --separate-stderr "$quadmesh" "$DATA/half_disc.step" -o other.msh --wall curve_0:first=1e-2,layers=60

@@ -195,6 +195,26 @@ Json trials_of(const ChainFacts& facts) {
   return trials;
 }
 
+/// "; tried: critpoints --place energy (resolution ratio 16 in place of 14)" for each choice of nodes; empty: none was.
+std::string tried_text(const ChainFacts& facts) {
+  std::string text;
+  for (const LayoutTrial& trial : facts.trials) {
+    if (trial.options.empty()) continue;
+    text += fmt::format("{}{} (resolution ratio {:.3g} in place of {:.3g}{})", text.empty() ? "; tried: " : ", ",
+                        trial.options, trial.resolution, facts.trials.front().resolution,
+                        trial.options == facts.remedy ? ": taken" : "");
+  }
+  return text;
+}
+
+/// That of quadrefine, and what was tried if the mesh is not good.
+Json verdict_of(const Json& refine, const ChainFacts& facts) {
+  Json verdict = at(refine, "verdict");
+  if (verdict.is_object() && text_at(verdict, "grade") != "good")
+    verdict["text"] = text_at(verdict, "text") + tried_text(facts);
+  return verdict;
+}
+
 /// Of the hexahedra; null if there are none.
 Json sweep_of(const Json& report) {
   if (at(report, "hexahedra").is_null()) return nullptr;
@@ -222,6 +242,7 @@ Json composed(const std::vector<StageReport>& stages, const ChainFacts& facts) {
   root["estimated_quads"] = at(refine, "estimated_quads");
   root["sweep"] = sweep_of(report_of(runs, "hexsweep"));
   root["quads"] = at(refine, "quads").is_null() ? at(exported, "quads") : at(refine, "quads");
+  root["verdict"] = verdict_of(refine, facts);
   for (const char* key : mesh_keys) root[key] = at(refine, key);
   root["unit"] = at(exported, "unit");
   root["scale"] = at(exported, "scale");
@@ -298,11 +319,13 @@ std::string ChainReport::summary() const {
     line += fmt::format("; {} hexahedra, worst scaled Jacobian {}", number_at(root, "sweep.hexahedra"),
                         rounded(number_at(root, "sweep.least_scaled_jacobian"), 2));
   if (at(root, "certificate.method") == "midpoint") line += ", by midpoint division of triangles";
-  const Json& scale = root["scale"];
-  if (scale.is_null() || scale == 1) return line;
-  const std::string unit = root["unit"].is_string() ? root["unit"].get<std::string>() : "unknown";
-  return line + fmt::format(", coordinates in {}, {} times those of the CAD file",
-                            unit == "unknown" ? "an unknown unit" : unit, scale.get<double>());
+  if (const Json& scale = root["scale"]; !scale.is_null() && scale != 1) {
+    const std::string unit = root["unit"].is_string() ? root["unit"].get<std::string>() : "unknown";
+    line += fmt::format(", coordinates in {}, {} times those of the CAD file",
+                        unit == "unknown" ? "an unknown unit" : unit, scale.get<double>());
+  }
+  const std::string verdict = text_at(root, "verdict.text");
+  return verdict.empty() ? line : line + "; " + verdict;
 }
 
 }  // namespace quadrille::io

@@ -51,7 +51,7 @@ class ChainReport {
   std::string text_with_command(const std::string& command) const;
   /// A line for each stage with its time and its share, and one for all.
   std::string times() const;
-  /// One line about the mesh, or about the blocks that were exported.
+  /// One line about the mesh, with the verdict at its end, or about the blocks that were exported.
   std::string summary() const;
 
  private:

@@ -12,6 +12,7 @@
 #include "chain/chain_nodes.hpp"
 #include "chain/make_graph.hpp"
 #include "curve/symmetry_lines.hpp"
+#include "mesh/verdict.hpp"
 #include "model/name_rules.hpp"
 #include "stage/symmetry_option.hpp"
 #include "topology/grid_kind.hpp"
@@ -93,8 +94,8 @@ bool gives_layout(ChainState& chain, NodeFiles& files, const Remedy& remedy) {
 
 struct TrialLimits {
   double edge_ratio = 100;
-  double scaled_jacobian = 0.3;
-  double poor_resolution = 50;
+  double scaled_jacobian = mesh::scaled_jacobian_limits.poor;
+  double poor_resolution = mesh::resolution_limits.poor;
   double resolution = 2;
   double gain = 0.95;      ///< of the resolution ratio
   std::size_t nodes = 24;  ///< of more, the least energy takes longer than all other stages

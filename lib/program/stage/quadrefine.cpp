@@ -23,6 +23,7 @@
 #include "refine/validity.hpp"
 #include "sizing/element_limit.hpp"
 #include "sizing/make_size_field.hpp"
+#include "sizing/report_sizes.hpp"
 #include "stage/given_positions.hpp"
 #include "stage/symmetry_option.hpp"
 
@@ -269,6 +270,7 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   if (options.has_straight_sides && layout.face.chart)
     throw UsageError("--straight-sides: this face is curved, and so are its elements, whose sides follow the surface");
   if (options.has_straight_sides) sizes.sags = layers::wall_sags(measured, refine.walls, greatest_sag);
+  const sizing::SizeOptions without_curves = sizes;
   sizes = sizing::with_curve_sizes(measured, sizes, refine.size_rule);
   set_sizes(sizes, layout.face, refine);
   refine.directions = directions_of(input, options.align_strength, *refine.size_field);
@@ -281,6 +283,7 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   QuadMesh mesh = refine::refine(layout, refine, run.report());
   mesh.provenance = with_step(layout.provenance, "quadrefine", options, std::move(inputs));
   report_worst(mesh, run);
+  run.info(sizing::report_verdict(mesh, without_curves, sizes, run.report()));
   run.end_phase();
   return mesh;
 }

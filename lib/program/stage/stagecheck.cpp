@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/enum_names.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "mesh/element_sizes.hpp"
+#include "mesh/verdict.hpp"
 
 namespace quadrille::stage {
 
@@ -19,8 +21,11 @@ void report_mesh(const QuadMesh& mesh, const std::string& file, Run& run) {
   if (!mesh.is_valid)
     run.report().warn(warning::mesh_not_valid, fmt::format("{}: {}", file, check::validity_warning(mesh)));
   const double ratio = mesh::resolution(mesh).ratio;
+  const mesh::Verdict verdict = mesh::verdict_of(mesh);
   run.report().set("resolution.ratio", ratio);
-  run.info(fmt::format("{}: resolution ratio {:.3g}", file, ratio));
+  run.report().set("verdict.grade", enum_name(verdict.grade()));
+  run.report().set("verdict.text", mesh::describe(verdict, mesh.face));
+  run.info(fmt::format("{}: resolution ratio {:.3g}; {}", file, ratio, mesh::describe(verdict, mesh.face)));
 }
 
 }  // namespace

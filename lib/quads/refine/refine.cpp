@@ -93,7 +93,7 @@ void report_prescribed(const SplitRequest& request, const SplitMesh& split,
   const sizing::MeasuredLayout& measured = request.equal;
   Report& report = request.report;
   sizing::report_sizes(measured, split.divisions, request.sizes, counts, report);
-  sizing::report_resolution(measured, split.divisions, split.mesh, options.relax == Relax::size, report);
+  sizing::report_resolution(measured, split.mesh, report);
   prescribe::report_boundary_counts(measured, split.divisions, options.boundary_counts, layered, report);
   prescribe::report_end_gradings(measured, split.divisions, options.end_gradings, options.end_growth, options.counts,
                                  report);

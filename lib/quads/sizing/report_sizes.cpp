@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/message_text.hpp"
+#include "base/enum_names.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/element_sizes.hpp"
+#include "mesh/verdict.hpp"
+#include "sizing/advice.hpp"
 #include "surface/positions.hpp"
 
 namespace quadrille::sizing {
@@ -51,50 +53,15 @@ EdgeSizes edge_sizes(const mesh::Chord& chord, const MeasuredLayout& measured, c
   return sums;
 }
 
-/// The part of a mesh's E that the lengths of elements along a chord have.
-struct ChordError {
-  int chord = 0, count = 0;  ///< elements along it
-  double part = 0;
-  int num_elems = 0;  ///< all that it passes
-};
-
-constexpr double greatest_resolution = 5;    ///< above which there is a warning
-constexpr double greatest_edge_ratio = 100;  ///< above which the warning names the place
-
-/// Each element is counted with its two directions, whose parts of E are the same in squares.
-std::vector<ChordError> chord_errors(const MeasuredLayout& measured, const ArcDivisions& divisions,
-                                     const QuadMesh& mesh, const mesh::Resolution& of) {
-  std::vector<ChordError> errors;
-  for (const mesh::Chord& chord : measured.chords())
-    errors.push_back({static_cast<int>(errors.size()), divisions[chord.arcs[0]].num_intervals()});
+/// By chord: the part of a mesh's E that the lengths of elements along it have.
+std::vector<double> chord_parts(const MeasuredLayout& measured, const QuadMesh& mesh, const mesh::Resolution& of) {
+  std::vector<double> parts(measured.chords().size());
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const auto& arcs = measured.blocks().block2arcs[mesh.elem_block[elem]];
-    for (int direction = 0; direction < 2; ++direction) {
-      ChordError& error = errors[measured.chord_of(arcs[direction].arc)];
-      error.part += of.parts[elem][direction];
-      ++error.num_elems;
-    }
+    for (int direction = 0; direction < 2; ++direction)
+      parts[measured.chord_of(arcs[direction].arc)] += of.parts[elem][direction];
   }
-  return errors;
-}
-
-std::string place_of_thin_element(const QuadMesh& mesh) {
-  const mesh::ElementSizes worst = mesh::worst_element_sizes(mesh);
-  if (worst.edge_ratio <= greatest_edge_ratio) return {};
-  return fmt::format(", and edges of one element, near {}, are of lengths 1 : {:.3g}",
-                     surface::position_text(mesh.face, worst.edge_ratio_position), worst.edge_ratio);
-}
-
-/// With the number of elements along the worst chord by which their part would be that of equal squares.
-std::string resolution_warning(double ratio, const std::vector<ChordError>& errors, const QuadMesh& mesh) {
-  const ChordError& worst = *std::max_element(errors.begin(), errors.end(),
-                                              [](const ChordError& a, const ChordError& b) { return a.part < b.part; });
-  const double of_squares = worst.num_elems / (2.0 * mesh.num_elems() * ratio);
-  return fmt::format(
-      "elements are of so unequal sizes that the squared error of a smooth solution is about {:.3g} times that of as "
-      "many equal squares, {:.0f} % of it along chord {} of {}{}: give --count {}={:.0f}",
-      ratio, 100 * worst.part, worst.chord, counted(worst.count, "element"), place_of_thin_element(mesh), worst.chord,
-      std::ceil(worst.count * std::pow(worst.part / of_squares, 1.0 / 8)));
+  return parts;
 }
 
 }  // namespace
@@ -136,16 +103,28 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
   report.set("sizes.chord.greatest_edge", std::move(greatest));
 }
 
-void report_resolution(const MeasuredLayout& measured, const ArcDivisions& divisions, const QuadMesh& mesh,
-                       bool is_relaxed_to_sizes, Report& report) {
+void report_resolution(const MeasuredLayout& measured, const QuadMesh& mesh, Report& report) {
   const mesh::Resolution measure = mesh::resolution(mesh);
-  const std::vector<ChordError> errors = chord_errors(measured, divisions, mesh, measure);
-  std::vector<double> parts;
-  for (const ChordError& error : errors) parts.push_back(error.part);
   report.set("resolution.ratio", measure.ratio);
-  report.set("resolution.chord.part", std::move(parts));
-  if (is_relaxed_to_sizes && measure.ratio > greatest_resolution)
-    report.warn(warning::unequal_sizes, resolution_warning(measure.ratio, errors, mesh));
+  report.set("resolution.chord.part", chord_parts(measured, mesh, measure));
+}
+
+std::string report_verdict(const QuadMesh& mesh, const SizeOptions& prescribed, const SizeOptions& applied,
+                           Report& report) {
+  const mesh::Verdict verdict = mesh::verdict_of(mesh);
+  const std::optional<Advice> advice = advice_for(mesh, verdict, prescribed, applied);
+  const std::string text = mesh::describe(verdict, mesh.face) + (advice ? describe(*advice) : "");
+  report.set("verdict.grade", enum_name(verdict.grade()));
+  report.set("verdict.text", text);
+  if (verdict.faults.empty()) return text;
+  const mesh::Fault& worst = verdict.faults.front();
+  report.set("verdict.limit", enum_name(worst.limit));
+  report.set("verdict.value", worst.value);
+  report.set("verdict.position", surface::position_in_file(mesh.face, worst.position));
+  if (advice) report.set("verdict.option", advice->option), report.set("verdict.improves", enum_name(advice->limit));
+  const bool is_of_sizes = worst.limit == mesh::Limit::resolution || worst.limit == mesh::Limit::area_jump;
+  if (is_of_sizes && verdict.grade() == mesh::Grade::poor) report.warn(warning::unequal_sizes, "the mesh is " + text);
+  return text;
 }
 
 }  // namespace quadrille::sizing

@@ -1,5 +1,6 @@
 #include "io/chain_report.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -227,6 +228,35 @@ TEST(ChainReport, TheSummaryIsOneLine) {
   stages[2].json = R"({"tool": "quadexport", "unit": "unknown", "scale": 2})";
   EXPECT_EQ(summary(stages), usual + ", coordinates in an unknown unit, 2 times those of the CAD file");
   EXPECT_EQ(summary({stage("quadexport", "quadexport", 1, R"(, "quads": 5)")}), "5 quads") << "blocks as STEP";
+}
+
+std::vector<StageReport> stages_with_verdict(const std::string& grade, const std::string& text) {
+  std::vector<StageReport> stages = usual_stages();
+  stages[1] = stage("quadrefine", "quadrefine", 0.5,
+                    fmt::format(R"(, "blocks": 1, "verdict": {{"grade": "{}", "text": "{}"}})", grade, text));
+  return stages;
+}
+
+TEST(ChainReport, TheSummaryEndsWithTheVerdictAndTheNodesThatWereTried) {
+  ChainFacts facts;
+  const auto end = [&](const std::vector<StageReport>& stages) {
+    const std::string line = ChainReport(stages, facts).summary();
+    return line.substr(line.find(';'));
+  };
+  EXPECT_EQ(end(stages_with_verdict("good", "good")), "; good");
+  EXPECT_EQ(end(stages_with_verdict("usable", "usable: area jump 12")), "; usable: area jump 12");
+  facts.trials = {{"", true, 2, 0.8, 8, 12}, {"critpoints --place energy", true, 2, 0.8, 9, 12}};
+  EXPECT_EQ(end(stages_with_verdict("good", "good")), "; good");
+  EXPECT_EQ(end(stages_with_verdict("usable", "usable: x")),
+            "; usable: x; tried: critpoints --place energy (resolution ratio 9 in place of 8)");
+  facts.trials.push_back({"critpoints --nodes fewest", true, 2, 0.8, 3.125, 12});
+  facts.remedy = "critpoints --nodes fewest";
+  const std::string tried =
+      "tried: critpoints --place energy (resolution ratio 9 in place of 8), critpoints --nodes "
+      "fewest (resolution ratio 3.12 in place of 8: taken)";
+  EXPECT_EQ(end(stages_with_verdict("poor", "poor: x")), "; poor: x; " + tried);
+  EXPECT_EQ(Json::parse(ChainReport(stages_with_verdict("poor", "poor: x"), facts).text())["verdict"]["text"],
+            "poor: x; " + tried);
 }
 
 TEST(ChainReport, ReportsOfOtherProgramsMayHaveOtherTypes) {

@@ -32,29 +32,46 @@ double of_chord(const Report& report, const std::string& key, std::size_t chord)
   return std::get<std::vector<double>>(value(report, "sizes.chord." + key)).at(chord);
 }
 
-TEST(ReportSizes, AWarningNamesTheChordThatNeedsMoreElements) {
+TEST(ReportSizes, PartsOfTheErrorAreThoseOfChords) {
   refine::RefineOptions options;
   options.relax = refine::Relax::size;
   options.counts = {{0, 2}, {1, 20}};
   const Report report = report_of(hand_made::unit_square(), options);
   EXPECT_NEAR(number(report, "resolution.ratio") / ((1 + 1e-8) / (2 * 1e-4)), 1, 1e-6);
   EXPECT_NEAR(std::get<std::vector<double>>(value(report, "resolution.chord.part"))[0], 1, 1e-6);
-  ASSERT_EQ(report.warnings().size(), 1U);
-  EXPECT_EQ(report.warnings()[0].code, "W-QUA-005");
-  EXPECT_NE(report.warnings()[0].message.find("100 % of it along chord 0 of 2 elements: give --count 0="),
-            std::string::npos)
-      << report.warnings()[0].message;
 }
 
-TEST(ReportSizes, AWarningNamesThePlaceOfElementsWithEdgesOfVeryUnequalLengths) {
+/// The verdict on the unit square with these counts.
+Report verdict_on(int count0, int count1) {
+  Report report;
+  const BlockLayout layout = block::extract_blocks(hand_made::unit_square(), report);
   refine::RefineOptions options;
-  options.relax = refine::Relax::size;
-  options.counts = {{0, 1}, {1, 200}};
-  const Report report = report_of(hand_made::unit_square(), options);
+  options.counts = {{0, count0}, {1, count1}};
+  const QuadMesh mesh = refine::refine(layout, options, report);
+  SizeOptions sizes;
+  sizes.per_curve = 0;
+  Report result;
+  report_verdict(mesh, sizes, sizes, result);
+  return result;
+}
+
+TEST(ReportSizes, TheVerdictIsReportedWithWhatLimitsTheMesh) {
+  Report report = verdict_on(4, 12);
+  EXPECT_EQ(std::get<std::string>(value(report, "verdict.grade")), "usable");
+  EXPECT_EQ(std::get<std::string>(value(report, "verdict.limit")), "resolution ratio");
+  EXPECT_NEAR(number(report, "verdict.value"), 40.5, 0.1);
+  EXPECT_EQ(std::get<std::vector<double>>(value(report, "verdict.position")).size(), 2U);
+  EXPECT_TRUE(report.warnings().empty());
+  report = verdict_on(4, 4);
+  EXPECT_EQ(std::get<std::string>(value(report, "verdict.text")), "good");
+  EXPECT_THROW(value(report, "verdict.limit"), std::runtime_error);
+}
+
+TEST(ReportSizes, AMeshThatIsPoorByItsSizesIsWarnedOf) {
+  const Report report = verdict_on(2, 20);
   ASSERT_EQ(report.warnings().size(), 1U);
-  EXPECT_NE(report.warnings()[0].message.find("of 1 element, and edges of one element, near (0.5, "), std::string::npos)
-      << report.warnings()[0].message;
-  EXPECT_NE(report.warnings()[0].message.find("are of lengths 1 : 200: give --count 0="), std::string::npos);
+  EXPECT_EQ(report.warnings()[0].code, "W-QUA-005");
+  EXPECT_EQ(report.warnings()[0].message, "the mesh is " + std::get<std::string>(value(report, "verdict.text")));
 }
 
 TEST(ReportSizes, EqualEdgesDeviateByTheirRatio) {

@@ -1,4 +1,4 @@
-// The tab of the run: figures, warnings, times of the stages, histograms of the mesh, commands.
+// The tab of the run: verdict, figures, warnings, times of the stages, histograms of the mesh, commands.
 
 const textOf = (value) => {
   if (typeof value === "number") return figure(value);
@@ -72,7 +72,9 @@ function histograms(sheets, theme) {
 function fillReport(data, sheets, theme) {
   const { stages, warnings, command, ...figures } = data.report;
   const commands = [...(command ? [command, ""] : []), ...data.commands].join("\n");
+  const verdict = data.report.verdict && data.report.verdict.text;
   byId("report").replaceChildren(
+    ...(verdict ? [reportSection("Verdict", element("p", {}, textOf(verdict)))] : []),
     reportSection("Shapes of elements", element("div", { className: "figures" }, ...histograms(sheets, theme))),
     reportSection("Warnings", warningList(warnings)),
     reportSection("Seconds of CPU", timeTable(stages)),
