@@ -133,7 +133,7 @@ one_line_of_limit='^quadmesh: warning W-RUN-001: padapt was stopped at [0-9]+M o
   assert_equal "$(grep -c trying <<<"$stderr")" 1
   assert_regex "$stderr" 'quadmesh: warning W-RUN-001: critpoints was stopped at'
   run -0 jq -c '[.certificate.method, .remedy, .valid, .verdict.grade, (.warnings | map(.code) | sort)]' report.json
-  assert_output '["midpoint",null,true,"usable",["W-ADAPT-002","W-RUN-001","W-SEP-002"]]'
+  assert_output '["midpoint",null,true,"usable",["W-ADAPT-002","W-QUA-005","W-RUN-001","W-SEP-002"]]'
   rm -r fake
   assert_nothing_left out.msh report.json snail.step
 }

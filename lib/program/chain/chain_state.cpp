@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/warning_codes.hpp"
 #include "cli/messages.hpp"
 
 namespace quadrille::chain {
@@ -34,15 +35,18 @@ void inform(const ChainState& chain, const std::string& text) {
   if (!chain.options.is_quiet) cli::print_message(fmt::format("quadmesh: {}\n", text));
 }
 
+/// Not that of the verdict where the line about the mesh ends with it.
 void print_warnings(ChainState& chain, std::size_t first_run) {
   if (chain.options.is_quiet) return;
+  const bool has_verdict = chain.options.last == ChainStage::quadexport;
   const std::vector<io::StageReport>& reports = chain.runner.reports();
   for (std::size_t i = first_run; i < reports.size(); ++i) {
     if (reports[i].stage.starts_with(prefix_of_trials)) continue;
-    for (io::ReportedWarning& warning : io::warnings_of(reports[i])) {
-      std::replace(warning.message.begin(), warning.message.end(), '\n', ' ');
-      const std::string text = fmt::format("warning {}: {}", warning.code, warning.message);
-      if (chain.printed_warnings.insert(text).second) cli::print_message(fmt::format("{}: {}\n", warning.tool, text));
+    for (io::ReportedWarning& found : io::warnings_of(reports[i])) {
+      if (has_verdict && found.code == warning::unequal_sizes) continue;
+      std::replace(found.message.begin(), found.message.end(), '\n', ' ');
+      const std::string text = fmt::format("warning {}: {}", found.code, found.message);
+      if (chain.printed_warnings.insert(text).second) cli::print_message(fmt::format("{}: {}\n", found.tool, text));
     }
   }
 }

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/enum_names.hpp"
 #include "base/tolerance.hpp"
 #include "mesh/element_sizes.hpp"
 #include "mesh/finer_elements.hpp"
@@ -19,8 +18,6 @@ struct AdviceLimits {
   std::array<double, 5> divisors{2, 3, 4, 6, 8};  ///< of the size
   double gain = 5;                                ///< of the resolution ratio, where it does not become good
   double most_quads = 20;                         ///< times those of now
-  int per_curve = 2;     ///< elements along each curve; 4, as in far fields, take twice as many or more
-  double shorter = 0.7;  ///< of the prescribed length, where a curve is short
 };
 constexpr AdviceLimits limits;
 
@@ -71,40 +68,23 @@ std::optional<Advice> smaller_size(const QuadMesh& mesh, const mesh::Fault& faul
     const mesh::ExpectedMesh expected = mesh::expected_mesh(rows, powers, ratios);
     if (expected.num_elems > limits.most_quads * mesh.num_elems()) break;
     if (expected.resolution <= std::max(mesh::resolution_limits.good, fault.value / limits.gain))
-      return Advice{fmt::format("--size {:g}", size), mesh::Limit::resolution, std::llround(expected.num_elems)};
+      return Advice{fmt::format("--size {:g}", size), std::llround(expected.num_elems)};
   }
   return std::nullopt;
-}
-
-/// Where elements along short curves are longer than these curves would have them.
-std::optional<Advice> more_along_curves(const QuadMesh& mesh, int elem, const SizeOptions& prescribed,
-                                        const SizeOptions& applied) {
-  SizeOptions finer = prescribed;
-  finer.per_curve = limits.per_curve;
-  if (LengthRatios(mesh, applied).of(elem, make_size_field(mesh.face, finer)) < 1 / limits.shorter) return std::nullopt;
-  return Advice{fmt::format("--per-curve {}", limits.per_curve), mesh::Limit::area_jump};
 }
 
 }  // namespace
 
 std::optional<Advice> advice_for(const QuadMesh& mesh, const mesh::Verdict& verdict, const SizeOptions& prescribed,
                                  const SizeOptions& applied) {
-  for (const mesh::Fault& fault : verdict.faults) {
-    std::optional<Advice> advice;
-    if (fault.limit == mesh::Limit::resolution) advice = smaller_size(mesh, fault, prescribed, applied);
-    if (fault.limit == mesh::Limit::area_jump) advice = more_along_curves(mesh, fault.elem, prescribed, applied);
-    if (advice) return advice;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(verdict.faults, mesh::Limit::resolution, &mesh::Fault::limit);
+  return found == verdict.faults.end() ? std::nullopt : smaller_size(mesh, *found, prescribed, applied);
 }
 
 std::string describe(const Advice& advice) {
   const double digit = std::pow(10, std::floor(std::log10(std::max(advice.quads, 1LL))) - 1);  // two digits are kept
-  const std::string quads =
-      advice.quads > 0
-          ? fmt::format("about {:.0f} quads", std::round(static_cast<double>(advice.quads) / digit) * digit)
-          : "more quads";
-  return fmt::format("; give {} ({}) for a lower {}", advice.option, quads, enum_name(advice.limit));
+  return fmt::format("; give {} (about {:.0f} quads) for a lower resolution ratio", advice.option,
+                     std::round(static_cast<double>(advice.quads) / digit) * digit);
 }
 
 }  // namespace quadrille::sizing

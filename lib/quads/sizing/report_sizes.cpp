@@ -121,9 +121,9 @@ std::string report_verdict(const QuadMesh& mesh, const SizeOptions& prescribed, 
   report.set("verdict.limit", enum_name(worst.limit));
   report.set("verdict.value", worst.value);
   report.set("verdict.position", surface::position_in_file(mesh.face, worst.position));
-  if (advice) report.set("verdict.option", advice->option), report.set("verdict.improves", enum_name(advice->limit));
+  if (advice) report.set("verdict.option", advice->option);
   const bool is_of_sizes = worst.limit == mesh::Limit::resolution || worst.limit == mesh::Limit::area_jump;
-  if (is_of_sizes && verdict.grade() == mesh::Grade::poor) report.warn(warning::unequal_sizes, "the mesh is " + text);
+  if (is_of_sizes) report.warn(warning::unequal_sizes, "the mesh is " + text);
   return text;
 }
 

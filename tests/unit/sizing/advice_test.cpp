@@ -38,7 +38,6 @@ TEST(Advice, IsTheGreatestSizeAtWhichTheRatioIsAFifth) {
   const auto found = advice(mesh, sizes);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->option, "--size 0.5") << "8 quads of 1/2 by 1/4, with a ratio of 8 in place of 128";
-  EXPECT_EQ(found->limit, mesh::Limit::resolution);
   EXPECT_EQ(found->quads, 8);
   EXPECT_EQ(describe(*found), "; give --size 0.5 (about 8 quads) for a lower resolution ratio");
 }
@@ -55,19 +54,12 @@ TEST(Advice, IsNoSizeWhereAnotherOnePrescribesElements) {
   EXPECT_FALSE(advice(square_mesh(1, 8, sizes), sizes));
 }
 
-TEST(Advice, IsANumberAlongEachCurveOnlyWhereACurveIsShort) {
-  QuadMesh mesh = square_mesh(4, 4, size_of(0.25));
+TEST(Advice, IsNothingForAnAreaJump) {
+  const SizeOptions sizes = size_of(0.25);
+  QuadMesh mesh = square_mesh(4, 4, sizes);
   mesh.elem_area_jump[0] = 50;
-  const auto with_automatic = [&](double size) {
-    SizeOptions automatic = size_of(size);
-    automatic.per_curve = SizeOptions::automatic;
-    return advice_for(mesh, mesh::verdict_of(mesh), automatic, size_of(size));
-  };
-  EXPECT_FALSE(with_automatic(0.25)) << "sides of length 1 are not";
-  const auto found = with_automatic(2);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->option, "--per-curve 2");
-  EXPECT_EQ(describe(*found), "; give --per-curve 2 (more quads) for a lower area jump");
+  EXPECT_EQ(mesh::verdict_of(mesh).grade(), mesh::Grade::usable);
+  EXPECT_FALSE(advice(mesh, sizes));
 }
 
 }  // namespace
