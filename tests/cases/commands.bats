@@ -176,7 +176,7 @@ code() {
     "$file" --help-all | grep -oE '^  (-[a-z], )?--[a-z][a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u >options
     grep "^$command	" shown | cut -f 2 | sort -u | comm -23 - options >unknown
     [[ $command != quadbatch ]] || sed -i '/^--sshlogin$/d' unknown # of GNU parallel
-    [[ $command != quadbatch && $command != quadgallery ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help-all) &&
+    [[ ! $command =~ ^quad(batch|bench|gallery)$ ]] || { quadmesh=$("$ROOT/pipelines/quadmesh" --help-all) &&
       while read -r option; do grep -qE "^  (-[a-z], )?$option\b" <<<"$quadmesh" || echo "$option"; done <unknown >left && mv left unknown; }
     [[ ! -s unknown ]] || fail "$command has no $(xargs <unknown)"
   done

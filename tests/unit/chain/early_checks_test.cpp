@@ -111,25 +111,27 @@ TEST(StemOf, is_the_name_without_folders_and_ending) {
 }
 
 TEST(ExportedEnding, a_step_file_is_made_of_blocks) {
+  const StageOptions of_stages;
   ChainOptions options;
-  EXPECT_EQ(exported_ending(options, {}), "quad.h5");
+  EXPECT_EQ(exported_ending(options, of_stages), "quad.h5");
   options.output = "x.step";
-  EXPECT_EQ(exported_ending(options, {}), "blocks.h5");
+  EXPECT_EQ(exported_ending(options, of_stages), "blocks.h5");
 }
 
 TEST(ShapeOf, is_found_in_the_folder_of_the_stages) {
   const TemporaryFolder folder;
+  const StageOptions of_stages;
   ChainOptions options;
   read_command_line({"--from", "quadrefine", "--workdir", folder.path()}, options);
-  const auto refused = [&] { return message_of<UsageError>([&] { shape_of(options, {}); }); };
+  const auto refused = [&] { return message_of<UsageError>([&] { shape_of(options, of_stages); }); };
   EXPECT_EQ(refused(), "--from quadrefine needs a file *.blocks.h5 in " + folder.path() + ", which has no such file");
   folder.touch("plate.v2.blocks.h5");
   folder.touch("other.sep.json");
-  EXPECT_EQ(stem_of(shape_of(options, {})), "plate.v2");
+  EXPECT_EQ(stem_of(shape_of(options, of_stages)), "plate.v2");
   folder.touch("other.blocks.h5");
   EXPECT_TRUE(refused().starts_with(folder.path() + " has files of several shapes"));
   options.shape = "given.step";
-  EXPECT_EQ(shape_of(options, {}), "given.step");
+  EXPECT_EQ(shape_of(options, of_stages), "given.step");
 }
 
 /// A run on a shape that exists, which writes x.msh beside it.

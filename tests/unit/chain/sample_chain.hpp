@@ -15,7 +15,7 @@ namespace quadrille::chain {
 struct SampleChain {
   explicit SampleChain(bool in_children = false, Limits limits = {})
       : runner(options, Budget(limits), in_children, folder.path()),
-        chain(options, StageOptions{}, runner, folder.file("shape")) {}
+        chain(options, stage_options(options), runner, folder.file("shape")) {}
 
   /// As from the command line.
   void read(const std::vector<std::string>& words) {
