@@ -69,8 +69,9 @@ class StagesTest(unittest.TestCase):
     def test_the_representation_is_the_last_line_of_quadmesh(self):
         made = subprocess.run([os.environ["BIN"] + "/quadmesh", HALF_DISC, "-o", "/dev/null", "--format", "msh"],
                               capture_output=True, text=True, check=True)
-        for mesh in (quadrille.mesh(HALF_DISC), quadrille.read(CHAINS / "half_disc.quad.h5")):
-            self.assertEqual(repr(mesh), f"<QuadMesh: {made.stdout.strip()}>")
+        self.assertEqual(repr(quadrille.mesh(HALF_DISC)), f"<QuadMesh: {made.stdout.strip()}>")
+        without_verdict = made.stdout.strip().removesuffix("; good")
+        self.assertEqual(repr(quadrille.read(CHAINS / "half_disc.quad.h5")), f"<QuadMesh: {without_verdict}>")
 
     def test_options_of_quadexport_are_kept_for_write(self):
         mesh = quadrille.mesh(HALF_DISC, size=0.3, unit="m", format="mfem13")
