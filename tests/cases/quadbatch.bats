@@ -90,7 +90,7 @@ PYTHON=/usr/bin/python3
     assert_output "6 shapes: 6 with a mesh, 0 without, $(wc -l <<<"$first") done before: out/table.html"
     assert_equal "$(cd out && stat -c '%n %.9Y' ./*.result.json | sort | comm -12 - <(echo "$first"))" "$first"
     assert_equal "$(wc -l <out/table.csv)" 7
-    assert_equal "$(find out -type f | wc -l)" 20
+    assert_equal "$(find out -type f | wc -l)" 26
   done
 }
 
@@ -166,10 +166,10 @@ tree() {
   kill -KILL $(tree $!)
   wait $! || true
   assert_equal "$(cd out && ls -A | paste -sd ' ')" \
-    ".square.part half_disc.msh half_disc.report.json half_disc.result.json"
+    ".square.part half_disc.blocks.svg half_disc.msh half_disc.report.json half_disc.result.json"
   run -0 here "$quadbatch" "${replaced[@]}" "$DATA"/{half_disc,square}.step --to out --jobs 1
   assert_output "2 shapes: 2 with a mesh, 0 without, 1 done before: out/table.html"
-  assert_equal "$(find out -type f | wc -l)" 8
+  assert_equal "$(find out -type f | wc -l)" 10
   assert_not_exists out/.square.part
 }
 
