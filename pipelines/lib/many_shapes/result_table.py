@@ -8,8 +8,8 @@ import urllib.parse
 
 COLUMNS = {"shape": "shape", "exit_code": "exit code", "blocks": "blocks", "quads": "quads",
            "irregular_nodes": "irregular nodes", "least_scaled_jacobian": "worst scaled Jacobian",
-           "greatest_edge_ratio": "edge-length ratio", "resolution": "resolution ratio", "cpu_seconds": "CPU seconds", "warnings": "warnings",
-           "message": "message"}
+           "greatest_edge_ratio": "edge-length ratio", "resolution": "resolution ratio", "cpu_seconds": "CPU seconds",
+           "warnings": "warnings", "message": "message"}
 STYLE = """:root { color-scheme: light dark; --ink: #1c2733; --paper: #fff; --rule: #d5dbe2; --failed: #fdeeec }
 @media (prefers-color-scheme: dark) { :root { --ink: #e6edf3; --paper: #12171e; --rule: #2a3440; --failed: #3a1f1d } }
 body { font: 15px/1.4 system-ui, sans-serif; margin: 2em; color: var(--ink); background: var(--paper) }

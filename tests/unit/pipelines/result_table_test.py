@@ -27,10 +27,11 @@ class TableTest(unittest.TestCase):
         self.assertEqual((read["shape"], read["message"], read["cpu_seconds"]), ("'=1+1.step", "'@SUM(A1)", "0.5"))
 
     def test_html_escapes_links_meshes_and_begins_with_failures(self):
-        text = html_text(ROWS, lambda row: "a, b.msh")
-        self.assertIn('<a href="a%2C%20b.msh">a, b.step</a>', text)
-        self.assertIn("<td>&lt;c&gt;.step</td>", text)
-        self.assertLess(text.index("&lt;c&gt;"), text.index("a, b.step</a>"))
+        text = html_text(ROWS, lambda row: "a, b.msh", lambda row: "a, b.svg" if row["exit_code"] == 0 else None)
+        self.assertIn('<a href="a%2C%20b.msh"><span class="name" title="a, b.step">a, b.step</span></a>', text)
+        self.assertIn('<td></td><td><span class="name" title="&lt;c&gt;.step">&lt;c&gt;.step</span></td>', text)
+        self.assertEqual(text.count('<img src="a%2C%20b.svg" alt="" loading="lazy">'), 1)
+        self.assertLess(text.index("&lt;c&gt;"), text.index("a, b.step</span></a>"))
         self.assertIn("2 shapes: 1 meshes, 1 failures; 10 quads, 0.8 CPU seconds", text)
 
     def test_files_are_replaced_and_nothing_else_is_left(self):
