@@ -196,7 +196,7 @@ TEST(ToolMain, ProvenanceHoldsOptionsAfterDefaultsWithSortedKeys) {
   ASSERT_EQ(s.chain.size(), 1u);
   EXPECT_EQ(s.chain[0].tool, "sample");
   EXPECT_EQ(s.chain[0].inputs[0].sha256, "abc");
-  EXPECT_EQ(s.chain[0].options, R"({"loud":false,"mode":"fast","name":"plain","order":4,"size":0.10000000000000001})");
+  EXPECT_EQ(s.chain[0].options, R"({"loud":false,"mode":"fast","name":"plain","order":4,"size":0.1})");
 }
 
 TEST(ToolMain, ThreadsAreAsManyAsProcessorsByDefault) {
