@@ -44,10 +44,8 @@ int main(int argc, char** argv) {
     options.validate();
     io::InputFile names_file;
     std::vector<NameRule> names;
-    if (!options.names_file.empty()) {
-      names_file = io::read_input(options.names_file);
-      names = io::read_boundary_names(names_file);
-    }
+    if (!options.names_file.empty())
+      names_file = io::read_input(options.names_file), names = io::read_boundary_names(names_file);
     const io::InputFile file = io::read_input(input);
     stage::Cad2triInput from{{file.bytes, file}, {}};
     std::optional<ChartedFace> chart;

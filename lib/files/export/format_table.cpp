@@ -167,6 +167,18 @@ std::vector<ExportFormat> low_order_formats() {
        .side_names = {names_table_name},
        .pieces = WrittenPieces::quadratic,
        .written_nodes = WrittenNodes::edges},
+      {.name = "specfem2d",
+       .summary = "text files of SPECFEM2D",
+       .write = specfem2d,
+       .loses_periodic_sides = true,
+       .side_names = {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name},
+       .pieces = WrittenPieces::quadratic},
+  };
+}
+
+/// Written by a program that has the library of the format.
+std::vector<ExportFormat> exodus_formats() {
+  return {
       {.name = "exodus",
        .ending = ".exo",
        .summary = "Exodus II",
@@ -187,12 +199,6 @@ std::vector<ExportFormat> low_order_formats() {
        .pieces = WrittenPieces::quadratic,
        .written_nodes = WrittenNodes::edges,
        .program = "quadexport-netcdf"},
-      {.name = "specfem2d",
-       .summary = "text files of SPECFEM2D",
-       .write = specfem2d,
-       .loses_periodic_sides = true,
-       .side_names = {specfem_nodes, specfem_materials, specfem_free_surface, specfem_absorbing, names_table_name},
-       .pieces = WrittenPieces::quadratic},
   };
 }
 
@@ -236,7 +242,8 @@ std::vector<ExportFormat> structured_formats() {
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = [] {
     std::vector<ExportFormat> all = general_formats();
-    for (const auto& more : {high_order_formats(), volume_formats(), low_order_formats(), structured_formats()})
+    for (const auto& more :
+         {high_order_formats(), volume_formats(), low_order_formats(), exodus_formats(), structured_formats()})
       all.insert(all.end(), more.begin(), more.end());
     return all;
   }();

@@ -149,6 +149,9 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
            "at-most makes no edge longer than prescribed; error begins with nearest, and then moves elements from "
            "chord to chord as long as this lowers the error of a smooth solution at their number; elements are shorter "
            "only where the boundary needs it. With --wall, or without --relax size, error is nearest");
+}
+
+void declare_counts(Options& o, QuadrefineOptions& options) {
   o.texts("--count", options.counts, "CHORD=N|NAME=N[,even]",
           "N elements across a chord, or along the boundary NAME (all its curves together; each side of an interface "
           "that has nodes of its own), instead of the number from the sizes; even: of equal lengths along each of its "
@@ -210,6 +213,7 @@ void QuadrefineOptions::validate() const { parsed(*this); }
 
 void declare(Options& o, QuadrefineOptions& options) {
   declare_sizes(o, options);
+  declare_counts(o, options);
   o.integer("--order", options.refine.order, 1, 20, "shape order of the elements");
   o.number(
       "--geometry-tol", options.refine.geometry_tol, 0, 1, "diameters",

@@ -113,7 +113,7 @@ std::string report_verdict(const QuadMesh& mesh, const SizeOptions& prescribed, 
                            Report& report) {
   const mesh::Verdict verdict = mesh::verdict_of(mesh);
   const std::optional<Advice> advice = advice_for(mesh, verdict, prescribed, applied);
-  const std::string text = mesh::describe(verdict, mesh.face) + (advice ? describe(*advice) : "");
+  std::string text = mesh::describe(verdict, mesh.face) + (advice ? describe(*advice) : "");
   report.set("verdict.grade", enum_name(verdict.grade()));
   report.set("verdict.text", text);
   if (verdict.faults.empty()) return text;
