@@ -19,10 +19,10 @@ struct QuadexportOptions {
   std::string frame = "2d";              ///< "3d": coordinates of the CAD model
   std::vector<std::string> patch_types;  ///< NAME=TYPE
   std::string translation;               ///< "X,Y" or "X,Y,Z", lengths of the CAD file; empty: none
+  std::string check_for = "none";        ///< a name of stage/solver_table: measure the mesh as that program does
   ScaleRequest length;                   ///< unit and factor of the coordinates
   bool block_groups = false;             ///< each block without a name is a region of its own
   bool merge_blocks = false;             ///< blocks of one region are joined to the fewest grids
-  std::string check_for = "none";        ///< a name of stage/solver_table: measure the mesh as that program does
   bool allow_invalid = false;            ///< export a mesh that is marked as not valid
 };
 void declare(Options& options, QuadexportOptions& quadexport);
