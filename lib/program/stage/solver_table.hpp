@@ -56,7 +56,7 @@ struct SolverRow {
 
 const std::vector<SolverRow>& solver_rows();
 
-/// nullptr if there is none of that name.
+/// The row of a program by its name for --check-for; nullptr if no program has this name.
 const SolverRow* find_solver(std::string_view name);
 
 }  // namespace quadrille::stage

@@ -21,7 +21,6 @@ namespace {
 constexpr double aim = 0.5;
 constexpr double least_factor = 0.4;  ///< by which lengths are multiplied at once
 constexpr double unproved_factor = 0.5;
-constexpr double tip_reach = 1;  ///< of the length of an element, to which a tip counts
 /// Between the first power of the length, with which the distance falls at a tip or a kink whatever the order, and the
 /// second, with which it does where the curvature jumps.
 constexpr double slow_power = 1.5;
@@ -50,7 +49,7 @@ bool is_near_any(const std::vector<Vec3>& tips, const QuadMesh& mesh, int elem) 
   return std::ranges::any_of(tips, [&](Vec3 tip) {
     double least = HUGE_VAL;
     for (int side = 0; side < 4; ++side) least = std::min(least, distance(corner(mesh, elem, side), tip));
-    return least <= tip_reach * longer_diagonal(mesh, elem);
+    return least <= longer_diagonal(mesh, elem);
   });
 }
 

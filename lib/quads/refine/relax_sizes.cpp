@@ -217,9 +217,10 @@ SizeRelaxed relax_to_sizes(const QuadMesh& mesh, const SizeRelaxation& options) 
     if (result.relaxation->run(options.least_progress, result)) return result;
   }
   if (options.even_curves.empty()) return result;
-  SizeRelaxation uneven = options;  // a mesh that is even nowhere, but relaxed, which report_even_counts tells
-  uneven.even_curves.clear();
-  return relax_to_sizes(mesh, uneven);
+  // Without equal lengths along any curve the mesh can still be relaxed; report_even_counts warns then.
+  SizeRelaxation without_even_curves = options;
+  without_even_curves.even_curves.clear();
+  return relax_to_sizes(mesh, without_even_curves);
 }
 
 }  // namespace quadrille::refine

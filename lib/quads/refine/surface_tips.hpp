@@ -9,8 +9,8 @@
 
 namespace quadrille::refine {
 
-/// In space: vertices of the chart's triangles where the parameters of the surface degenerate and its normals all
-/// around are not those of one plane. A pole of a sphere is none.
+/// Positions in space of the tips: vertices of the chart's triangles at which the surface's parametrisation degenerates
+/// and its normals differ around the vertex. The pole of a sphere, where the normals agree, is not a tip.
 std::vector<Vec3> surface_tips(const Chart& chart);
 
 }  // namespace quadrille::refine

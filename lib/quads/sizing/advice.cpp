@@ -48,7 +48,7 @@ class LengthRatios {
   SizeField applied_;
 };
 
-/// A size is prescribed then: an automatic number of elements along each curve is none.
+/// The options with this size. An automatic least number of elements along each curve applies only without a size.
 SizeOptions with_size(SizeOptions options, double size) {
   options.size = size;
   if (options.per_curve == SizeOptions::automatic) options.per_curve = 0;
