@@ -74,14 +74,18 @@ as_good() { jq -e -s '.[0].least_scaled_jacobian > .[1].least_scaled_jacobian - 
 @test "where the whole has nodes of odd valence on the line, the half has nodes of its own, at the least energy of the whole" {
   "$halves" disc
   mesh whole '.blocks == 5' --size-rule nearest --relax none
-  mesh half '.valid and .blocks == 4 and .irregular_nodes == 2 and .warnings == []' --size-rule nearest --relax none
+  # Unrelaxed, R is above 5 and the mesh says so; no other warning is due.
+  mesh half '.valid and .blocks == 4 and .irregular_nodes == 2 and (.warnings | map(.code) - ["W-QUA-005"]) == []' \
+    --size-rule nearest --relax none
   as_good
   # The nodes of the whole, turned by 45 degrees.
   jq -e -s 'def radius: .critical_points[0].position | map(. * .) | add | sqrt;
     (.[0] | radius) - (.[1] | radius) | fabs < 1e-6' stages/half.crit.json stages/whole.crit.json
   "$halves" ellipse
   mesh whole .valid --size-rule nearest --relax none
-  mesh half '.valid and .blocks == 4 and .irregular_nodes == 2 and .warnings == []' --size-rule nearest --relax none
+  # Unrelaxed, R is above 5 and the mesh says so; no other warning is due.
+  mesh half '.valid and .blocks == 4 and .irregular_nodes == 2 and (.warnings | map(.code) - ["W-QUA-005"]) == []' \
+    --size-rule nearest --relax none
   as_good
   "$halves" quarter_disc
   mesh quarter '.valid and .blocks == 3 and .irregular_nodes == 1 and .warnings == []'
