@@ -7,6 +7,14 @@ curved=$DATA/curved
 # nodes MSH: x y z of each node.
 nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { print }' "$1"; }
 
+@test "a file that holds one curved face alone needs no --face" {
+  "$quadmesh" "$curved/sphere_cap.step" -o a.msh
+  "$quadmesh" "$curved/sphere_cap.step" --face 0 -o b.msh
+  cmp <(nodes a.msh) <(nodes b.msh)
+  run -0 "$quadmesh" "$curved/sphere_cap.step" -o a.msh --dry-run
+  assert_line --regexp '^cad2chart .*/sphere_cap.step -o '
+}
+
 @test "quadmesh --face meshes a curved face of a solid, on its surface" {
   run -0 "$quadmesh" "$curved/half_cylinder.step" --face 0 -o a.msh
   assert_output --regexp '^[0-9]+ blocks?, [0-9]+ irregular nodes, [0-9]+ quads, '

@@ -85,12 +85,12 @@ std::string move_words_to_chart(ChainState& chain, const std::string& shape, con
 
 namespace {
 
-/// The face of the CAD file that --face names, planar or curved: the file is read once.
+/// The face of the CAD file, planar or curved: the file is read once.
 TriMesh triangles_of(const ChainState& chain, const std::string& shape, Run& run) {
   io::InputFile file = read_input(chain, shape);
   stage::Cad2triOptions options = chain.values.cad2tri;
   std::optional<cad::LoadedFace> face;
-  if (!options.face.empty() && !io::is_chart(file)) {
+  if (!io::is_chart(file)) {
     cad::AnyFace any = stage::read_any_face({file.bytes, file}, options, run);
     if (auto* const curved = std::get_if<SpaceFace>(&any)) {
       file = chart_file(chain, *curved, file, run);
@@ -112,7 +112,7 @@ TriMesh triangles_of(const ChainState& chain, const std::string& shape, Run& run
 
 /// Whether cad2tri is only printed as a command, or run as one, which needs to know whether cad2chart comes before.
 bool needs_command(const ChainState& chain) {
-  return chain.is_due(ChainStage::cad2tri) && !chain.values.cad2tri.face.empty() &&
+  return chain.is_due(ChainStage::cad2tri) &&
          (chain.options.is_dry_run || chain.options.programs.contains(ChainStage::cad2tri));
 }
 
