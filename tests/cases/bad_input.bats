@@ -7,7 +7,7 @@ quadmesh=$ROOT/pipelines/quadmesh
 # The CAD files that are refused, and what the message must say without its blanks.
 refused="empty.step:empty truncated.step:truncated garbage.step:STEP garbage.txt:STEP wrong_extension.iges:.iges
   wrong_extension.txt:.txt unknown_entity.step:#4 unknown_point.step:#4 points_are_directions.step:#4
-  broken_reference.step:edges mixed_units.step:unit solid.step:solid sphere.step:planar two_faces.step:faces
+  broken_reference.step:edges mixed_units.step:unit solid.step:solid two_faces.step:faces
   open_wire.step:(0,1) self_intersecting.step:(0.952381,0.52381)
   self_intersecting_curve.step:(1,0.857143) hole_outside.step:(3,0)
   hole_across.step:(2,0.75) hole_in_hole.step:(3,3) zero_area.step:(2,0)
@@ -45,6 +45,12 @@ ends_of_signal() {
   assert_equal "$(cat words)" ""
   rm words
   assert_equal "$(ls -A "$TMPDIR")" ""
+}
+
+@test "a closed surface: cad2tri says that it is curved, quadmesh where to cut it" {
+  refuses 3 'cad2tri: *the face is not planar (a sphere): *' cad2tri "$DATA/bad/sphere.step" -o out.tri.h5
+  refuses 3 '*: the face is closed, without a boundary*: cut it into faces*' "$quadmesh" "$DATA/bad/sphere.step" \
+    -o out.msh
 }
 
 @test "CAD files that are refused: 3, what and where, through cad2tri and through quadmesh" {
