@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "base/angle.hpp"
@@ -29,8 +29,18 @@ bool is_move_from_fillet(const NodeChange& change) {
   return change.kind == ChangeKind::feature && is_inner(change.before) && is_inner(change.after);
 }
 
-// Lengths, in diameters, to which lines are traced in turn, until the choice of merges is decided.
-constexpr double reaches[] = {1, 4, std::numeric_limits<double>::infinity()};
+// Lines are traced to this length, in diameters; those whose merge is not decided then so many times as far, again and
+// again.
+constexpr double first_reach = 1, longer = 4;
+
+void continue_lines(const std::set<int>& lines, trace::LineTracer& tracer, Progress* progress) {
+  const Progress::Part part(progress, "lines", std::ssize(lines));
+  const std::vector<double> reaches = tracer.reaches();
+  for (const int line : lines) {
+    tracer.follow_to(line, longer * reaches[line]);
+    part.advance();
+  }
+}
 
 // Every crossing ends two arcs, but lines that meet at a node are counted as crossings too.
 constexpr std::size_t max_crossings_per_arc = 10;
@@ -51,20 +61,24 @@ void require_total_length(const trace::LineTracer& tracer, double diameter, doub
                                    tracer.lines().size(), total, most));
 }
 
-// The graph of the lines traced so far, with its merged lines and their largest deviation; std::nullopt if they must be
+// The graph of the lines traced so far, with its merged lines and their largest deviation, or the lines that must be
 // continued.
-std::optional<graph::CandidateLayout> partition(const field::FieldEvaluator& evaluator,
-                                                const std::vector<GraphNode>& fixed, const std::vector<Vec2>& nodes,
-                                                const trace::LineTracer& tracer, const LayoutOptions& options,
-                                                Progress* progress) {
+struct Partition {
+  std::optional<graph::CandidateLayout> layout;
+  std::set<int> unsettled;
+};
+
+Partition partition(const field::FieldEvaluator& evaluator, const std::vector<GraphNode>& fixed,
+                    const std::vector<Vec2>& nodes, const trace::LineTracer& tracer, const LayoutOptions& options,
+                    Progress* progress) {
   const CadFace& face = evaluator.field().mesh.face;
   trace::MergedLines lines(evaluator, tracer.lines(), nodes, radians(options.trace.merge_angle),
                            options.trace.merge_distance, trace::LineEnds::required,
-                           {tracer.reach(), max_crossings_per_arc * options.max_lines});
+                           {tracer.reaches(), max_crossings_per_arc * options.max_lines});
   graph::CandidateLayout layout;
   // An aggressive merge may result in a face without four corners: such merges are rejected, the worst first.
   do {
-    if (!lines.merge(progress)) return std::nullopt;
+    if (!lines.merge(progress)) return {std::nullopt, lines.unsettled()};
     std::vector<graph::FinishedLine> finished;
     for (const trace::MergedLine& line : lines.arrangement().lines) finished.push_back(line.line);
     SeparatrixGraph graph = graph::build_graph(face, fixed, std::move(finished), lines.arrangement().crossings,
@@ -75,7 +89,7 @@ std::optional<graph::CandidateLayout> partition(const field::FieldEvaluator& eva
            lines.reject_worst(lines.chosen(), trace::same_line_angle));
   layout.certificate.merged_lines = static_cast<int>(lines.chosen().size());
   layout.certificate.largest_deviation_degrees = degrees(lines.largest_deviation());
-  return layout;
+  return {std::move(layout), {}};
 }
 
 // Ends lines of the layout on the small fillets whose nodes critpoints moved inward (simplify/line_ends.hpp), where
@@ -105,18 +119,18 @@ graph::CandidateLayout trace_separatrices(const field::FieldEvaluator& evaluator
   const std::vector<GraphNode> fixed = trace::fixed_nodes(face, points);
   const std::vector<Vec2> nodes = trace::positions(fixed);
   trace::LineTracer tracer(evaluator, points, nodes, options.trace);
-  std::optional<graph::CandidateLayout> found;
+  Partition found;
   const Progress::Part round(report.progress(), "round");
-  for (const double reach : reaches) {
+  tracer.follow_all_to(first_reach * face.diameter, report.progress());
+  for (;; continue_lines(found.unsettled, tracer, report.progress())) {
     round.advance();
-    tracer.follow_all_to(reach * face.diameter, report.progress());
     report.set("trace.steps", tracer.num_steps());
     require_total_length(tracer, face.diameter, options.trace.max_total_length);
     const Progress::Part part(report.progress(), "crossings and merges");
     found = partition(evaluator, fixed, nodes, tracer, options, report.progress());
-    if (found) break;
+    if (found.layout) break;
   }
-  graph::CandidateLayout layout = std::move(*found);
+  graph::CandidateLayout layout = std::move(*found.layout);
   report.set("trace.launched", tracer.lines().size());
   report.set("trace.merged", layout.certificate.merged_lines);
   report.set("trace.largest_merge_deviation_degrees", layout.certificate.largest_deviation_degrees);

@@ -113,33 +113,39 @@ AdvanceOptions LineTracer::bounds(double length) const {
   return {options_.tolerance * d, step, std::min(length, max_length_), relative.hit_distance * d};
 }
 
+std::vector<double> LineTracer::reaches() const {
+  std::vector<double> reaches = reaches_;
+  for (double& reach : reaches)
+    if (reach >= max_length_) reach = 0;
+  return reaches;
+}
+
 void LineTracer::follow_all_to(double length, Progress* progress) {
   const Progress::Part part(progress, "lines", static_cast<int>(lines_.size() + launches_.size()));
   const bool is_fixed = options_.integrator == Integrator::adams_bashforth;
-  reach_ = is_fixed ? max_length_ : std::min(length, max_length_);
-  const AdvanceOptions options = bounds(reach_);
   if (!is_fixed)
-    for (Streamline& line : lines_) {
-      follow_line(line, options);
-      part.advance();
-    }
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i, part.advance()) follow_to(i, length);
+  const double reach = is_fixed ? max_length_ : length;
+  const AdvanceOptions options = bounds(reach);
   for (const Launch& launch : launches_) {
-    add_line(is_fixed ? advance_adams_bashforth(evaluator_, launch, nodes_, options) : traced(launch, options));
+    add_line(is_fixed ? advance_adams_bashforth(evaluator_, launch, nodes_, options) : traced(launch, options), reach);
     part.advance();
   }
   launches_.clear();
 }
 
-void LineTracer::add_line(Streamline line) {
+void LineTracer::add_line(Streamline line, double reach) {
   num_steps_ += line.steps.size();
   lines_.push_back(std::move(line));
+  reaches_.push_back(reach);
   require_few_steps();
 }
 
-void LineTracer::follow_line(Streamline& line, const AdvanceOptions& options) {
-  num_steps_ -= line.steps.size();
-  follow(evaluator_, line, nodes_, options);
-  num_steps_ += line.steps.size();
+void LineTracer::follow_to(int line, double length) {
+  num_steps_ -= lines_[line].steps.size();
+  follow(evaluator_, lines_[line], nodes_, bounds(length));
+  num_steps_ += lines_[line].steps.size();
+  reaches_[line] = length;
   require_few_steps();
 }
 
@@ -151,10 +157,8 @@ Streamline LineTracer::traced(const Launch& launch, const AdvanceOptions& option
   return advance(evaluator_, launch, nodes_, options);
 }
 
-void LineTracer::follow_to(int line, double length) { follow_line(lines_[line], bounds(length)); }
-
 void LineTracer::add_cut(int curve, double t, double length) {
-  add_line(advance(evaluator_, launch_from_boundary(evaluator_, curve, t), nodes_, bounds(length)));
+  add_line(advance(evaluator_, launch_from_boundary(evaluator_, curve, t), nodes_, bounds(length)), length);
 }
 
 Streamline LineTracer::follow_from(Vec2 x, double angle) const {

@@ -75,8 +75,8 @@ class LineTracer {
   /// lines().
   Streamline follow_from(Vec2 x, double angle) const;
 
-  /// The length to which follow_all_to has traced lines without an end; 0: to the greatest length.
-  double reach() const { return reach_ < max_length_ ? reach_ : 0; }
+  /// By line, the length to which it was followed, if it had no end before; 0: to the greatest length.
+  std::vector<double> reaches() const;
   double max_length() const { return max_length_; }
   /// Of all lines.
   std::size_t num_steps() const { return num_steps_; }
@@ -85,19 +85,19 @@ class LineTracer {
 
  private:
   AdvanceOptions bounds(double length) const;
-  void add_line(Streamline line);
-  void follow_line(Streamline& line, const AdvanceOptions& options);
+  void add_line(Streamline line, double reach);
   void require_few_steps() const;
   Streamline traced(const Launch& launch, const AdvanceOptions& options) const;
 
   const field::FieldEvaluator& evaluator_;
   PointGrid nodes_;
   TraceOptions options_;
-  double max_length_ = 0, reach_ = 0;
+  double max_length_ = 0;
   std::size_t num_steps_ = 0, max_num_steps_ = 0;
   std::vector<MirrorAxis> axes_;
   std::vector<Launch> launches_;  // of lines that have not been followed yet
   std::vector<Streamline> lines_;
+  std::vector<double> reaches_;  // of lines_
 };
 
 }  // namespace quadrille::trace

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/message_text.hpp"
@@ -34,7 +36,7 @@ void choose_tied(const std::vector<MergeCandidate>& candidates, const std::vecto
   for (const int i : free) num_competing[candidates[i].a] = num_competing[candidates[i].b] = 0;
 }
 
-// A pair that is not known yet has a line longer than the reach. Lengths of a pair are so nearly equal that their mean
+// A pair that is not known yet has a line longer than its reach. Lengths of a pair are so nearly equal that their mean
 // is then above this fraction of the reach: pairs below are chosen before it in any case.
 constexpr double settled_fraction = 1 - merge_limits.inequality / 2;
 
@@ -70,8 +72,8 @@ std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, co
 }
 
 MergePlan::MergePlan(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
-                     const std::vector<Vec2>& nodes, const MergeOptions& options, double reach)
-    : evaluator_(evaluator), lines_(lines), nodes_(nodes), options_(options), reach_(reach) {
+                     const std::vector<Vec2>& nodes, const MergeOptions& options, std::vector<double> reaches)
+    : evaluator_(evaluator), lines_(lines), nodes_(nodes), options_(options), reaches_(std::move(reaches)) {
   renew();
 }
 
@@ -89,14 +91,18 @@ std::vector<int> MergePlan::endless_without_partner(const std::vector<int>& chos
   return endless;
 }
 
-bool MergePlan::needs_longer_lines(const std::vector<int>& chosen) const {
-  if (reach_ == 0) return false;
-  const auto may_be_late = [this](int c) {
-    const MergeCandidate& pair = candidates_[c];
-    return pair.delayed_meeting() > settled_fraction * reach_ &&
-           (lines_[pair.a].is_endless() || lines_[pair.b].is_endless());
-  };
-  return !endless_without_partner(chosen).empty() || std::any_of(chosen.begin(), chosen.end(), may_be_late);
+bool MergePlan::is_unfinished(int line) const {
+  const Streamline& l = lines_[line];
+  return !reaches_.empty() && reaches_[line] > 0 && l.is_endless() && !l.is_limit_cycle && !l.is_stuck();
+}
+
+void MergePlan::find_unsettled(const std::vector<int>& chosen) {
+  const std::vector<int> merge_of = merge_of_lines(chosen);
+  unsettled_.clear();
+  for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+    if (is_unfinished(i) &&
+        (merge_of[i] < 0 || candidates_[merge_of[i]].delayed_meeting() > settled_fraction * reaches_[i]))
+      unsettled_.insert(i);
 }
 
 std::vector<int> MergePlan::choose_by_rules() const {
@@ -107,7 +113,8 @@ std::vector<int> MergePlan::choose_by_rules() const {
 
 std::optional<std::vector<int>> MergePlan::choose_once() {
   std::vector<int> chosen = choose_by_rules();
-  if (needs_longer_lines(chosen)) return std::nullopt;
+  find_unsettled(chosen);
+  if (!unsettled_.empty()) return std::nullopt;
   const std::vector<int> endless = endless_without_partner(chosen);
   if (!endless.empty()) add_last_resorts(endless, chosen);
   return chosen;
@@ -124,13 +131,19 @@ void MergePlan::add_last_resorts(const std::vector<int>& endless, std::vector<in
 }
 
 // Rejects the merge that occupies the first partner of an endless line, if both merged lines end. True if it was not
-// rejected before.
+// rejected before. If it is not known whether they end, they are unsettled.
 bool MergePlan::reject_for(int endless, const std::vector<int>& merge_of) {
   for (size_t i = 0; i < candidates_.size(); ++i) {
     const MergeCandidate& pair = candidates_[i];
     if (is_rejected_[i] || (pair.a != endless && pair.b != endless)) continue;
     const int other = merge_of[pair.a == endless ? pair.b : pair.a];
-    if (other < 0 || lines_[candidates_[other].a].is_endless() || lines_[candidates_[other].b].is_endless()) continue;
+    if (other < 0) continue;
+    const std::array merged{candidates_[other].a, candidates_[other].b};
+    const auto is_endless = [this](int line) { return lines_[line].is_endless() && !is_unfinished(line); };
+    if (std::any_of(merged.begin(), merged.end(), is_endless)) continue;
+    for (const int line : merged)
+      if (is_unfinished(line)) unsettled_.insert(line);
+    if (!unsettled_.empty()) return false;
     const bool is_new = !is_rejected_[other];
     is_rejected_[other] = true;
     return is_new;
@@ -145,6 +158,7 @@ std::optional<std::vector<int>> MergePlan::choose() {
     const std::vector<int> merge_of = merge_of_lines(*chosen);
     bool any = false;
     for (const int line : endless_without_partner(*chosen)) any = reject_for(line, merge_of) || any;
+    if (!unsettled_.empty()) return std::nullopt;
     if (!any) break;
     chosen = choose_once();
   }
@@ -153,8 +167,10 @@ std::optional<std::vector<int>> MergePlan::choose() {
 
 // The two lengths of a pair differ so little that all pairs of such a line are known.
 std::optional<int> MergePlan::stuck_without_partner() const {
+  double reach = std::numeric_limits<double>::infinity();
+  for (const int line : unsettled_) reach = std::min(reach, reaches_[line]);
   for (const int line : endless_without_partner(choose_by_rules()))
-    if (lines_[line].is_stuck() && 2 * lines_[line].length() < reach_) return line;
+    if (lines_[line].is_stuck() && 2 * lines_[line].length() < reach) return line;
   return std::nullopt;
 }
 
@@ -238,7 +254,7 @@ MergedLines::MergedLines(const field::FieldEvaluator& evaluator, const std::vect
       lines_(lines),
       ends_(ends),
       max_crossings_(bounds.max_crossings),
-      plan_(evaluator, lines, nodes, {std::max(merge_angle, same_line_angle), merge_distance}, bounds.reach),
+      plan_(evaluator, lines, nodes, {std::max(merge_angle, same_line_angle), merge_distance}, bounds.reaches),
       fitter_(evaluator, lines) {}
 
 bool MergedLines::merge(Progress* progress) {
@@ -286,11 +302,12 @@ bool MergedLines::reject_crossing_merges() {
 void MergedLines::arrange(Progress* progress) {
   const Progress::Part fitted(progress, "fitted lines", std::ssize(lines_));
   const std::vector<int> merge_of = plan_.merge_of_lines(arrangement_.chosen);
+  for (int i = 0; i < static_cast<int>(lines_.size()) && ends_ == LineEnds::required; ++i)
+    if (merge_of[i] < 0 && lines_[i].is_endless()) fail_endless(face(), lines_[i]);
   arrangement_.lines.clear();
   for (int i = 0; i < static_cast<int>(lines_.size()); ++i, fitted.advance()) {
     const int c = merge_of[i];
     if (c >= 0 && plan_.candidate(c).b == i) continue;
-    if (c < 0 && ends_ == LineEnds::required && lines_[i].is_endless()) fail_endless(face(), lines_[i]);
     arrangement_.lines.push_back(c >= 0 ? fitter_.pair(plan_.candidate(c), c) : fitter_.single(i));
   }
   std::vector<graph::CurveKey> keys;

@@ -32,22 +32,26 @@ std::vector<int> choose_merges(const std::vector<MergeCandidate>& candidates, co
 
 class MergePlan {
  public:
-  /// `evaluator`, `lines` and `nodes` must outlive the plan. `reach`: the length to which lines without an end have
-  /// been traced so far, if they can be continued; 0: all lines are complete.
+  /// `evaluator`, `lines` and `nodes` must outlive the plan. `reaches`, by line: the length to which it has been traced
+  /// so far, if it has no end yet and can be continued; 0: it is complete. Empty: all are.
   MergePlan(const field::FieldEvaluator& evaluator, const std::vector<Streamline>& lines,
-            const std::vector<Vec2>& nodes, const MergeOptions& options, double reach = 0);
+            const std::vector<Vec2>& nodes, const MergeOptions& options, std::vector<double> reaches = {});
 
   /// Numbers of the candidates chosen by the rules (trace/merge_candidates.hpp) among those not rejected.
   std::vector<int> choose_by_rules() const;
 
   /// choose_by_rules, then every endless line (spiral, limit cycle) without a partner is merged with the first free one
   /// that meets it head on within merge_limits.endless_angle; if none is free, the merge of two lines that end is
-  /// rejected for it. std::nullopt if continued lines might change the choice.
+  /// rejected for it. std::nullopt if continued lines might change the choice: `unsettled`.
   std::optional<std::vector<int>> choose();
 
-  /// The first line that cannot be continued (Streamline::is_stuck), is far shorter than the reach and has no partner
-  /// by the rules; std::nullopt if every line can be continued, is long or has a partner. Continuing the other lines
-  /// gives such a line no partner.
+  /// The lines that must be continued before choose() can decide. Lines of a pair that meets before the reach of both
+  /// are none of them, though they have no end yet: all pairs that come before it are known.
+  const std::set<int>& unsettled() const { return unsettled_; }
+
+  /// The first line that cannot be continued (Streamline::is_stuck), is far shorter than the unsettled ones and has no
+  /// partner by the rules; std::nullopt if every line can be continued, is long or has a partner. Continuing the other
+  /// lines gives such a line no partner.
   std::optional<int> stuck_without_partner() const;
 
   /// Rejects those of these candidates whose deviation is within 1e-6 of the largest: a symmetry orbit together.
@@ -70,7 +74,8 @@ class MergePlan {
   void reject(const LinePairs& pairs);
   LinePairs rejected_pairs() const;
   void add_candidates(const MergeOptions& options);
-  bool needs_longer_lines(const std::vector<int>& chosen) const;
+  bool is_unfinished(int line) const;
+  void find_unsettled(const std::vector<int>& chosen);
   std::vector<int> endless_without_partner(const std::vector<int>& chosen) const;
   std::optional<std::vector<int>> choose_once();
   void add_last_resorts(const std::vector<int>& endless, std::vector<int>& chosen);
@@ -83,7 +88,8 @@ class MergePlan {
   std::vector<MergeCandidate> candidates_;  // by the rules, then the last resorts of endless lines
   std::vector<bool> is_rejected_;
   size_t num_regular_ = 0;  // candidates by the rules
-  double reach_;
+  std::vector<double> reaches_;
+  std::set<int> unsettled_;
 };
 
 /// Whether a crossing can only be one of lines of one family.
@@ -134,7 +140,7 @@ inline constexpr double same_line_angle = 1e-4;
 
 /// Limits of the lines that are merged.
 struct LineBounds {
-  double reach = 0;  ///< as for MergePlan
+  std::vector<double> reaches = {};  ///< as for MergePlan
   std::size_t max_crossings = std::numeric_limits<std::size_t>::max();
 };
 
@@ -161,8 +167,9 @@ class MergedLines {
               const LineBounds& bounds = {});
 
   /// Chooses merges, computes curves and crossings, and rejects merges that have bent a line across its own family
-  /// until there are none. Returns false if lines must be continued to decide. Throws ComputeError if a line has no end
-  /// but requires one or if lines of one family cross (require_family_order), and as graph::find_crossings.
+  /// until there are none. Returns false if lines must be continued to decide: `unsettled`. Throws ComputeError if a
+  /// line has no end but requires one or if lines of one family cross (require_family_order), and as
+  /// graph::find_crossings.
   bool merge(Progress* progress = nullptr);
 
   /// Rejects those of these merges (numbers as in chosen()) whose deviation is within 1e-6 of the largest. Returns
@@ -175,6 +182,7 @@ class MergedLines {
   /// Results of the last merge().
   const LineArrangement& arrangement() const { return arrangement_; }
   const std::vector<int>& chosen() const { return arrangement_.chosen; }
+  const std::set<int>& unsettled() const { return plan_.unsettled(); }
   double largest_deviation() const;  ///< of the chosen merges, radians
 
  private:

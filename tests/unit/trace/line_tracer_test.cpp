@@ -95,13 +95,14 @@ TEST_F(FiveRays, LinesAreFollowedInRounds) {
   LineTracer tracer(evaluator, points, nodes, options);
   tracer.follow_all_to(0.3);
   ASSERT_EQ(tracer.lines().size(), 5u);
-  EXPECT_NEAR(tracer.reach(), 0.3, 1e-15);
+  EXPECT_EQ(tracer.reaches(), std::vector(5, 0.3));
   for (const Streamline& line : tracer.lines()) EXPECT_TRUE(line.is_endless());
   tracer.follow_to(2, 10);
   EXPECT_FALSE(tracer.lines()[2].is_endless());
   EXPECT_TRUE(tracer.lines()[1].is_endless());
+  EXPECT_EQ(tracer.reaches(), (std::vector{0.3, 0.3, 10.0, 0.3, 0.3}));
   tracer.follow_all_to(1e9);
-  EXPECT_EQ(tracer.reach(), 0);
+  EXPECT_EQ(tracer.reaches(), std::vector(5, 0.));
   for (const Streamline& line : tracer.lines()) EXPECT_EQ(line.end, Streamline::End::boundary);
 }
 
@@ -109,7 +110,7 @@ TEST_F(FiveRays, TheFixedStepIntegratorFollowsLinesToTheirEndsAtOnce) {
   options.integrator = Integrator::adams_bashforth;
   LineTracer tracer(evaluator, points, nodes, options);
   tracer.follow_all_to(0.3);
-  EXPECT_EQ(tracer.reach(), 0);
+  EXPECT_EQ(tracer.reaches(), std::vector(5, 0.));
   for (const Streamline& line : tracer.lines()) {
     EXPECT_EQ(line.end, Streamline::End::boundary);
     EXPECT_EQ(line.steps.front().elem, in_the_plane);

@@ -4,6 +4,8 @@
 
 #include <complex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "../support/square_field.hpp"
 #include "../support/two_nodes.hpp"
@@ -91,16 +93,32 @@ TEST_F(Passing, EndlessLinesAreMergedWhateverTheirDeviation) {
 
 TEST_F(Passing, AStuckLineWithoutPartnerIsFoundBeforeLinesAreContinued) {
   auto lines = traced(1.2);
-  MergePlan plan(evaluator, lines, nodes, {radians(0.1), 0}, 4);
+  const std::vector<double> reaches(lines.size(), 4);
+  MergePlan plan(evaluator, lines, nodes, {radians(0.1), 0}, reaches);
   EXPECT_FALSE(plan.choose()) << "longer lines might have partners";
   EXPECT_FALSE(plan.stuck_without_partner());
   int endless = 0;
   while (!lines[endless].is_endless()) ++endless;
+  EXPECT_EQ(plan.unsettled().size(), 2u);
+  EXPECT_EQ(*plan.unsettled().begin(), endless);
   const StreamStep last = lines[endless].steps.back();
   lines[endless].steps.resize(max_stream_steps, last);
   EXPECT_EQ(plan.stuck_without_partner(), endless);
-  const auto merged_by_rules = MergePlan(evaluator, traced(1.2), nodes, {radians(20), 0}, 4).stuck_without_partner();
-  EXPECT_FALSE(merged_by_rules);
+  const auto now_stuck = traced(1.2);
+  EXPECT_FALSE(MergePlan(evaluator, now_stuck, nodes, {radians(20), 0}, reaches).stuck_without_partner());
+}
+
+TEST_F(Passing, LinesOfAPairThatMeetsBeforeTheirReachAreSettled) {
+  const auto lines = traced(1.2);
+  const auto unsettled_at = [&](double reach) {
+    MergePlan plan(evaluator, lines, nodes, {radians(20), 0}, std::vector(lines.size(), reach));
+    const bool is_decided = plan.choose().has_value();
+    EXPECT_EQ(is_decided, plan.unsettled().empty());
+    return plan.unsettled();
+  };
+  EXPECT_TRUE(unsettled_at(2).empty());
+  EXPECT_EQ(unsettled_at(1.1).size(), 2u) << "a pair that is not known yet might come first";
+  for (const int line : unsettled_at(1.1)) EXPECT_TRUE(lines[line].is_endless());
 }
 
 TEST_F(Passing, RejectedMergesAreNotChosenAgain) {
@@ -246,8 +264,9 @@ TEST_F(TwoNodes, ALineThatWasContinuedIsFittedAgain) {
 }
 
 struct MergedTwoNodes : TwoNodes {
-  MergedLines merged(double degrees_allowed, LineEnds ends = LineEnds::required, double reach = 0) const {
-    return MergedLines(*evaluator, lines, nodes, radians(degrees_allowed), 0, ends, {reach});
+  MergedLines merged(double degrees_allowed, LineEnds ends = LineEnds::required,
+                     std::vector<double> reaches = {}) const {
+    return MergedLines(*evaluator, lines, nodes, radians(degrees_allowed), 0, ends, {std::move(reaches)});
   }
   void follow_only_to(double length) {
     for (Streamline& line : lines)
@@ -313,7 +332,7 @@ TEST_F(MergedTwoNodes, LinesWithoutAnEndAreAnErrorOnlyWhereEndsAreRequired) {
 TEST_F(MergedTwoNodes, LinesThatAreTooShortToDecideSaySo) {
   make(0.2);
   follow_only_to(0.3);
-  EXPECT_FALSE(merged(20, LineEnds::required, 0.3).merge());
+  EXPECT_FALSE(merged(20, LineEnds::required, std::vector(lines.size(), 0.3)).merge());
 }
 
 TEST_F(MergedTwoNodes, CrossingsAtACommonEndAreNotInner) {
