@@ -52,41 +52,67 @@ std::vector<Point> own_nodes(const std::vector<Point>& nodes, const std::vector<
   return own;
 }
 
-/// det J at the points, in space its normal component, and the middle of the corners.
-struct ElementDets {
-  std::vector<double> dets;
-  Vec3 middle;
-};
-
-ElementDets dets_of(const QuadMesh& mesh, const spectral::DetSampler& sampler, int elem) {
+/// The nodes of an element; in space those of a quad as seen along its normal in the middle.
+std::vector<Vec2> nodes_of(const QuadMesh& mesh, int elem) {
   const int count = mesh.nodes_per_elem();
-  const std::vector<Vec2> nodes = own_nodes(mesh.nodes, mesh.elem_nodes, count, elem);
-  const Vec2 middle = spectral::quad_position(mesh.order, nodes.data(), {0, 0});
-  if (mesh.space_nodes.empty()) return {sampler.of_quad(nodes.data()), {middle.x, middle.y, 0}};
+  if (mesh.space_nodes.empty()) return own_nodes(mesh.nodes, mesh.elem_nodes, count, elem);
   const std::vector<Vec3> in_space = own_nodes(mesh.space_nodes, mesh.elem_nodes, count, elem);
-  return {sampler.of_quad(spectral::quad_projection(mesh.order, in_space.data()).data()), {middle.x, middle.y, 0}};
+  return spectral::quad_projection(mesh.order, in_space.data());
+}
+std::vector<Vec3> nodes_of(const HexMesh& mesh, int elem) {
+  return own_nodes(mesh.nodes, mesh.elem_nodes, mesh.nodes_per_elem(), elem);
 }
 
-ElementDets dets_of(const HexMesh& mesh, const spectral::DetSampler& sampler, int elem) {
-  const std::vector<Vec3> nodes = own_nodes(mesh.nodes, mesh.elem_nodes, mesh.nodes_per_elem(), elem);
+/// In the chart, as positions of other measures.
+Vec3 middle_of(const QuadMesh& mesh, int elem) {
+  const std::vector<Vec2> nodes = own_nodes(mesh.nodes, mesh.elem_nodes, mesh.nodes_per_elem(), elem);
+  const Vec2 middle = spectral::quad_position(mesh.order, nodes.data(), {0, 0});
+  return {middle.x, middle.y, 0};
+}
+Vec3 middle_of(const HexMesh& mesh, int elem) {
+  const std::vector<Vec3> nodes = nodes_of(mesh, elem);
   Vec3 middle;
   for (int c = 0; c < 8; ++c) middle += 0.125 * nodes[exports::hex_corner_node(mesh.order, c)];
-  return {sampler.of_hex(nodes.data()), middle};
+  return middle;
 }
 
-/// Of each element its least det J, in the unit of the file, or the least over the greatest.
+std::vector<double> dets_at(const spectral::DetSampler& sampler, const Vec2* nodes) { return sampler.of_quad(nodes); }
+std::vector<double> dets_at(const spectral::DetSampler& sampler, const Vec3* nodes) { return sampler.of_hex(nodes); }
+
+/// The longest diagonal.
+double diameter_of(const QuadMesh& mesh, const std::vector<Vec2>& nodes) {
+  const auto corner = [&](int side) { return nodes[local_side_node(mesh.order, side, 0)]; };
+  return std::max(distance(corner(0), corner(2)), distance(corner(1), corner(3)));
+}
+double diameter_of(const HexMesh& mesh, const std::vector<Vec3>& nodes) {
+  double longest = 0;
+  for (const int lower : {0, 1, 2, 3}) {
+    const int upper = 4 + (lower + 2) % 4;
+    longest = std::max(longest, norm(nodes[exports::hex_corner_node(mesh.order, upper)] -
+                                     nodes[exports::hex_corner_node(mesh.order, lower)]));
+  }
+  return longest;
+}
+
+/// Of det J at the points of the program; in the unit of the file.
+template <typename Mesh>
+double value_of(const Mesh& mesh, const spectral::DetSampler& sampler, int elem, SolverMeasure measure, double scale) {
+  const auto nodes = nodes_of(mesh, elem);
+  const int dimension = dimension_of(mesh);
+  const std::vector<double> dets = dets_at(sampler, nodes.data());
+  const auto [least, greatest] = std::ranges::minmax(dets);
+  if (measure == SolverMeasure::jacobian_ratio) return greatest > 0 ? least / greatest : -1;
+  if (measure == SolverMeasure::relative_jacobian) return std::pow(2 / diameter_of(mesh, nodes), dimension) * least;
+  return std::pow(scale, dimension) * least;
+}
+
 template <typename Mesh>
 std::vector<mesh::CellSample> jacobian_samples(const Mesh& mesh, const SolverRequest& request, SolverMeasure measure,
                                                int num_threads) {
   const spectral::DetSampler sampler(mesh.order, request.solver.points(mesh.order));
-  const double scale = std::pow(request.scale, dimension_of(mesh));
   std::vector<mesh::CellSample> samples(mesh.num_elems());
   parallel_for(mesh.num_elems(), num_threads, [&](int elem) {
-    const ElementDets at = dets_of(mesh, sampler, elem);
-    const auto [least, greatest] = std::minmax_element(at.dets.begin(), at.dets.end());
-    double value = scale * *least;
-    if (measure == SolverMeasure::jacobian_ratio) value = *greatest > 0 ? *least / *greatest : -1;
-    samples[elem] = {value, elem, at.middle};
+    samples[elem] = {value_of(mesh, sampler, elem, measure, request.scale), elem, middle_of(mesh, elem)};
   });
   return samples;
 }

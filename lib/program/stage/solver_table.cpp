@@ -24,7 +24,9 @@ const std::vector<SolverLimit> not_folded{{jacobian_ratio, {}, 0}};
 /// Of cells with straight edges.
 std::vector<SolverRow> volume_solvers() {
   return {
-      // primitiveMeshCheck.C, whose errors are failures here, and symmetryPlanePolyPatch.C: |n - m|^2 below 1e-15.
+      // primitiveMeshCheck.C, whose errors are failures here: checkFaceOrthogonality, checkFaceSkewness,
+      // checkClosedCells (aspect ratio) and checkFacePyramids; symmetryPlanePolyPatch.C, calcGeometry: |n - m|^2 below
+      // 1e-15.
       {.name = "openfoam",
        .title = "OpenFOAM",
        .formats = {"blockmesh", "polymesh"},
@@ -33,7 +35,8 @@ std::vector<SolverRow> volume_solvers() {
                   {aspect_ratio, {}, 1000},
                   {pyramid, {}, 0},
                   {plane_deviation, {}, 3.1623e-8}}},
-      // cs_mesh_bad_cells.c, which only reports. Its cells are hexahedra, straight whatever their order.
+      // cs_mesh_bad_cells.c, which only reports: _compute_ortho_norm, _compute_offsetting, _compute_least_squares,
+      // _compute_volume_ratio. Its cells are hexahedra, straight whatever their order.
       {.name = "code_saturne",
        .title = "code_saturne",
        .formats = {"msh", "msh22", "cgns"},
@@ -55,23 +58,28 @@ std::vector<SolverRow> spectral_solvers() {
   return {
       // GeomFactors.cpp, CheckIfValid, at the points of QuadGeom.cpp and HexGeom.cpp.
       {.name = "nektar", .title = "Nektar++", .formats = {"nektar"}, .limits = not_folded, .points = finer_lobatto},
-      // coef.f, chkjac.
+      // coef.f, chkjac, of which mesh_check ends the run.
       {.name = "nek5000", .title = "Nek5000", .formats = {"re2"}, .limits = not_folded, .points = lobatto},
+      // meshGeometricFactorsHex3D.cpp, geometricFactors: "Invalid element Jacobian < 0 found!" ends the run.
       {.name = "nekrs", .title = "NekRS", .formats = {"re2"}, .limits = not_folded, .max_order = 0, .points = lobatto},
-      // metrics.f90: the least det J of an element over its greatest; HOPR converts the mesh.
+      // metrics.f90, CalcMetrics: det J over the greatest of its element below 0.01; HOPR converts the mesh.
       {.name = "flexi",
        .title = "FLEXI",
        .formats = {"cgns"},
        .limits = {{jacobian_ratio, {}, 0.01}},
        .max_order = 0,
        .points = lobatto},
+      // No check: dgsem_structured/containers_2d.jl, calc_inverse_jacobian!, stores 1 / det J, also for P4estMesh and
+      // UnstructuredMesh2D.
       {.name = "trixi",
        .title = "Trixi.jl",
        .formats = {"ism-v2", "ism-mm", "inp"},
        .limits = not_folded,
        .points = lobatto},
+      // solvers/base/elements.py, rcpdjac_at_np: divides by det J, and ends only below -1e-5 in the unit of the file
+      // (pnorm_at also at normals of sides below 1e-10). Orders: readers/gmsh.py, _etype_map.
       {.name = "pyfr", .title = "PyFR", .formats = {"msh-pyfr"}, .limits = not_folded, .max_order = 4, .points = gauss},
-      // recompute_jacobian.f90, at NGLL = 5 points.
+      // setup_mesh.F90, setup_mesh_coordinates, by recompute_jacobian_with_negative_stop at NGLL = 5 points.
       {.name = "specfem2d",
        .title = "SPECFEM2D",
        .formats = {"specfem2d"},
@@ -83,8 +91,11 @@ std::vector<SolverRow> spectral_solvers() {
 /// Of finite elements.
 std::vector<SolverRow> element_solvers() {
   return {
+      // mesh.cpp, CheckElementOrientation, looks at the middle alone and only warns; integrators evaluate det J at the
+      // points of Gauss.
       {.name = "mfem", .title = "MFEM", .formats = {"mfem", "mfem13"}, .limits = not_folded, .points = gauss},
-      // Orders: gmshio.py and perm_gmsh in cells.cpp.
+      // No check: apply_integral_scaling.py of UFL, compute_integrand_scaling_factor, takes |det J|. Orders: the table
+      // of cells in gmshio.py (now gmsh.py); cells.cpp, perm_gmsh, calls gmsh_quadrilateral and gmsh_hexahedron.
       {.name = "dolfinx",
        .title = "dolfinx",
        .formats = {"msh", "msh22"},
@@ -92,21 +103,23 @@ std::vector<SolverRow> element_solvers() {
        .max_order = 3,
        .max_hex_order = 2,
        .points = gauss},
-      // GridIn::read_msh: straight cells; Triangulation: det J at the vertices.
+      // grid_in.cc, GridIn::read_msh: straight cells. tria.cc, collect_distorted_coarse_cells, which Triangulation
+      // calls if check_for_distorted_cells is set: det J of [0, 1]^d at a vertex is at most 1e-9 diameter^d.
       {.name = "dealii",
        .title = "deal.II",
        .formats = {"msh", "msh22"},
-       .limits = not_folded,
+       .limits = {{relative_jacobian, {}, 1e-9}},
        .max_order = 1,
        .max_hex_order = 1,
        .points = vertices},
-      // fe_map.C, at the points of Gauss of the order 2 N + 1.
+      // fe_map.C, FEMap::compute_single_point_map: det J at most jacobian_tolerance, 0 (fe_map.h); at the points of
+      // Gauss of the order 2 N + 1.
       {.name = "moose",
        .title = "MOOSE (libMesh)",
        .formats = {"exodus", "exodus-serendipity"},
        .limits = not_folded,
        .points = gauss},
-      // e_c3d.f; elements of two dimensions are expanded to hexahedra.
+      // e_c3d.f, e_c3d: xsj below 1e-20; elements of two dimensions are expanded to hexahedra (gen3delem.f).
       {.name = "calculix",
        .title = "CalculiX",
        .formats = {"abaqus", "abaqus-cpe", "abaqus-cax"},
@@ -134,6 +147,7 @@ std::vector<SolverMeasureRow> measure_rows() {
       {gradient_condition, "gradient condition", "", true, mesh::gradient_conditions,
        "prescribe shorter elements along walls, or choose another gradient than that of least squares"},
       {jacobian_ratio, "Jacobian ratio", "", true, nullptr, refine_there},
+      {relative_jacobian, "relative Jacobian", "", true, nullptr, refine_there},
       {jacobian, "Jacobian", "", true, nullptr, "refine there, or export with a smaller unit (--unit, --scale)"},
   };
 }

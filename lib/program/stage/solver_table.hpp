@@ -22,6 +22,7 @@ enum class SolverMeasure {
   face_offset,
   gradient_condition,
   jacobian_ratio,
+  relative_jacobian,
   jacobian
 };
 

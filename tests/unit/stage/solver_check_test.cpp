@@ -135,6 +135,23 @@ TEST(SolverCheck, LimitsOfFlexiAndCalculix) {
   expect_contains(failure("calculix", "abaqus", samples::quad_mesh(), 1e-10), "limit 1e-20 of CalculiX");
 }
 
+TEST(SolverCheck, DealIIMeasuresDetJAtTheCornersByTheDiagonal) {
+  const auto relative = [](const auto& mesh, double scale) {
+    quadrille::Run run;
+    check_for("dealii", "msh", mesh, run, scale);
+    return reported<double>(run, "check_for.relative_jacobian.value");
+  };
+  const auto flat = [](double height) {  // 0.5 wide
+    QuadMesh mesh = samples::quad_mesh();
+    for (Vec2& x : mesh.nodes) x.y *= height;
+    return mesh;
+  };
+  EXPECT_NEAR(relative(flat(1), 1), 0.5 / 1.25, 1e-12);
+  EXPECT_NEAR(relative(flat(1e-8), 1e-3), 2e-8, 1e-14) << "in any unit";
+  EXPECT_NEAR(relative(two_hexes({}), 1), 4 / 27.0, 1e-12) << "2 x 2 x 1";
+  expect_contains(failure("dealii", "msh", flat(1e-10)), "limit 1e-09 of deal.II");
+}
+
 TEST(SolverCheck, OrdersAndFormatsThatTheProgramDoesNotReadAreRefused) {
   expect_contains(failure("code_saturne", "cgns", two_quads()), "hexsweep");
   expect_contains(failure("dealii", "msh", two_quads()), "up to order 1, these have order 2");
