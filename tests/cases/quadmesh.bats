@@ -600,3 +600,24 @@ on_terminal() {
   run jq '.valid and .boundary.mesh_to_cad <= .boundary.tolerance and .resolution.ratio < 3' a.json
   assert_output true
 }
+
+@test "the report has the elements along each boundary, as --count prescribes them, and its gradings" {
+  along() { jq -c '[.boundaries[] | [.name, .elements]] | map(join("=")) | join(" ")' -r a.json; }
+  lines_of() { # of a name in a.msh of version 2.2, in the file's order: elements of one dimension, first tag
+    awk -v name="\"$1\"" '$1 == 1 && $3 == name { group = $2 } /^\$/ { inside = $1 == "$Elements" }
+      inside && NF > 5 && $4 == group && ($2 == 1 || $2 == 8 || $2 == 26 || $2 == 27) { ++count } END { print count }' a.msh
+  }
+  "$quadmesh" -q "$DATA/plate_hole.step" --name hole=4 --name 'rim=*' --size 1 --format msh22 -o a.msh --report a.json
+  run -0 along
+  assert_output "rim=$(lines_of rim) hole=$(lines_of hole)"
+  run -0 jq -c '[.counts, .gradings]' a.json
+  assert_output '[null,null]'
+  jq -e '[.boundaries[] | .least_edge > 0 and .least_edge <= .greatest_edge] | all' a.json
+  "$quadmesh" -q "$DATA/plate_hole.step" --name hole=4 --name 'rim=*' --size 1 --count hole=24 -o a.msh --report a.json
+  assert_equal "$(jq -c '[.counts["0"].achieved, (.boundaries[] | select(.name == "hole") | .elements)]' a.json)" '[24,24]'
+  "$quadmesh" -q "$DATA/plate_hole.step" --name hole=4 --name 'rim=*' --size 1 --count hole=24 --refine 1 -o a.msh \
+    --report a.json
+  assert_equal "$(jq -c '[.counts["0"].achieved, (.boundaries[] | select(.name == "hole") | .elements)]' a.json)" '[24,48]'
+  "$quadmesh" -q "$DATA/square.step" --grading curve_0=0.02: -o a.msh --report a.json
+  jq -e '.gradings["0"] | .boundary == "curve_0" and .first < 0.025 and .growth > 1' a.json
+}

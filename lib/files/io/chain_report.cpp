@@ -180,7 +180,10 @@ constexpr const char* mesh_keys[] = {"least_jacobian_bound",
                                      "resolution",
                                      "walls",
                                      "growth",
+                                     "counts",
+                                     "gradings",
                                      "boundary",
+                                     "boundaries",
                                      "surface"};
 
 Json trials_of(const ChainFacts& facts) {

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
+#include "mesh/boundary_elements.hpp"
 #include "mesh/element_sizes.hpp"
 #include "spectral/quad_map.hpp"
 #include "surface/positions.hpp"
@@ -230,6 +231,7 @@ void report_mesh(const QuadMesh& mesh, Report& report) {
   report.set("irregular_nodes", mesh.num_irregular);
   report_validity(mesh, report);
   mesh::report_element_sizes(mesh, report);
+  mesh::report_boundary_elements(mesh, report);
 }
 
 }  // namespace quadrille::refine
