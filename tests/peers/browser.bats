@@ -84,3 +84,15 @@ fine_page() {
   run "$PYTHON" "$ROOT/tests/peers/judge_page.py" both.html 2 comparison
   assert_output ''
 }
+
+@test "the table of quadbatch: sorted both ways by each column, long names cut, dark" {
+  need parallel
+  local long
+  long=a_rather_long_name_of_a_shape_that_no_column_has_room_for
+  cp "$DATA/annulus.step" $long.step
+  run "$ROOT/pipelines/quadbatch" -q "$DATA"/{half_disc,square,plate_hole}.step "$DATA/bad/open_wire.step" ./$long.step \
+    --to out --size 0.3
+  run "$PYTHON" "$ROOT/tests/peers/judge_table.py" out/table.html $long
+  assert_output ''
+  assert_success
+}
