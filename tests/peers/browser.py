@@ -29,7 +29,8 @@ class Page:
         self.driver.quit()
 
     def find(self, selector):
-        return self.driver.find_element(By.CSS_SELECTOR, selector)
+        """`selector`: of CSS, or an XPath that begins with a slash."""
+        return self.driver.find_element(By.XPATH if selector.startswith("/") else By.CSS_SELECTOR, selector)
 
     def text(self, selector):
         return self.driver.execute_script("return document.querySelector(arguments[0]).textContent", selector)

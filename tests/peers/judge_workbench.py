@@ -1,6 +1,6 @@
 """Works with the page of quadbench in Chromium and prints what is wrong with it.
 
-usage: judge_workbench.py ADDRESS flange | regions | aerofoil
+usage: judge_workbench.py ADDRESS flange | regions | aerofoil | keys
 
 At the end it saves the command, and copies the mesh that is shown from the server's scratch folder in $TMPDIR to
 shown.msh. Standard error: times.
@@ -171,10 +171,15 @@ def judge_narrow(page):
 
 def judge_save(page):
     page.press_with(CONTROL, "s")
+    await_saved(page, ".quadmesh.sh")
+
+
+def await_saved(page, ending):
     end = time.time() + 20
-    while "Saved" not in page.text("#status") and time.time() < end:
+    while not page.text("#status").endswith(f"{ending}.") and time.time() < end:
         time.sleep(0.05)
-    expect("Saved" in page.text("#status"), f"nothing was saved: {page.text('#status')} {page.failure()}")
+    status = page.text("#status")
+    expect(status.startswith("Saved ") and status.endswith(f"{ending}."), f"no {ending} was saved: {status} {page.failure()}")
 
 
 def flange(page):
@@ -240,6 +245,58 @@ def aerofoil(page):
     judge_save(page)
 
 
+def keys(page):
+    """A node is chosen and moved by keys, undone, done again; each button saves its file; other origins save nothing."""
+    at_first = page.command()
+    page.focus_drawing()
+    page.press_with(SHIFT, Keys.TAB)
+    start = page.text("#status")
+    page.press(Keys.ARROW_RIGHT, 0.1)
+    one = page.text("#status")
+    expect(one.startswith("node to ") and one != start, f"an arrow moves no node: {start}, then {one}")
+    page.press_with(SHIFT, Keys.ARROW_LEFT)
+    expect(page.text("#status") not in (one, start), "an arrow with Shift does not move the node by a smaller step")
+    page.press(Keys.ARROW_UP * 2, 0.1)
+    page.press(Keys.ESCAPE, 0.1)
+    expect(page.command() == at_first, "a node that Escape leaves is moved")
+    page.press(Keys.ARROW_RIGHT * 3 + Keys.ARROW_DOWN, 0.1)
+    page.press(Keys.ENTER, 0.1)
+    expect_command(page, "--nodes")
+    moved, facts = page.command(), page.figures()
+    for button, command in (("undo", at_first), ("redo", moved)):
+        page.find(f"#bench-{button}").click()
+        page.wait()
+        expect(page.command() == command, f"{button} leads to {page.command()}, not {command}")
+    expect({row: now for row, (_, now) in page.figures().items()} == {row: now for row, (_, now) in facts.items()},
+           "what was done again has other figures")
+    judge_refusals(page)
+    for button, ending in (("Makefile", ".mk"), ("Nodes", ".crit.json"), ("Command", ".quadmesh.sh")):
+        page.find(f"//div[@aria-label='Save']/button[.='{button}']").click()
+        await_saved(page, ending)
+
+
+def judge_refusals(page):
+    """Of this browser: paths without the token or outside, and requests of another page, are not answered."""
+    statuses = page.driver.execute_async_script("""const done = arguments[arguments.length - 1], post = { method: "POST",
+          headers: { "Content-Type": "application/json" }, body: '{"number": 99, "state": {}, "what": "nodes"}' };
+        const asked = [["/", {}], ["/wrong/run", post], ["/wrong/save", post], ["half_disc.step", {}], ["/etc/passwd", {}]];
+        Promise.all(asked.map(([path, how]) => fetch(path, how).then(({ status }) => status))).then(done);""")
+    expect(statuses == [404] * 5, f"requests without the token or outside the folder are answered with {statuses}")
+    page.messages()  # those of the requests above
+    address, here = page.driver.current_url, page.driver.current_window_handle
+    for origin in (address.replace("127.0.0.1", "localhost"), "about:blank"):
+        page.driver.switch_to.new_window("tab")
+        page.driver.get(origin)
+        answer = page.driver.execute_async_script("""const [address, done] = arguments;
+            fetch(address + "save", { method: "POST", mode: "no-cors", body: '{"state": {}, "what": "nodes"}' })
+              .then(({ type }) => done(type), () => done("refused"));""", address)
+        expect(answer in ("refused", "opaque"), f"a page of {origin} reads the answer: {answer}")
+        page.driver.execute_script("window.onbeforeunload = null")
+        page.messages()
+        page.driver.close()
+        page.driver.switch_to.window(here)
+
+
 def judge_labels(page):
     """Everything that can be operated has a name for those who do not see it."""
     unnamed = page.driver.execute_script("""return [...document.querySelectorAll("#bench button, #bench input, #bench-bar button")]
@@ -248,7 +305,7 @@ def judge_labels(page):
 
 
 with Workbench(sys.argv[1]) as opened:
-    {"flange": flange, "regions": regions, "aerofoil": aerofoil}[sys.argv[2]](opened)
+    {"flange": flange, "regions": regions, "aerofoil": aerofoil, "keys": keys}[sys.argv[2]](opened)
     judge_labels(opened)
     faults.extend(opened.messages())
     part = "moved" if "--nodes" in opened.command() else "found"

@@ -47,3 +47,16 @@ work_with() {
     printf "%.9f %.9f\n", (1 + cos(a)) / 2, sin(a) * sin(a / 2) / 8 } }' >shapes/foil.dat
   work_with aerofoil shapes/foil.dat --farfield cgrid:20
 }
+
+@test "a node by arrows, undo, redo, every button that saves; other pages are refused" {
+  cp "$DATA/half_disc.step" shapes
+  work_with keys shapes/half_disc.step
+  assert_equal "$(ls shapes | paste -sd ' ')" \
+    "half_disc.crit.json half_disc.mk half_disc.msh half_disc.quadmesh.sh half_disc.step"
+  rm shapes/half_disc.msh
+  (cd shapes && PATH=$BIN:$PATH make -s -f half_disc.mk >/dev/null)
+  cmp shown.msh shapes/half_disc.msh
+  run -0 stagecheck shapes/half_disc.crit.json
+  (cd shapes && "$ROOT/pipelines/quadmesh" -q half_disc.step --nodes half_disc.crit.json -o nodes.msh)
+  cmp shown.msh shapes/nodes.msh
+}
