@@ -30,6 +30,19 @@ double angle_opposite(double a, double b, double c) {
   return std::atan2(area4, b * b + c * c - a * a);
 }
 
+/// Whether the angles opposite to the side that two triangles share, with the other sides b and c, are below pi
+/// together by more than rounding errors: whether their cotangents have a positive sum. Flips of such a side make no
+/// least angle greater.
+bool is_delaunay(double side, double b1, double c1, double b2, double c2) {
+  constexpr double rounding = 1e-9;
+  const auto area4 = [side](double b, double c) {
+    return std::sqrt(std::max((side + b + c) * (b + c - side) * (c + side - b) * (side + b - c), 0.0));
+  };
+  const double area1 = area4(b1, c1), area2 = area4(b2, c2);
+  const double cosines = (b1 * b1 + c1 * c1 - side * side) * area2 + (b2 * b2 + c2 * c2 - side * side) * area1;
+  return cosines > rounding * ((b1 * b1 + c1 * c1) * area2 + (b2 * b2 + c2 * c2) * area1);
+}
+
 double least_angle(double a, double b, double c) {
   return std::min({angle_opposite(a, b, c), angle_opposite(b, c, a), angle_opposite(c, a, b)});
 }
@@ -40,6 +53,7 @@ class Builder {
     result_.vertices = face.vertices, result_.boundary_edges = face.boundary_edges;
     for (std::size_t t = 0; t < face.triangles.size(); ++t)
       result_.triangles.push_back({face.triangles[t], face.triangle_uv[t], {}, {}});
+    set_normals();
     glue();
     measure();
   }
@@ -66,6 +80,10 @@ class Builder {
   int vertex(int side) const { return of(side).vertices[side % 3]; }  ///< at which the side begins
   Vec2 uv(int side) const { return of(side).uv[side % 3]; }
 
+  Vec3 normal(int side) const { return result_.normals[vertex(side)]; }
+  bool is_pole(int side) const { return norm2(normal(side)) == 0; }
+
+  void set_normals();
   void glue();
   void measure();
   void flip_sides(double most_angle);
@@ -88,6 +106,14 @@ class Builder {
   std::vector<int> suspects_;  ///< sides that may be flipped
   double size_ = 0;            ///< of the face, a length
 };
+
+void Builder::set_normals() {
+  std::vector<bool> is_set(result_.vertices.size(), false);
+  result_.normals.resize(result_.vertices.size());
+  for (int side = 0; side < num_sides(); ++side)
+    if (!is_set[vertex(side)])
+      result_.normals[vertex(side)] = face_normal(face_, uv(side)), is_set[vertex(side)] = true;
+}
 
 void Builder::glue() {
   std::map<std::pair<int, int>, int> side_of;
@@ -148,6 +174,7 @@ void Builder::flip_if_better(int side, double most_angle) {
   const int other = across(side), bc = next(side), ca = last(side), ad = next(other), db = last(other);
   const int a = vertex(side), b = vertex(bc), c = vertex(ca), d = vertex(db);
   const double ab = length(side), l_bc = length(bc), l_ca = length(ca), l_ad = length(ad), l_db = length(db);
+  if (is_delaunay(ab, l_bc, l_ca, l_ad, l_db)) return;
   const double at_a = angle_opposite(l_bc, ab, l_ca) + angle_opposite(l_db, ab, l_ad);
   const double at_b = angle_opposite(l_ca, ab, l_bc) + angle_opposite(l_ad, ab, l_db);
   if (c == d || std::max(at_a, at_b) >= pi) return;
@@ -155,8 +182,8 @@ void Builder::flip_if_better(int side, double most_angle) {
   const double before = std::min(least_angle(ab, l_bc, l_ca), least_angle(ab, l_ad, l_db));
   if (before > most_angle) return;
   if (!(std::min(least_angle(l_ad, cd, l_ca), least_angle(l_db, l_bc, cd)) > before + least_gain)) return;
-  const bool is_b_a_pole = norm2(face_normal(face_, uv(bc))) == 0;  // whose parameters differ from triangle to triangle
-  const Vec2 uv_d = uv(db) + whole_periods(is_b_a_pole ? uv(side) - uv(ad) : uv(bc) - uv(other));
+  // The parameters of a pole differ from triangle to triangle.
+  const Vec2 uv_d = uv(db) + whole_periods(is_pole(bc) ? uv(side) - uv(ad) : uv(bc) - uv(other));
   const std::array uv_one{uv(side), uv_d, uv(ca)}, uv_two{uv_d, uv(bc), uv(ca)};
   const int one = side / 3, two = other / 3;
   const std::array across_one{across(ad), 3 * two + 2, across(ca)}, across_two{across(db), across(bc), 3 * one + 1};
@@ -166,7 +193,7 @@ void Builder::flip_if_better(int side, double most_angle) {
 
 /// Of the normal along a side, radians; 0 where the parametrisation degenerates at an end.
 double Builder::turn(int side) const {
-  const Vec3 a = face_normal(face_, uv(side)), b = face_normal(face_, uv(next(side)));
+  const Vec3 a = normal(side), b = normal(next(side));
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
@@ -192,7 +219,7 @@ bool Builder::split_sides() {
 void Builder::require_no_fold() const {
   std::vector<Vec3> poles;
   for (int side = 0; side < num_sides(); ++side)
-    if (norm2(face_normal(face_, uv(side))) == 0) poles.push_back(result_.vertices[vertex(side)]);
+    if (is_pole(side)) poles.push_back(result_.vertices[vertex(side)]);
   for (int side = 0; side < num_sides(); ++side) {
     if (across(side) < 0 || length(side) > short_side * size_ || !(turn(side) > turned_over)) continue;
     const Vec3 at = result_.vertices[vertex(side)];
@@ -204,16 +231,14 @@ void Builder::require_no_fold() const {
   }
 }
 
-/// Whether a triangle has a corner where the parametrisation degenerates.
 bool Builder::has_pole() const {
-  return std::ranges::any_of(result_.triangles, [&](const IntrinsicTriangle& t) {
-    return std::ranges::any_of(t.uv, [&](Vec2 at) { return norm2(face_normal(face_, at)) == 0; });
-  });
+  return std::ranges::any_of(result_.normals, [](Vec3 normal) { return norm2(normal) == 0; });
 }
 
 /// The mean of the parameters of both ends that count, which are continuous along the side.
 Vec2 Builder::middle_uv(int side) const {
-  const CornerParameters a = corner_parameters(face_, uv(side)), b = corner_parameters(face_, uv(next(side)));
+  const auto corner = [&](int at) { return is_pole(at) ? corner_parameters(face_, uv(at)) : CornerParameters{uv(at)}; };
+  const CornerParameters a = corner(side), b = corner(next(side));
   const auto mean = [](double of_a, bool counts_a, double of_b, bool counts_b) {
     return counts_a == counts_b ? (of_a + of_b) / 2 : counts_a ? of_a : of_b;
   };
@@ -245,6 +270,7 @@ void Builder::split(int side) {
   const Vec2 uv_m = at.second;
   const int m = static_cast<int>(result_.vertices.size()), other = across(side);
   result_.vertices.push_back(x);
+  result_.normals.push_back(face_normal(face_, uv_m));
   const auto length_to = [&](int v) { return distance(x, result_.vertices[v]); };
   const auto halve = [&](int s, Vec2 uv_middle, int first, int second) {
     const IntrinsicTriangle old = of(s);

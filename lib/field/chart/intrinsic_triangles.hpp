@@ -21,6 +21,7 @@ struct IntrinsicTriangle {
 
 struct IntrinsicTriangles {
   std::vector<Vec3> vertices;  ///< on the surface
+  std::vector<Vec3> normals;   ///< of the face at the vertices; 0 where the parametrisation degenerates
   std::vector<IntrinsicTriangle> triangles;
   std::vector<FineBoundaryEdge> boundary_edges;
 };

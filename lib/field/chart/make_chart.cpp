@@ -230,7 +230,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   lengths.reserve(space_face.curves.size());
   for (const SpaceCurve& curve : space_face.curves) lengths.emplace_back(curve);
   MadeChart made;
-  made.mesh = rough_chart(space_face, delaunay_triangles(space_face, lengths));
+  made.mesh = rough_chart(space_face.face, delaunay_triangles(space_face, lengths));
   std::vector<SizePoint> by_error;
   Judge judge(options);
   for (double tolerance = constants.rough_outline;;) {

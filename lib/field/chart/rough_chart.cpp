@@ -188,17 +188,17 @@ std::vector<BoundaryEdge> boundary_edges(const IntrinsicTriangles& fine) {
 
 }  // namespace
 
-SurfaceMesh rough_chart(const SpaceFace& face, const IntrinsicTriangles& fine) {
+SurfaceMesh rough_chart(const CadFace& face, const IntrinsicTriangles& fine) {
   SurfaceMesh mesh;
-  mesh.plane.vertices = RoughChart(face.face, fine).positions();
+  mesh.plane.vertices = RoughChart(face, fine).positions();
   mesh.plane.boundary_edges = boundary_edges(fine);
   for (const IntrinsicTriangle& t : fine.triangles) {
     mesh.plane.elem2vertices.push_back(t.vertices);
     Vec3 sum;  // where the parametrisation degenerates, the normal is that of the other corners
-    for (const Vec2 uv : t.uv) sum += face_normal(face, uv);
+    for (const int v : t.vertices) sum += fine.normals[v];
     for (int k = 0; k < 3; ++k) {
       const int v = t.vertices[k];
-      const Vec3 normal = face_normal(face, t.uv[k]);
+      const Vec3 normal = fine.normals[v];
       mesh.nodes.push_back(fine.vertices[v]);
       mesh.normals.push_back(norm2(normal) > 0 || norm2(sum) == 0 ? normal : normalized(sum));
       mesh.uv.push_back(t.uv[k]);
