@@ -15,9 +15,9 @@ void parallel_for(int n, int num_threads, const std::function<void(int)>& f);
 
 /// From now on, parallel_for works on the calling thread alone until this process has used `cpu_seconds` of CPU time,
 /// and in each loop until that has lasted some time for each further thread, so that work which is done sooner does not
-/// pay for the start of threads. Without this call, loops start all threads at once. Not to be called while a loop
-/// runs.
-void start_threads_after(double cpu_seconds);
+/// pay for the start of threads: by default, what most runs take. Without this call, loops start all threads at once.
+/// Not to be called while a loop runs.
+void start_threads_after(double cpu_seconds = 0.2);
 
 /// At least 1: the processors on which the process may run (its affinity), or fewer if the quota of its control group
 /// (version 2) allows less CPU time than theirs.

@@ -86,9 +86,6 @@ FolderLock::~FolderLock() {
   close(fd_);
 }
 
-// CPU seconds after which threads are worth their start.
-constexpr double least_cpu_seconds_for_threads = 0.2;
-
 std::string make_scratch() {
   const char* const folder = std::getenv("TMPDIR");
   std::string path = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/quadmesh.XXXXXX";
@@ -275,7 +272,7 @@ int run(ChainOptions options) {
   if (!checked.is_success()) return cli::print_failure("quadmesh", checked);
   const auto work = [&](bool is_second_try) {
     cli::install_signal_handlers();
-    if (options.num_threads == 0) start_threads_after(least_cpu_seconds_for_threads);
+    if (options.num_threads == 0) start_threads_after();
     StageRunner runner(options, budget, is_second_try || budget.is_limited(), scratch);
     const std::string folder = !options.workdir.empty() ? options.workdir : options.is_dry_run ? "." : scratch;
     ChainState chain(options, values, runner, folder + '/' + stem_of(options.shape));

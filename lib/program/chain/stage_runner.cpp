@@ -23,9 +23,6 @@ namespace quadrille::chain {
 
 namespace {
 
-/// Seconds between two states of the line of progress, and before the first one.
-constexpr double progress_interval = 0.2, progress_delay = 1;
-
 /// The system kills a process at the hard limit of its CPU time too.
 std::string cause_of_kill() {
   rlimit seconds{};
@@ -134,10 +131,9 @@ StageEnd StageRunner::run_here(const StageTask& task) {
   if (!options_.is_quiet && isatty(STDERR_FILENO) == 1) {
     cli::ProgressStyle style;
     style.is_terminal = true;
-    style.delay = progress_delay;
     style.title = progress_title(task);
     style.seconds_before = seconds();
-    session.show_progress(style, progress_interval);
+    session.show_progress(style);
   }
   const cli::Outcome outcome = cli::outcome_of([&] { task.compute(session); });
   session.finish();

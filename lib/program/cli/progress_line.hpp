@@ -14,10 +14,12 @@ namespace quadrille::cli {
 /// How and when progress is shown.
 struct ProgressStyle {
   bool is_terminal = false;   ///< one line that is overwritten and at last erased; else a new line for each state
-  double delay = 0;           ///< seconds of work before anything is shown
+  double delay = 1;           ///< seconds of work before anything is shown
   std::string title;          ///< at the start of the line: "padapt"
   double seconds_before = 0;  ///< of work, before this process: of the earlier stages of a pipeline
   std::vector<std::string> hidden_phases;  ///< nothing is shown during these; work begins with the first other one
+
+  double interval() const { return is_terminal ? 0.2 : 10; }  ///< seconds between two states
 };
 
 /// The text of a state: "title: phase, solutions 3 of at most 20, elements 43 %, 12 s".

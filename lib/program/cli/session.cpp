@@ -48,10 +48,10 @@ void Session::info(const std::string& text, int level) const {
     print_message(fmt::format("{}: {}\n", tool_, text));
 }
 
-void Session::show_progress(const ProgressStyle& style, double interval) {
+void Session::show_progress(const ProgressStyle& style) {
   report_ = Report(&display_.progress);
   display_.line.emplace(display_.progress, style, write_to_terminal);
-  display_.ticker.emplace(*display_.line, interval);
+  display_.ticker.emplace(*display_.line, style.interval());
 }
 
 int Session::threads() const { return threads_ > 0 ? threads_ : available_processors(); }

@@ -21,9 +21,8 @@ class Session : public Run {
   int threads() const override;
   /// The chain `before` with the step of this run appended.
   Provenance provenance(const Provenance& before, const std::vector<InputDigest>& inputs) const;
-  /// Shows how far the run is (--progress), with a new state after each `interval` seconds. To be called before the
-  /// work.
-  void show_progress(const ProgressStyle& style, double interval);
+  /// Shows how far the run is (--progress). To be called before the work.
+  void show_progress(const ProgressStyle& style);
   /// From now on, the total of CPU time does not contain what this process used before: it ran other stages.
   void leave_out_earlier_work();
   /// Starts the clock of a named phase; the report gets timings.<phase>.{cpu_seconds, wall_seconds}.

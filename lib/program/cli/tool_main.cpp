@@ -18,18 +18,12 @@ namespace quadrille::cli {
 
 namespace {
 
-// Work that takes less is done before threads are worth their start; with --threads N they start at once.
-constexpr double least_cpu_seconds_for_threads = 0.2;
-
 void write_report_of(const Tool& tool, Session& session, const Outcome& outcome, const std::string& path) {
   if (path.empty() || !tool.report_writer) return;
   session.report().set("exit_code", static_cast<int>(outcome.code));
   if (outcome.code != ExitCode::done) session.report().set("error", outcome.message);
   tool.report_writer(path, tool.name, version, session.report());
 }
-
-// Seconds: of work on a terminal before progress is shown; between its states on a terminal; between lines elsewhere.
-constexpr double progress_delay = 1, terminal_interval = 0.2, log_interval = 10;
 
 /// How --progress asks for it; std::nullopt: not at all.
 std::optional<ProgressStyle> progress_style(const Tool& tool, const CommonOptions& common, bool writes_to_stdout) {
@@ -38,8 +32,10 @@ std::optional<ProgressStyle> progress_style(const Tool& tool, const CommonOption
   ProgressStyle style;
   style.is_terminal = is_terminal;
   style.title = tool.name;
-  if (!is_always) style.delay = progress_delay;
-  if (!is_always) style.hidden_phases.emplace_back("read");  // in a pipeline, tools wait there for their input
+  if (is_always)
+    style.delay = 0;
+  else
+    style.hidden_phases.emplace_back("read");  // in a pipeline, tools wait there for their input
   if (is_terminal && writes_to_stdout && isatty(STDOUT_FILENO) == 1) style.hidden_phases.emplace_back("write");
   return style;
 }
@@ -79,10 +75,9 @@ Outcome run_tool(int argc, char** argv, const Tool& tool) {
   if (request != Request::run) return {};
   line.parse(argc, argv);
   require_distinct_files(tool, line);
-  if (common.threads == 0) start_threads_after(least_cpu_seconds_for_threads);
+  if (common.threads == 0) start_threads_after();  // with --threads N they start at once
   Session session(tool.name, line.options_json(), common.verbosity, common.threads);
-  if (const auto style = progress_style(tool, common, line.writes_to_stdout()))
-    session.show_progress(*style, style->is_terminal ? terminal_interval : log_interval);
+  if (const auto style = progress_style(tool, common, line.writes_to_stdout())) session.show_progress(*style);
   return run_session(tool, session, common);
 }
 

@@ -55,6 +55,7 @@ struct Shown {
 ProgressStyle terminal() {
   ProgressStyle style;
   style.is_terminal = true;
+  style.delay = 0;
   style.title = "sample";
   return style;
 }
