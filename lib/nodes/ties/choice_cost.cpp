@@ -76,13 +76,9 @@ CostMeasure::CostMeasure(const field::FieldEvaluator& field, const TieOrbits& ti
 }
 
 bool CostMeasure::is_narrow_everywhere(const field::FieldEvaluator& field) const {
-  constexpr double bulge = 1.1;  // of curved edges
   return std::all_of(field.maps().begin(), field.maps().end(), [&](const spectral::TriMap& map) {
     const Vec2 centre = map.position(field::centroid);
-    double radius = 0;
-    for (const Vec2 vertex : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}})
-      radius = std::max(radius, distance(centre, map.position(vertex)));
-    return boundary_.signed_distance(centre) + bulge * radius < rules.narrow * face_->diameter;
+    return boundary_.signed_distance(centre) + field::radius_of(map, centre) < rules.narrow * face_->diameter;
   });
 }
 

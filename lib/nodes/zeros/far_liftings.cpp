@@ -15,14 +15,6 @@ constexpr std::size_t least_liftings = 64;  // with fewer, series save nothing
 constexpr int elements_per_group = 16;
 constexpr double least_distance = 3;  // of far liftings, in radii
 constexpr double remainder = 1e-17;   // of a series
-constexpr double margin = 1.1;        // for the bulge of curved edges
-
-double radius_of(const spectral::TriMap& map, Vec2 centre) {
-  double radius = 0;
-  for (const Vec2 xi : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{0, -1}, Vec2{0, 0}, Vec2{-1, 0}})
-    radius = std::max(radius, distance(centre, map.position(xi)));
-  return margin * radius;
-}
 
 // The principal value of theta_c jumps across the segment from the apex to the pole.
 bool is_far(const Lifting& lifting, Vec2 centre, double radius) {
@@ -98,8 +90,8 @@ void FarLiftings::group_elements() {
   for (std::size_t e = 0; e < centres.size(); ++e) {
     LiftingGroup& group =
         groups_[elem2group_.emplace_back(cell(centres[e].x - low.x) + n * cell(centres[e].y - low.y))];
-    group.radius =
-        std::max(group.radius, distance(group.centre, centres[e]) + radius_of(evaluator_->maps()[e], centres[e]));
+    group.radius = std::max(group.radius,
+                            distance(group.centre, centres[e]) + field::radius_of(evaluator_->maps()[e], centres[e]));
   }
 }
 
