@@ -33,6 +33,7 @@ class Edge:
         self.points = self.values(self.at)
         self.low_corner, self.high_corner = self.points.min(axis=0), self.points.max(axis=0)
         self.spacing = numpy.linalg.norm(numpy.diff(self.points, axis=0), axis=1).max()
+        self.is_closed = numpy.linalg.norm(self.points[0] - self.points[-1]) < 1e-6 * self.spacing
 
     def integrals(self):
         """Twice the area that the edge contributes by Green's formula (with its direction), and its length."""
@@ -64,12 +65,16 @@ class Edge:
         return numpy.sqrt(squared), self.at[nearest]
 
     def project(self, points, at):
-        """Distances to the edge near the parameters `at`, by Gauss and Newton's method."""
+        """Distances to the edge near the parameters `at`, by Gauss and Newton's method. Both ends of a closed edge are
+        the nearest sample of points beside its seam: the method goes on across it."""
         least = numpy.linalg.norm(self.values(at) - points, axis=1)
         for _ in range(20):
             x, slope = self.values(at) - points, self.slopes(at)
             squared = numpy.maximum((slope**2).sum(axis=1), 1e-300)
-            at = numpy.clip(at - (x * slope).sum(axis=1) / squared, self.low, self.high)
+            at = at - (x * slope).sum(axis=1) / squared
+            if self.is_closed:
+                at = self.low + (at - self.low) % (self.high - self.low)
+            at = numpy.clip(at, self.low, self.high)
             least = numpy.minimum(least, numpy.linalg.norm(self.values(at) - points, axis=1))
         return least
 

@@ -113,6 +113,28 @@ END
   assert_equal "$(jq '.rows | length' peers.json)" 10
 }
 
+# The samples at both ends of a closed curve are as near to points beside its seam: which comes first is chance.
+@test "points beside the seam of a closed curve have the distances that they have from it" {
+  "$PYTHON" - "$ROOT/tests/benchmarks" "$DATA"/{annulus,cylinder_channel,disc,ellipse,plate_hole}.step <<'END'
+import sys
+sys.path.insert(0, sys.argv[1])
+import cad_outline, numpy, quad_judge
+quad_judge.initialise()
+for path in sys.argv[2:]:
+    outline = cad_outline.Outline(path)
+    closed = [edge for edge in outline.edges if edge.is_closed]
+    assert closed, path
+    for edge in closed:
+        step = (edge.high - edge.low) / 512 * numpy.linspace(0.1, 0.9, 9)
+        at = numpy.concatenate([edge.low + step, edge.high - step])
+        slopes = edge.slopes(at)
+        normals = numpy.stack([slopes[:, 1], -slopes[:, 0]], axis=1) / numpy.linalg.norm(slopes, axis=1)[:, None]
+        for height in (0, 1e-5, -1e-5):
+            found = outline.distances(edge.values(at) + height * outline.diameter * normals) / outline.diameter
+            assert numpy.abs(found - abs(height)).max() < 1e-9, (path, height, found)
+END
+}
+
 # The error of waves is 1.6e-4 k^4 sqrt(E) within a few per cent, E the numerator of R (lib/method.md §10); here the area
 # is pi / 2 and k = 8 pi.
 @test "Gmsh and the Poisson problem take part where they are installed; errors are compared with the best peer's" {
