@@ -85,6 +85,26 @@ fine_page() {
   assert_output ''
 }
 
+@test "labels of thin holes lie on the sides that they name, in every view" {
+  local gap
+  for gap in 0.02 0.2 2; do
+    {
+      echo '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
+      echo '<path id="rim" d="M0 0H100V60H0z"/>'
+      awk -v gap=$gap 'BEGIN { for (k = 0; k < 3; ++k) { y = 15 * (k + 1)
+        printf "<path id=\"above-%d\" d=\"M30 %gH70\"/><path id=\"below-%d\" d=\"M30 %gH70\"/>\n", k, y, k, y + gap
+        printf "<path id=\"left-%d\" d=\"M30 %gV%g\"/><path id=\"right-%d\" d=\"M70 %gV%g\"/>\n", k, y, y + gap, k, y, y + gap } }'
+      echo '</svg>'
+    } >holes.svg
+    "$ROOT/pipelines/drawing2step" -q holes.svg -o holes.step
+    cad2tri -q holes.step -o holes.tri.h5
+    stageview holes.tri.h5 -o page.html
+    run "$PYTHON" "$ROOT/tests/peers/judge_labels.py" page.html rim {above,below}-{0,1,2}
+    assert_output ''
+    assert_success
+  done
+}
+
 @test "the table of quadbatch: sorted both ways by each column, long names cut, dark" {
   need parallel
   local long

@@ -17,7 +17,7 @@ namespace {
 
 /// Pixels.
 struct LabelSizes {
-  double font = 13, box_height = 16, padding = 6, ink_step = 3;
+  double font = 13, box_height = 16, padding = 6, ink_step = 3, tied = 1e-3;
   double shortest_leader = 16;                              ///< labels nearer than this to their curve need no line
   double side_room = 33, room_above = 16, room_below = 46;  ///< beside the drawing that labels may use
 };
@@ -71,6 +71,9 @@ struct Trace {
   }
 };
 
+/// Not what lies outside a window.
+bool is_piece_of_trace(Vec2 a, Vec2 b) { return distance(a, b) < 2 * label_sizes.ink_step; }
+
 /// Whether the segments have a point in common, which may be an end.
 bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return cross(b - a, c - a) * cross(b - a, d - a) <= 0 && cross(d - c, a - c) * cross(d - c, b - c) <= 0;
@@ -90,7 +93,9 @@ struct Place {
 
 class Labels {
  public:
-  Labels(Picture& picture, const CadFace& face) : picture_(picture), boxes_(picture.text_boxes()) {
+  /// `owners`: by curve, the first one that the same label may name.
+  Labels(Picture& picture, const CadFace& face, std::vector<int> owners)
+      : picture_(picture), owners_(std::move(owners)), boxes_(picture.text_boxes()) {
     for (const Nurbs& curve : face.curves) traces_.emplace_back(picture, curve);
     for (const Trace& trace : traces_) ink_.insert(ink_.end(), trace.points.begin(), trace.points.end());
   }
@@ -101,7 +106,7 @@ class Labels {
 
   /// Writes the text at the first free place beside the curve. Returns false if no place is free.
   bool write(int curve, const std::string& css_class, const std::string& text) {
-    const std::optional<Place> place = free_place(traces_[curve], text);
+    const std::optional<Place> place = free_place(curve, text);
     if (!place) return false;
     if (place->has_leader) draw_leader(*place);
     boxes_.push_back(place->box);
@@ -110,7 +115,8 @@ class Labels {
   }
 
  private:
-  std::optional<Place> free_place(const Trace& trace, const std::string& text) const {
+  std::optional<Place> free_place(int curve, const std::string& text) const {
+    const Trace& trace = traces_[curve];
     const Vec2 half{0.5 * (text_width(text, label_sizes.font) + label_sizes.padding), 0.5 * label_sizes.box_height};
     for (const double gap : {7.0, 12.0, 24.0, 40.0, 60.0, 85.0, 115.0, 150.0})
       for (const double fraction : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9})
@@ -122,12 +128,12 @@ class Labels {
             const double reach = half.x * std::abs(away.x) + half.y * std::abs(away.y);
             const Place place{
                 trace.points[i], {trace.points[i] + (gap + reach) * away, half}, gap > label_sizes.shortest_leader};
-            if (is_free(place)) return place;
+            if (is_free(place, curve)) return place;
           }
     return std::nullopt;
   }
 
-  bool is_free(const Place& place) const {
+  bool is_free(const Place& place, int curve) const {
     const TextBox& box = place.box;
     if (picture_.is_window() && !picture_.holds(place.foot)) return false;
     const Vec2 size = picture_.size();
@@ -139,12 +145,26 @@ class Labels {
       return false;
     if (std::any_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) { return b.overlaps(box); })) return false;
     if (std::any_of(ink_.begin(), ink_.end(), [&](Vec2 x) { return box.holds(x); })) return false;
+    if (!place.has_leader) return is_nearest(box, curve);
     if (is_crossed(place)) return false;
-    if (!place.has_leader) return true;
     const std::vector<Vec2> leader = leader_points(place);
     return std::none_of(boxes_.begin(), boxes_.end(), [&](const TextBox& b) {
       return std::any_of(leader.begin(), leader.end(), [&](Vec2 x) { return b.holds(x); });
     });
+  }
+
+  /// Whether no curve of another label is nearer to this one, which would seem to be its. Curves that meet are equal.
+  bool is_nearest(const TextBox& box, int curve) const {
+    double own = HUGE_VAL, other = HUGE_VAL;
+    for (std::size_t c = 0; c < traces_.size(); ++c) {
+      const std::vector<Vec2>& points = traces_[c].points;
+      double& least = owners_[c] == owners_[curve] ? own : other;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool is_piece = i > 0 && is_piece_of_trace(points[i - 1], points[i]);
+        least = std::min(least, box.distance(points[is_piece ? i - 1 : i], points[i]));
+      }
+    }
+    return own <= other + label_sizes.tied;
   }
 
   /// Whether the boundary passes between the label and its curve.
@@ -153,8 +173,7 @@ class Labels {
     return std::any_of(traces_.begin(), traces_.end(), [&](const Trace& trace) {
       for (std::size_t i = 1; i < trace.points.size(); ++i) {
         const Vec2 a = trace.points[i - 1], b = trace.points[i];
-        const bool is_piece = distance(a, b) < 2 * label_sizes.ink_step;  // not what lies outside a window
-        if (is_piece && segments_meet(start, place.box.centre, a, b)) return true;
+        if (is_piece_of_trace(a, b) && segments_meet(start, place.box.centre, a, b)) return true;
       }
       return false;
     });
@@ -179,6 +198,7 @@ class Labels {
   }
 
   Picture& picture_;
+  std::vector<int> owners_;
   std::vector<Trace> traces_;
   std::vector<Vec2> ink_;       ///< points of the boundary and of the lines that labels must not cover
   std::vector<TextBox> boxes_;  ///< of texts
@@ -193,6 +213,17 @@ bool is_named(const CadFace& face, int curve) { return face.has_given_name(curve
 
 /// An interface is labelled once, as the first of its two curves.
 bool is_second_side(const CadFace& face, int curve) { return face.is_interface(curve) && face.partners[curve] < curve; }
+
+/// By curve, the first one whose label is the same: that of its name, or of its number.
+std::vector<int> label_owners(const CadFace& face, bool all) {
+  std::vector<int> owners(face.curves.size());
+  for (int c = 0; c < face.num_curves(); ++c) {
+    const auto first = std::ranges::find(face.curve_names, face.curve_names[c]);
+    const int by_number = is_second_side(face, c) ? face.partners[c] : c;
+    owners[c] = all ? by_number : static_cast<int>(first - face.curve_names.begin());
+  }
+  return owners;
+}
 
 /// Curves from the shortest to the longest, which has the most places.
 void sort_by_length(std::vector<int>& curves, const Labels& labels) {
@@ -255,7 +286,7 @@ void label_curves(Picture& picture, const CadFace& face, CurveLabels which) {
   const bool all = which == CurveLabels::all;
   label_regions(picture, face);
   if (all) draw_joints(picture, face);
-  Labels labels(picture, face);
+  Labels labels(picture, face, label_owners(face, all));
   const int num_omitted = all ? label_all(labels, face) : label_names(labels, face);
   const std::string omitted =
       num_omitted > 0 ? fmt::format("without room for {}: raise --width", counted(num_omitted, "label")) : "";

@@ -105,6 +105,17 @@ std::vector<Vec2> dense_points(const Nurbs& curve, int num_pieces) {
   return points;
 }
 
+double TextBox::distance(Vec2 a, Vec2 b) const {
+  const auto to_box = [&](Vec2 x) {
+    const Vec2 beyond{std::abs(x.x - centre.x) - half.x, std::abs(x.y - centre.y) - half.y};
+    return norm(Vec2{std::max(0.0, beyond.x), std::max(0.0, beyond.y)});
+  };
+  double least = std::min(to_box(a), to_box(b));
+  for (const Vec2 corner : {half, -half, Vec2{half.x, -half.y}, Vec2{-half.x, half.y}})
+    least = std::min(least, distance_to_segment(centre + corner, a, b));
+  return least;
+}
+
 PictureBox bounding_box(const CadFace& face) {
   PictureBox box;
   for (const Nurbs& curve : face.curves)

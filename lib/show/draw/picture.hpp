@@ -26,6 +26,8 @@ struct PictureBox {
 struct TextBox {
   Vec2 centre, half;
   bool holds(Vec2 x) const { return std::abs(x.x - centre.x) < half.x && std::abs(x.y - centre.y) < half.y; }
+  /// From a segment that does not cross the box.
+  double distance(Vec2 a, Vec2 b) const;
   bool overlaps(const TextBox& b) const {
     return std::abs(b.centre.x - centre.x) < half.x + b.half.x && std::abs(b.centre.y - centre.y) < half.y + b.half.y;
   }

@@ -215,6 +215,29 @@ TEST(CurveLabels, OfAThinHoleTheyLieOnTheSidesThatTheyName) {
   }
 }
 
+TEST(CurveLabels, OfAnyHoleTheyAreNearestToTheSidesThatTheyName) {
+  // Labels have room in the hole from 16 pixels on, and are nearer to their own side from twice as many on.
+  int num_inside = 0;
+  for (int pixels = 4; pixels <= 120; pixels += 4) {
+    const CadFace face = square_with_slim_hole(pixels / 600.0);
+    DrawOptions options;
+    options.width = 600;
+    Picture picture(bounding_box(face), options, "", "");
+    const double upper = picture.at({0, pixels / 600.0}).y, lower = picture.at({0, -pixels / 600.0}).y;
+    label_curves(picture, face, CurveLabels::given);
+    const std::vector<TextBox>& boxes = picture.text_boxes();
+    ASSERT_EQ(boxes.size(), 2U) << pixels;
+    const auto& [a, b] = std::pair(boxes[0], boxes[1]);
+    const auto offset = [](const TextBox& box, double y) { return std::abs(box.centre.y - y); };
+    EXPECT_LT(std::min(offset(a, upper), offset(b, upper)), 25) << pixels;
+    EXPECT_LT(std::min(offset(a, lower), offset(b, lower)), 25) << pixels;
+    EXPECT_NE(offset(a, upper) < offset(a, lower), offset(b, upper) < offset(b, lower)) << pixels;
+    num_inside += a.centre.y > std::min(upper, lower) && a.centre.y < std::max(upper, lower);
+  }
+  EXPECT_GT(num_inside, 5);
+  EXPECT_LT(num_inside, 28);
+}
+
 TEST(CurveLabels, RunsOfOneNameStartAtTheirFirstCurve) {
   CadFace face = polygon(6, "inlet");
   face.curve_names = {"inlet", "wall", "wall", "curve_3", "wall", "inlet"};

@@ -125,7 +125,7 @@ class Chains {
     const isLabelled = (item) => !this.isInterface(item) || this.partners[item] > item;
     const labels = itemsWithin(this.boxes, view.rectangle()).filter(isLabelled).map((item) => {
       const isSeen = ([x, y]) => x >= 0 && y >= 0 && x <= view.width && y <= view.height;
-      const text = all ? this.numberAndName(item) : this.runs[item] >= 0 ? this.names[item] : "";
+      const text = all || this.runs[item] >= 0 ? this.labelOf(item, all) : "";
       return { text, item, points: text ? evenlySpaced(this.screenPoints(view, item), 4, isSeen) : [] };
     }).filter(({ points }) => points.length > 1);
     if (all) return labels;
@@ -135,6 +135,12 @@ class Chains {
       if (!other || other.points.length < label.points.length) longest.set(run, label);
     }
     return [...longest.values()];
+  }
+
+  /** Both sides of an interface have one. */
+  labelOf(item, all) {
+    const first = this.isInterface(item) ? Math.min(item, this.partners[item]) : item;
+    return all ? this.numberAndName(first) : this.names[item];
   }
 
   screenPoints(view, item) {

@@ -26,10 +26,17 @@ function evenlySpaced(points, step, isSeen) {
   return found;
 }
 
-/** Whether two segments have a point in common, which may be an end. */
-function segmentsMeet(a, b, c, d) {
-  const side = (p, q, r) => (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
+function distanceToSegment([x, y], [ax, ay], [bx, by]) {
+  const dx = bx - ax, dy = by - ay, square = dx * dx + dy * dy;
+  const part = square > 0 ? Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / square)) : 0;
+  return Math.hypot(x - ax - part * dx, y - ay - part * dy);
+}
+
+/** Of a segment that does not cross the box. */
+function distanceToBox(from, to, [x0, y0, x1, y1]) {
+  const ends = [from, to].map(([x, y]) => Math.hypot(Math.max(x0 - x, 0, x - x1), Math.max(y0 - y, 0, y - y1)));
+  const corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].map((corner) => distanceToSegment(corner, from, to));
+  return Math.min(...ends, ...corners);
 }
 
 /** Of the points of a lattice in the box, the one inside the closed polygon that is farthest from it: {at, clearance}. */

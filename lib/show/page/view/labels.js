@@ -1,6 +1,6 @@
 // Labels of curves, regions and blocks. The rule is that of pictures (lib/show/draw/labels.cpp): a label lies beside the
 // curve that it names, outside the face where there is room, else inside; it covers neither the boundary nor another
-// text, and the boundary does not pass between it and its curve.
+// text, and no curve of another name is nearer to it.
 
 const labelCell = 4; // pixels of the raster of what is taken
 
@@ -10,7 +10,7 @@ class Taken {
     this.columns = Math.ceil(view.width / labelCell);
     this.rows = Math.ceil(view.height / labelCell);
     this.cells = new Uint8Array(this.columns * this.rows);
-    this.lines = []; // pieces of the boundary, [from, to] each
+    this.lines = []; // pieces of the boundary: {name, from, to}
   }
 
   cellsOf([x0, y0, x1, y1], visit) {
@@ -30,9 +30,9 @@ class Taken {
     return !this.cellsOf(box, (cell) => this.cells[cell]);
   }
 
-  /** A piece of the boundary. */
-  markLine([x0, y0], [x1, y1]) {
-    this.lines.push([[x0, y0], [x1, y1]]);
+  /** A piece of the boundary, of a curve with this label. */
+  markLine(name, [x0, y0], [x1, y1]) {
+    this.lines.push({ name, from: [x0, y0], to: [x1, y1] });
     const count = Math.min(4000, Math.ceil(Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0)) / labelCell)) || 1;
     for (let i = 0; i <= count; ++i) {
       const x = Math.floor((x0 + (i / count) * (x1 - x0)) / labelCell), y = Math.floor((y0 + (i / count) * (y1 - y0)) / labelCell);
@@ -42,7 +42,7 @@ class Taken {
 }
 
 /** What labels must not cover: the boundary; below and on the left the figures of the axes; the scale bar, the title. */
-function takenBy(view, layers, scaleBar) {
+function takenBy(view, layers, scaleBar, all) {
   const taken = new Taken(view);
   taken.mark([0, 0, 40, view.height]);
   taken.mark([0, view.height - 24, view.width, view.height]);
@@ -52,14 +52,14 @@ function takenBy(view, layers, scaleBar) {
     if (layer.style === "boundary")
       for (const item of itemsWithin(layer.boxes, view.rectangle())) {
         const points = layer.screenPoints(view, item);
-        for (let k = 1; k < points.length; ++k) taken.markLine(points[k - 1], points[k]);
+        for (let k = 1; k < points.length; ++k) taken.markLine(layer.labelOf(item, all), points[k - 1], points[k]);
       }
   return taken;
 }
 
 /** Where labels lie: [{text, x, y}]. */
 function placedLabels(context, view, layers, all) {
-  const placed = [], taken = takenBy(view, layers, roundStep(80 / view.scale) * view.scale);
+  const placed = [], taken = takenBy(view, layers, roundStep(80 / view.scale) * view.scale, all);
   const put = (text, x, y, half) => {
     placed.push({ text, x, y });
     taken.mark([x - half, y - 9, x + half, y + 9]);
@@ -73,15 +73,15 @@ function placedLabels(context, view, layers, all) {
   }
   const curves = labelled.flatMap((layer) => layer.curveLabels(view, all)).sort((a, b) => a.points.length - b.points.length);
   for (const { text, points } of curves) {
-    const half = halfOf(text), place = placeBeside(points, half, taken);
+    const half = halfOf(text), place = placeBeside(text, points, half, taken);
     if (place) put(text, ...place, half);
   }
   return placed;
 }
 
-/** The first free place [x, y] beside a curve, whose points are a few pixels apart and have the face on their left;
- *  null if there is none. */
-function placeBeside(points, half, taken) {
+/** The first free place [x, y] for the label of a curve, whose points are a few pixels apart and have the face on their
+ *  left; null if there is none. */
+function placeBeside(name, points, half, taken) {
   for (const gap of [5, 10, 18])
     for (const fraction of [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9])
       for (const side of [1, -1]) {
@@ -89,16 +89,21 @@ function placeBeside(points, half, taken) {
         const [x, y] = points[i], dx = points[i + 1][0] - x, dy = points[i + 1][1] - y, length = Math.hypot(dx, dy) || 1;
         const nx = (-side * dy) / length, ny = (side * dx) / length; // y is down
         const reach = gap + half * Math.abs(nx) + 9 * Math.abs(ny), at = [x + reach * nx, y + reach * ny];
-        if (!taken.isFree([at[0] - half, at[1] - 9, at[0] + half, at[1] + 9])) continue;
-        if (!isCrossed(taken, [x, y], at)) return at;
+        const box = [at[0] - half, at[1] - 9, at[0] + half, at[1] + 9];
+        if (taken.isFree(box) && isNearest(taken, name, box)) return at;
       }
   return null;
 }
 
-/** Whether the boundary passes between a point of a curve and its label. */
-function isCrossed(taken, from, to) {
-  const length = Math.hypot(to[0] - from[0], to[1] - from[1]), start = from.map((x, k) => x + (0.5 / length) * (to[k] - x));
-  return taken.lines.some(([p, q]) => segmentsMeet(start, to, p, q));
+/** Whether no curve is nearer to a label than its own, whose it would seem to be. Curves that meet are equal. */
+function isNearest(taken, name, box) {
+  let own = Infinity, other = Infinity;
+  for (const line of taken.lines) {
+    const distance = distanceToBox(line.from, line.to, box);
+    if (line.name === name) own = Math.min(own, distance);
+    else other = Math.min(other, distance);
+  }
+  return own <= other + 1e-3;
 }
 
 /** Draws the labels; their places are found again only after the view or the layers changed. */
