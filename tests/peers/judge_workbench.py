@@ -295,6 +295,7 @@ def judge_refusals(page):
         page.messages()
         page.driver.close()
         page.driver.switch_to.window(here)
+        expect(not list(pathlib.Path("shapes").glob("*.crit.json")), f"a page of {origin} saves files")
 
 
 def judge_labels(page):
