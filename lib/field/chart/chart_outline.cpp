@@ -146,11 +146,14 @@ bool bisect_missed_spans(const Nurbs& spline, const std::vector<curve::FitPoint>
   return is_finer;
 }
 
-/// Knots of a periodic spline: each once, also at the seam; more of them than the degree.
+/// Knots of a periodic spline, more of them than the degree. It is as smooth at the seam as at the roughest knot
+/// inside.
 std::vector<curve::FitKnot> periodic_knots(std::vector<curve::FitKnot> knots,
                                            const std::vector<curve::FitPoint>& points) {
-  for (curve::FitKnot& knot : knots) knot.multiplicity = 1;
-  if (knots.size() <= fit_degree + 1) knots = {knots.front(), knots.back()};
+  int of_seam = 1;
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i) of_seam = std::max(of_seam, knots[i].multiplicity);
+  if (of_seam == 1 && knots.size() <= fit_degree + 1) knots = {knots.front(), knots.back()};
+  knots.front().multiplicity = knots.back().multiplicity = std::min(of_seam, fit_degree - 1);
   while (knots.size() <= fit_degree + 1) {
     std::vector<curve::FitKnot> finer{knots.front()};
     for (std::size_t i = 1; i < knots.size(); ++i) {

@@ -170,6 +170,16 @@ TEST(MakeChart, KnotsMayBeCloseTogether) {
     }
 }
 
+// Its rim has no smooth derivatives by the parameter, but at the seam: chart_of checks that its image fits the curve.
+TEST(MakeChart, ClosedCurvesMayHaveJumpsOfCurvature) {
+  const CadFace face = chart_of(tests::rim_of_quadratic_pieces(6, 8), 1e-4);
+  const SpaceCurve& rim = face.chart->space_curves[0];
+  for (int k = 0; k <= 1200; ++k) {
+    const double t = k / 200.0, speed = norm(surface::derivatives(rim, t)[1]);
+    EXPECT_NEAR(norm(curve::derivatives(face.curves[0], t)[1]), speed, 1e-3 * speed) << t;
+  }
+}
+
 TEST(MakeChart, ChartOfASymmetricFaceIsSymmetric) {
   const CadFace face = chart_of(torus_patch(), 1e-9);
   // The longest curve, on the outer side or beside it, runs to the right: the mirror axis of z -> -z is an axis of the

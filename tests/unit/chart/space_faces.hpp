@@ -117,6 +117,65 @@ inline SpaceFace cone_with_apex(double angle) {
   return f;
 }
 
+/// A part of the surface z = x y / 2 with one smooth rim whose curvature jumps: quadratic pieces in x and y, from the
+/// middle of one to its middle again. `n` triangles along each of the `pieces`.
+inline SpaceFace rim_of_quadratic_pieces(int pieces, int n) {
+  const auto corner = [&](int k) {
+    const double angle = 2 * std::numbers::pi * k / pieces;
+    return (k % 2 == 0 ? 1 : 0.8) * Vec2{std::cos(angle), std::sin(angle)};
+  };
+  SpaceFace f;
+  f.surface = {1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{-2, -2, 2}, {-2, 2, -2}, {2, -2, -2}, {2, 2, 2}}, {1, 1, 1, 1}};
+  SpaceCurve rim{4, {0, 0, 0, 0, 0}, {}, {}};
+  for (int k = 0; k <= pieces; ++k) {
+    // Between the middles of the sides of a polygon, a quadratic piece; the first and the last one are halves.
+    Vec2 a = (corner(k) + corner(k + pieces - 1)) / 2, b = corner(k), c = (corner(k) + corner(k + 1)) / 2;
+    const Vec2 ab = (a + b) / 2, bc = (b + c) / 2, middle = (ab + bc) / 2;
+    if (k == 0) a = middle, b = bc;
+    if (k == pieces) b = ab, c = middle;
+    // Of degree 4, with the product of both coordinates; a pole at which two pieces meet is left out.
+    const std::array<Vec2, 5> xy{a, (a + b) / 2, (a + 4 * b + c) / 6, (b + c) / 2, c};
+    const std::array<double, 5> product{a.x * a.y, (a.x * b.y + b.x * a.y) / 2,
+                                        (a.x * c.y + 4 * b.x * b.y + c.x * a.y) / 6, (b.x * c.y + c.x * b.y) / 2,
+                                        c.x * c.y};
+    for (int i = k == 0 ? 0 : 1; i < (k == pieces ? 5 : 4); ++i)
+      rim.poles.push_back({xy[i].x, xy[i].y, product[i] / 2}), rim.weights.push_back(1);
+    rim.knots.insert(rim.knots.end(), k == pieces ? 5 : 3, k == pieces ? pieces : k + 0.5);
+  }
+  f.curves = {rim};
+  f.face.loop_offsets = {0, 1};
+  f.face.curve_names = {"rim"}, f.face.curve_cad_edges = {0};
+  const int around = pieces * n, rings = n;
+  const auto add_vertex = [&](Vec3 on_rim, double part) {
+    f.vertices.push_back({part * on_rim.x, part * on_rim.y, part * part * on_rim.z});
+  };
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < around; ++i)
+      add_vertex(surface::point(rim, static_cast<double>(i) / n), 1 - static_cast<double>(j) / rings);
+  add_vertex({}, 0);
+  const auto add = [&](int a, int b, int c) {
+    f.triangles.push_back({a, b, c});
+    std::array<Vec2, 3> uv;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 x = f.vertices[f.triangles.back()[k]];
+      uv[k] = {(x.x + 2) / 4, (x.y + 2) / 4};
+    }
+    f.triangle_uv.push_back(uv);
+  };
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < around; ++i) {
+      const int a = j * around + i, b = j * around + (i + 1) % around;
+      if (j + 1 == rings) {
+        add(a, b, rings * around);
+        continue;
+      }
+      add(a, b, b + around), add(a, b + around, a + around);
+    }
+  for (int i = 0; i < around; ++i)
+    f.boundary_edges.push_back({{i, (i + 1) % around}, 0, static_cast<double>(i) / n, static_cast<double>(i + 1) / n});
+  return f;
+}
+
 /// A circle on the unit sphere about its point at `polar` from z, in the plane y = 0, at the polar angle `radius` from
 /// it; counter-clockwise seen from outside.
 inline SpaceCurve circle_on_sphere(double polar, double radius) {
