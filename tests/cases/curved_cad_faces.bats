@@ -73,7 +73,7 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
 }
 
 @test "symmetric faces have symmetric meshes" {
-  for face in "sphere_cap x y" "half_cylinder_hole x z" "saddle x y"; do
+  for face in "sphere_cap x y" "half_cylinder_hole x z" "saddle x y" "tube x y z"; do
     read -r shape axes <<<"$face"
     "$quadmesh" -q "$curved/$shape.step" --face 0 -o $shape.msh
     run -0 "$ROOT/tests/cases/symmetric_surface.py" $shape.msh $axes

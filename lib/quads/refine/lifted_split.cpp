@@ -68,14 +68,15 @@ int LiftedMesh::farthest() const {
   return worst;
 }
 
-LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, const std::vector<Vec3>& tips, Progress* progress) {
+LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, const SurfaceTraits& surface, Progress* progress) {
   mesh::lift_nodes(map, mesh);
+  if (surface.end_mirror) symmetrise(map, *surface.end_mirror, mesh);
   for (int elem = 0; elem < static_cast<int>(mesh.elem_prescribed_length.size()); ++elem)
     mesh.elem_prescribed_length[elem] *= std::exp(map.log_scale(mesh::centre(mesh, elem)));
   measure_elements(mesh, progress);
   mesh::measure_element_sizes(mesh);
   mesh::SurfaceDistance distance = mesh::surface_distance(map, mesh);
-  std::vector<bool> at_tips = elements_at(tips, mesh);
+  std::vector<bool> at_tips = elements_at(surface.tips, mesh);
   return {std::move(mesh), std::move(distance), std::move(at_tips)};
 }
 

@@ -10,6 +10,7 @@
 
 #include "mesh/lifted_mesh.hpp"
 #include "refine/split_mesh.hpp"
+#include "refine/swapped_ends.hpp"
 
 namespace quadrille::refine {
 
@@ -30,8 +31,13 @@ struct LiftedMesh {
   double farthest_distance() const { return farthest() < 0 ? 0 : distance.elem[farthest()]; }
 };
 
-/// `tips`: in space.
-LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, const std::vector<Vec3>& tips, Progress* progress);
+/// What counts of a surface, beside its chart.
+struct SurfaceTraits {
+  std::vector<Vec3> tips = {};  ///< in space (refine/surface_tips)
+  std::optional<SpaceMirror> end_mirror = {};
+};
+
+LiftedMesh lifted(const mesh::ChartMap& map, QuadMesh mesh, const SurfaceTraits& surface, Progress* progress);
 
 /// Sources of the edge lengths with which elements that are not proved would be, and all elements at no tip well within
 /// `tolerance` (a length) of the surface, if their distance fell with this power of their length. Lengths are in space.

@@ -126,11 +126,11 @@ std::optional<SplitMesh> finer_split(const SplitRequest& request) {
 }
 
 /// The same on a surface, with shorter edges where it is too far away, or an element is not proved in space: the
-/// nearest of these meshes. `tolerance`: a length in space. `tips`: of the surface. `there`: the mesh, lifted.
-SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const std::vector<Vec3>& tips,
-                       SplitRequest& request, LiftedMesh& there) {
+/// nearest of these meshes. `tolerance`: a length in space. `there`: the mesh, lifted.
+SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const SurfaceTraits& surface, SplitRequest& request,
+                       LiftedMesh& there) {
   SplitMesh best = placed_split(request);
-  there = lifted(map, best.mesh, tips, request.report.progress());
+  there = lifted(map, best.mesh, surface, request.report.progress());
   LiftedMesh last = there;
   int num_slow = 0;
   for (int round = 0; round < max_lifts && num_slow < max_slow_lifts; ++round) {
@@ -140,8 +140,9 @@ SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const std::v
     request.sizes = request.sizes.with(finer);
     request.sizes_at_bends = sizing::sizes_at_bends(request.equal.blocks().face, request.sizes);
     std::optional<SplitMesh> next = finer_split(request);
-    if (!next || (next->mesh.num_elems() == last.mesh.num_elems() && next->mesh.nodes == last.mesh.nodes)) break;
-    LiftedMesh next_there = lifted(map, next->mesh, tips, request.report.progress());
+    if (!next) break;
+    LiftedMesh next_there = lifted(map, next->mesh, surface, request.report.progress());
+    if (next_there.mesh.nodes == last.mesh.nodes) break;
     num_slow = fell_slowly(last, next_there, tolerance, power) ? num_slow + 1 : 0;
     if (is_nearer(next_there, there)) best = std::move(*next), there = next_there;
     last = std::move(next_there);
@@ -171,16 +172,17 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   std::optional<mesh::ChartMap> map;
   if (layout.face.chart) map.emplace(layout.face);
   LiftedMesh there;
-  const std::vector<Vec3> tips = map ? surface_tips(*layout.face.chart) : std::vector<Vec3>{};
+  SurfaceTraits surface;
+  if (map) surface = {surface_tips(*layout.face.chart), end_mirror(*map, layout.face)};
   const double tolerance =
       options.keeps_to_surface ? geometric_tolerance(options) * sizing::diameter_in_space(layout.face) : HUGE_VAL;
-  SplitMesh split = map ? lifted_split(*map, tolerance, tips, request, there) : placed_split(request);
+  SplitMesh split = map ? lifted_split(*map, tolerance, surface, request, there) : placed_split(request);
   warn_of_joints(split.mesh, report);
   report_even_counts(split.mesh, options.boundary_counts, report);
   refine_nested(split.mesh, options, report);
   if (map) {
     const bool is_smooth = there.is_smooth;
-    if (options.levels > 0) there = lifted(*map, std::move(split.mesh), tips, report.progress());
+    if (options.levels > 0) there = lifted(*map, std::move(split.mesh), surface, report.progress());
     there.is_smooth = is_smooth;
     report_surface(there, tolerance, report);
     split.mesh = std::move(there.mesh);

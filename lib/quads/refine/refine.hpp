@@ -20,9 +20,9 @@
 //      edges inside straight where elements allow it (refine/inner_edges).
 //   6. By the size rule `error`, move elements from chord to chord, as long as 3 to 5 then make a mesh of less error,
 //      with vertices nearly in place until counts are settled (refine/lower_error).
-//   7. On a curved face, lift the nodes from the chart to the surface; where elements are too far from it, or not
-//   proved
-//      in space, prescribe shorter edges and begin again at 3 (refine/lifted_split).
+//   7. On a curved face, lift the nodes from the chart to the surface, symmetric where a reflection exchanges outline
+//      and hole (refine/swapped_ends); where elements are too far from it, or not proved in space, prescribe shorter
+//      edges and begin again at 3 (refine/lifted_split).
 //   8. Split every element into equal parts of its own map (mesh/nested_quads), and lift those.
 //   9. Report, and refuse a mesh that is not valid or misses a prescribed quality (refine/validity).
 

@@ -159,7 +159,7 @@ TEST(LiftedSplit, ElementsAtATipAreNotShorter) {
   const QuadMesh mesh = refined(options, report);
   const mesh::ChartMap map(mesh.face);
   const Vec3 tip = mesh.space_nodes[side_start(mesh, 0, 0)];
-  const LiftedMesh at_tip = lifted(map, mesh, {tip}, nullptr), smooth = lifted(map, mesh, {}, nullptr);
+  const LiftedMesh at_tip = lifted(map, mesh, {.tips = {tip}}, nullptr), smooth = lifted(map, mesh, {}, nullptr);
   EXPECT_EQ(std::ranges::count(smooth.is_at_tip, true), 0);
   EXPECT_TRUE(at_tip.is_at_tip[0]);
   const auto num_at_tip = std::ranges::count(at_tip.is_at_tip, true);
