@@ -223,18 +223,42 @@ std::string json_bytes(const StageFormat& format, const Provenance& provenance, 
   return writer.text();
 }
 
+void read_model(Archive& root, const std::string& file_name, const StageFormat& format, Provenance& provenance,
+                const Describe& describe) {
+  std::string name;
+  std::vector<int> numbers;
+  root.field("format", name);
+  root.field("version", numbers);
+  require_version(file_name, format, name, numbers);
+  describe_provenance(root, provenance);
+  require_short(provenance, file_name);
+  describe(root);
+}
+
+std::string require_stage_format(const std::string& file_name, std::string format) {
+  if (std::none_of(stage_formats.begin(), stage_formats.end(), [&](const auto& known) { return format == known.name; }))
+    throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file_name, clean_name(format)));
+  return format;
+}
+
+const std::string& json_object_in(const InputFile& file) {
+  const std::size_t first = file.bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos || file.bytes[first] != '{')
+    throw FormatError(fmt::format("{}: neither HDF5 nor a JSON object: not a stage file", file.name));
+  return file.bytes;
+}
+
+std::string format_in(JsonReader& reader, const std::string& file_name) {
+  std::string format;
+  reader.root().field("format", format);
+  return require_stage_format(file_name, std::move(format));
+}
+
 void read_json(const InputFile& file, const StageFormat& format, Provenance& provenance, const Describe& describe) {
   if (looks_like_hdf5(file.bytes))
     throw FormatError(fmt::format("{}: expected a {} file (JSON), found an HDF5 file", file.name, format.name));
   JsonReader reader(file.bytes, file.name);
-  std::string name;
-  std::vector<int> numbers;
-  reader.root().field("format", name);
-  reader.root().field("version", numbers);
-  require_version(file.name, format, name, numbers);
-  describe_provenance(reader.root(), provenance);
-  require_short(provenance, file.name);
-  describe(reader.root());
+  read_model(reader.root(), file.name, format, provenance, describe);
 }
 
 }  // namespace
@@ -264,6 +288,18 @@ void read_into(const InputFile& file, StageModel& stage) {
 }
 
 StageModel read_any_stage(const InputFile& file) {
+  if (!looks_like_hdf5(file.bytes)) {
+    JsonReader reader(json_object_in(file), file.name);  // once, for the format and for the content
+    StageModel stage = empty_stage(format_in(reader, file.name));
+    std::visit(
+        [&]<typename Model>(Model& model) {
+          if (format_of<Model>().storage == Storage::hdf5) return read_into(file, stage);  // which refuses it
+          read_model(reader.root(), file.name, format_of<Model>(), model.provenance,
+                     [&](Archive& archive) { describe(archive, model); });
+        },
+        stage);
+    return stage;
+  }
   const std::optional<InputFile> own = rewritten(file);  // once, not for the format and for the content
   const InputFile& known = own ? *own : file;
   StageModel stage = empty_stage(stage_format(known));
@@ -289,18 +325,13 @@ void write_stage_bytes(const std::string& path, const std::string& bytes, Lastin
 FileIdentity identity_of(const std::string& name, const std::string& bytes) { return {name, sha256_hex(bytes)}; }
 
 std::string stage_format(const InputFile& file) {
-  std::string format;
-  if (looks_like_hdf5(file.bytes)) {
-    read_safely(file, [&](const Hdf5Reader& reader) { format = read_header(reader.root(), file.name).format; });
-  } else {
-    const std::size_t first = file.bytes.find_first_not_of(" \t\r\n");
-    if (first == std::string::npos || file.bytes[first] != '{')
-      throw FormatError(fmt::format("{}: neither HDF5 nor a JSON object: not a stage file", file.name));
-    JsonReader(file.bytes, file.name).root().field("format", format);
+  if (!looks_like_hdf5(file.bytes)) {
+    JsonReader reader(json_object_in(file), file.name);
+    return format_in(reader, file.name);
   }
-  if (std::none_of(stage_formats.begin(), stage_formats.end(), [&](const auto& known) { return format == known.name; }))
-    throw FormatError(fmt::format("{}: '{}' is not the format of a stage file", file.name, clean_name(format)));
-  return format;
+  std::string format;
+  read_safely(file, [&](const Hdf5Reader& reader) { format = read_header(reader.root(), file.name).format; });
+  return require_stage_format(file.name, std::move(format));
 }
 
 bool is_chart(const InputFile& file) {
