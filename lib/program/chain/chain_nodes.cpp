@@ -51,7 +51,8 @@ void copy_given_nodes(ChainState& chain, NodeFiles& files) {
     file.name = files.nodes.path();
   files.nodes.read(file);
   note_nodes(chain, files.nodes.model());
-  if (!cli::are_same_file(given, files.nodes.path())) io::write_output(files.nodes.path(), file.bytes, false);
+  if (!cli::are_same_file(given, files.nodes.path()))
+    io::write_output(files.nodes.path(), file.bytes, false, io::Lasting::for_the_run);
 }
 
 bool run_critpoints(ChainState& chain, StageFile<CriticalPoints>& nodes, const std::vector<std::string>& words) {

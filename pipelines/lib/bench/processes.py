@@ -41,17 +41,13 @@ class NumberedRun:
         self.processes, self.number = processes, number
 
     def run(self, words):
-        """The exit code and the messages."""
-        code, _, messages = self.finished(words, subprocess.DEVNULL)
-        return code, messages
-
-    def finished(self, words, output):
+        """The exit code, what the command prints, and its messages."""
         processes = self.processes
         with processes.lock:
             processes.require_newest(self.number)
             process = processes.running = subprocess.Popen(
-                [str(word) for word in words], stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.PIPE, text=True,
-                errors="replace", env=processes.environment)
+                [str(word) for word in words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                encoding="utf-8", errors="replace", env=processes.environment)
         try:
             printed, messages = process.communicate()
         except frame.Stopped:
@@ -65,7 +61,7 @@ class NumberedRun:
 
     def output_of(self, words):
         """What a command prints; a Failure with its message if it fails."""
-        code, printed, messages = self.finished(words, subprocess.PIPE)
+        code, printed, messages = self.run(words)
         if code:
             raise frame.Failure(code, messages.partition("\n")[0].removeprefix(f"{words[0]}: "))
         return printed

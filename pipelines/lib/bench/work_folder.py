@@ -85,8 +85,8 @@ class WorkFolder:
         return ["quadmesh", "-q", shape, *words_of(kept), "--workdir", str(self.folder), *limits]
 
     def update(self, process, shape, options, commands, mesh, end=len(STAGES)):
-        """Makes the files before stage `end` that are old. `process.run(words)`: exit code and messages. What the last
-        stages cannot do, the chain may do in another way, with other nodes or without a field."""
+        """Makes the files before stage `end` that are old. `process.run(words)`: exit code, what is printed, messages.
+        What the last stages cannot do, the chain may do in another way, with other nodes or without a field."""
         first = self.first_changed(commands, end)
         if first == end:
             return
@@ -101,11 +101,9 @@ class WorkFolder:
     def run(self, process, shape, options, commands, mesh, first, end):
         """Runs the stages from number `first` up to before `end`. A Failure has the message of the stage."""
         with self.renewed(first):
-            report = self.folder / "report.json"
-            report.unlink(missing_ok=True)
             output = ["-o", str(self.mesh(mesh))] if end == len(STAGES) else []
-            code, messages = process.run([*self.words(shape, options, first, end), "--report", str(report), *output])
-            found = read_report(report)
+            code, printed, messages = process.run([*self.words(shape, options, first, end), "--report", "-", *output])
+            found = report_in(printed)
             if code:
                 raise frame.Failure(code, failure_text(found, messages))
             self.note(first, end, commands, found)
@@ -138,10 +136,10 @@ class WorkFolder:
         return json.loads(self.file("separatrix").read_text(encoding="utf-8"))["face"]["diameter"]
 
 
-def read_report(path):
+def report_in(text):
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        return json.loads(text)
+    except ValueError:
         return {}
 
 
