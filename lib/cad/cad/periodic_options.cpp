@@ -1,10 +1,12 @@
+#include "cad/periodic_options.hpp"
+
 #include <string_view>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "base/number_list.hpp"
-#include "cad/periodic_sides.hpp"
+#include "cad/periodic_options.hpp"
 
 namespace quadrille::cad {
 namespace {

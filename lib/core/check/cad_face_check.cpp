@@ -6,6 +6,8 @@
 #include "curve/nurbs.hpp"
 #include "curve/project.hpp"
 #include "model/periodic.hpp"
+#include "surface/nurbs_surface.hpp"
+#include "surface/periodic_motion.hpp"
 
 namespace quadrille::check {
 
@@ -176,8 +178,25 @@ void partners_agree(const CadFace& face, Findings& findings) {
   }
 }
 
+/// Greatest distance of the first curve of a pair, moved in space, from the points of the second one with mirrored
+/// parameters. 0 of a chart that breaks rules, which are checked later.
+double gap_in_space(const CadFace& face, const PeriodicPair& pair) {
+  if (!chart_violations(face, CheckDepth::quick).empty()) return 0;
+  const auto [first, second] = pair.curves;
+  const SpaceCurve &from = face.chart->space_curves[first], &to = face.chart->space_curves[second];
+  const SpaceMotion motion = surface::periodic_motion(face, pair);
+  double gap = 0;
+  for (int k = 0; k <= 16; ++k) {
+    const double t = from.begin() + (from.end() - from.begin()) * k / 16;
+    const Vec3 other = surface::point(to, periodic_parameter(face, first, t, second));
+    gap = std::max(gap, distance(surface::image(motion, surface::point(from, t)), other));
+  }
+  return gap;
+}
+
 /// Greatest distance of the first curve of a pair, moved, from the second one, reversed.
 double periodic_gap(const CadFace& face, const PeriodicPair& pair) {
+  if (face.chart) return gap_in_space(face, pair);
   const Nurbs &from = face.curves[pair.curves[0]], &to = face.curves[pair.curves[1]];
   const PeriodicMotion motion(pair, face.origin);
   double gap = std::max(distance(motion.image(from.poles.front()), to.poles.back()),

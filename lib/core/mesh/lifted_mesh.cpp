@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "curve/nearest_along.hpp"
+#include "model/periodic.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -77,21 +78,58 @@ double end_if_there(const CadFace& face, int curve, double t, Vec2 x) {
   return t;
 }
 
+/// A parameter of a curve; -1: a node is on none.
+struct OnCurve {
+  int curve = -1;
+  double t = 0;
+};
+
+/// By curve, the boundary edges in the order of the loop.
+std::vector<std::vector<QuadBoundaryEdge>> edges_of_curves(const QuadMesh& mesh) {
+  std::vector<std::vector<QuadBoundaryEdge>> edges(mesh.face.curves.size());
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) edges[edge.curve].push_back(edge);
+  return edges;
+}
+
+/// Nodes on the second of two periodic curves are at the parameters of those on the first: lengths along the two curves
+/// in the chart, by which they were placed, are equal to its accuracy alone. Nodes at ends of curves stay there.
+void place_images(const ChartMap& map, const std::vector<OnCurve>& points, QuadMesh& mesh) {
+  if (mesh.face.periodic_pairs.empty()) return;
+  const std::vector<std::vector<QuadBoundaryEdge>> edges = edges_of_curves(mesh);
+  for (const PeriodicPair& pair : mesh.face.periodic_pairs) {
+    const auto [first, second] = pair.curves;
+    if (edges[first].size() != edges[second].size()) continue;
+    for (std::size_t k = 0; k < edges[first].size(); ++k) {
+      const QuadBoundaryEdge &edge = edges[first][k], &image = edges[second][edges[second].size() - 1 - k];
+      for (int j = 0; j <= mesh.order; ++j) {
+        const OnCurve at = points[side_node(mesh, edge.elem, edge.side, j)];
+        if (at.curve != first || at.t == mesh.face.curves[first].begin() || at.t == mesh.face.curves[first].end())
+          continue;
+        mesh.space_nodes[side_node(mesh, image.elem, image.side, mesh.order - j)] =
+            map.boundary_point(second, periodic_parameter(mesh.face, first, at.t, second));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
   const curve::FaceBoundary boundary(mesh.face);
   mesh.space_nodes.assign(mesh.nodes.size(), {});
   std::vector<bool> is_placed(mesh.nodes.size(), false);
+  std::vector<OnCurve> points(mesh.nodes.size());
   for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
     for (const QuadBoundaryEdge& edge : *edges)
       for (const int node : side_nodes(mesh, edge.elem, edge.side)) {
         if (is_placed[node]) continue;
         const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, mesh.nodes[node]);
         const double t = end_if_there(mesh.face, at.curve, at.t, mesh.nodes[node]);
+        points[node] = {at.curve, t};
         mesh.space_nodes[node] = map.boundary_point(at.curve, t);
         is_placed[node] = true;
       }
+  place_images(map, points, mesh);
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     if (!is_placed[node]) mesh.space_nodes[node] = map.lift(mesh.nodes[node]);
 }

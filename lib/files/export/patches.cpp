@@ -18,6 +18,7 @@
 #include "export/renode.hpp"
 #include "model/length_scale.hpp"
 #include "model/quad_mesh.hpp"
+#include "surface/periodic_motion.hpp"
 
 namespace quadrille::exports {
 
@@ -75,6 +76,17 @@ std::string type_by_name(const std::string& name, const std::function<bool()>& i
 
 bool is_same_motion(const CadFace& face, int a, int b) {
   const PeriodicPair &one = face.periodic_pairs[a], &other = face.periodic_pairs[b];
+  if (face.chart) {
+    const SpaceMotion motion = surface::periodic_motion(face, one), others = surface::periodic_motion(face, other);
+    const auto images_are_same = [&](Vec3 x) {
+      return distance(surface::image(motion, x), surface::image(others, x)) <= tolerance::round_off * face.diameter;
+    };
+    const auto fit_on = [&](const PeriodicPair& pair) {
+      const SpaceCurve& curve = face.chart->space_curves[pair.curves[0]];
+      return images_are_same(curve.poles.front()) && images_are_same(curve.poles.back());
+    };
+    return fit_on(one) && fit_on(other);
+  }
   return std::abs(one.angle - other.angle) <= tolerance::round_off &&
          distance(one.shift, other.shift) <= tolerance::round_off * face.diameter;
 }

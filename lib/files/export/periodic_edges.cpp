@@ -13,6 +13,8 @@
 #include "base/tolerance.hpp"
 #include "model/periodic.hpp"
 #include "model/quad_mesh.hpp"
+#include "surface/periodic_motion.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::exports {
 
@@ -34,10 +36,29 @@ std::vector<std::vector<int>> edges_of_curves(const QuadMesh& mesh) {
   return edges;
 }
 
-Vec2 end_of_edge(const QuadMesh& mesh, int edge, bool is_last) {
+int end_of_edge(const QuadMesh& mesh, int edge, bool is_last) {
   const QuadBoundaryEdge& e = mesh.boundary_edges[edge];
-  return mesh.nodes[side_node(mesh, e.elem, e.side, is_last ? mesh.order : 0)];
+  return side_node(mesh, e.elem, e.side, is_last ? mesh.order : 0);
 }
+
+/// Whether the motion of a pair maps a node onto another one; on a curved face that of space.
+class NodeImages {
+ public:
+  NodeImages(const QuadMesh& mesh, const PeriodicPair& pair) : mesh_(mesh), in_plane_(pair, mesh.face.origin) {
+    if (mesh.face.chart) in_space_ = surface::periodic_motion(mesh.face, pair);
+  }
+  bool are_images(int from, int to) const {
+    const double off = mesh_.face.chart
+                           ? distance(surface::image(in_space_, mesh_.space_nodes[from]), mesh_.space_nodes[to])
+                           : distance(in_plane_.image(mesh_.nodes[from]), mesh_.nodes[to]);
+    return off <= tolerance::round_off * mesh_.face.diameter;
+  }
+
+ private:
+  const QuadMesh& mesh_;
+  PeriodicMotion in_plane_;
+  SpaceMotion in_space_;
+};
 
 /// Vertices and edges that are one.
 struct Identified {
@@ -82,20 +103,18 @@ int ambiguous_edge(const EdgeNumbering& numbering, Identified& sets) {
 std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh) {
   std::vector<PeriodicEdges> result;
   const std::vector<std::vector<int>> edges = edges_of_curves(mesh);
-  const double same = tolerance::round_off * mesh.face.diameter;
   for (int p = 0; p < static_cast<int>(mesh.face.periodic_pairs.size()); ++p) {
     const PeriodicPair& pair = mesh.face.periodic_pairs[p];
-    const PeriodicMotion motion(pair, mesh.face.origin);
+    const NodeImages images(mesh, pair);
     const std::vector<int>&firsts = edges[pair.curves[0]], &seconds = edges[pair.curves[1]];
     for (std::size_t k = 0; k < std::max(firsts.size(), seconds.size()); ++k) {
       const bool is_there = k < firsts.size() && k < seconds.size();
       const int first = k < firsts.size() ? firsts[k] : firsts.empty() ? seconds.front() : firsts.back();
       const int second = is_there ? seconds[seconds.size() - 1 - k] : -1;
-      if (!is_there ||
-          distance(motion.image(end_of_edge(mesh, first, false)), end_of_edge(mesh, second, true)) > same ||
-          distance(motion.image(end_of_edge(mesh, first, true)), end_of_edge(mesh, second, false)) > same)
+      if (!is_there || !images.are_images(end_of_edge(mesh, first, false), end_of_edge(mesh, second, true)) ||
+          !images.are_images(end_of_edge(mesh, first, true), end_of_edge(mesh, second, false)))
         throw ComputeError("no edge of the other periodic side is the image of the edge at " +
-                           position_text(end_of_edge(mesh, first, false) + mesh.face.origin) +
+                           surface::position_text(mesh.face, mesh.nodes[end_of_edge(mesh, first, false)]) +
                            ": make the mesh again from the blocks (quadrefine)");
       result.push_back({first, second, p});
     }
@@ -103,8 +122,15 @@ std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh) {
   return result;
 }
 
+std::array<double, 16> rows_of(const SpaceMotion& motion) {
+  const auto& [x, y, z] = motion.matrix;
+  const Vec3 s = motion.shift;
+  return {x.x, x.y, x.z, s.x, y.x, y.y, y.z, s.y, z.x, z.y, z.z, s.z, 0, 0, 0, 1};
+}
+
 // The frame's axes have one length and are normal to each other; what is normal to both stays.
 std::array<double, 16> affine_motion(const CadFace& face, int pair, const Frame& frame) {
+  if (face.chart) return rows_of(surface::periodic_motion(face, face.periodic_pairs[pair]));
   const PeriodicMotion motion(face.periodic_pairs[pair], face.origin);
   const Triple& x = frame.x_axis;
   const Triple& y = frame.y_axis;

@@ -23,7 +23,8 @@ struct PeriodicEdges {
 /// Throws ComputeError, with the place, for an edge on a periodic curve that has no image within 1e-9 diameters.
 std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh);
 
-/// The motion of a pair in a frame, row by row: it maps (x, y, z, 1) of the first curve onto the second.
+/// The motion of a pair in a frame, row by row: it maps (x, y, z, 1) of the first curve onto the second. Of a curved
+/// face the motion in space.
 std::array<double, 16> affine_motion(const CadFace& face, int pair, const Frame& frame);
 
 /// Those pairs whose motion is a translation, and the others. Discontinuous Galerkin methods that take the normal of

@@ -198,11 +198,13 @@ void declare_names(Options& o, Cad2triOptions& cad2tri) {
   o.flag("--keep-joints", cad2tri.keep_joints,
          "keep the lines between neighbours that --region-name gives one name, and each a region: the names only group "
          "them");
-  o.texts("--periodic", cad2tri.periodic, "A=B[:MOTION]",
-          "the sides A and B, names or patterns of curves, in one part or several, repeat each other: their nodes are "
-          "images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
-          "A=B:rotate=DEGREES[,CX,CY], in file units; B is replaced by the exact image of A, from which it may differ "
-          "by 1e-9 diameters; may be given several times");
+  o.texts(
+      "--periodic", cad2tri.periodic, "A=B[:MOTION]",
+      "the sides A and B, names or patterns of curves, in one part or several, repeat each other: their nodes are "
+      "images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
+      "A=B:rotate=DEGREES[,CX,CY], in file units; on a curved face a rotation or translation in space, always found "
+      "from the curves; B is replaced by the exact image of A, from which it may differ by 1e-9 diameters; may be "
+      "given several times");
   o.texts("--offset", cad2tri.offsets, "NAME=T",
           "embed a curve at the distance T, in file units, from the boundary NAME (or NAME,NAME): blocks end there, so "
           "that layers of this thickness have blocks of their own; around corners, and along neighbours of NAME that "
@@ -257,8 +259,6 @@ LoadedShape face_of_chart(const Input<ChartedFace>& chart, const Cad2triOptions&
   refuse(!options.section.empty(), "--section", "give it with the CAD file");
   refuse(!options.offsets.empty(), "--offset",
          "leave blocks=own out of --wall: layers then lie in the blocks along the wall, at their heights in space");
-  refuse(!options.periodic.empty(), "--periodic",
-         "give both sides the same --count and --grading: their nodes then lie at the same lengths along them");
   refuse(!options.healed_file.empty(), "--write-healed", "cad2chart reports what it moves");
   check::require_sound(chart.model, chart.file.name);
   LoadedShape shape;

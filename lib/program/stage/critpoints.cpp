@@ -165,7 +165,10 @@ CriticalPoints critpoints(const Input<Field>& input, const CritpointsOptions& op
   choosing.symmetry = checked_symmetry(field.mesh.face, options.symmetry, run.report());
   choosing.walls = placement::wall_clearances(field.mesh.face, named_clearances(options));
   CriticalPoints points = chosen(field, choosing, run);
-  points.face.chart.reset();  // large, and whoever reads nodes also reads a field or triangles that have it
+  if (points.face.chart) {  // large, and whoever reads nodes also reads a field or triangles that have it
+    points.face.chart.reset();
+    points.face.periodic_pairs.clear();  // whose motions are in space
+  }
   run.end_phase();
   report_points(points, run);
   points.provenance = with_step(field.provenance, "critpoints", options, {input.file.digest("field")});

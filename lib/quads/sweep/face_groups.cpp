@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
+#include "surface/periodic_motion.hpp"
 #include "sweep/swept_quads.hpp"
 
 namespace quadrille::sweep {
@@ -65,6 +66,7 @@ Images images_of(const QuadMesh& quads) {
 
 /// The motion of a pair in the coordinates of the CAD model.
 SpaceMotion motion_of(const CadFace& face, const PeriodicPair& pair) {
+  if (face.chart) return surface::periodic_motion(face, pair);
   const auto vector = [](const std::array<double, 3>& a) { return Vec3{a[0], a[1], a[2]}; };
   const Vec3 x = vector(face.plane_x), y = vector(face.plane_y), normal = normalized(cross(x, y));
   SpaceMotion motion;

@@ -109,13 +109,21 @@ class Joint:
 
 @dataclasses.dataclass
 class PeriodicPair:
-    """Two curves of which a motion maps the first onto the second, reversed."""
+    """Two curves of which a motion maps the first onto the second, reversed.
+
+    On a curved face it is a motion in space, by `angle` about an axis: at equal fractions of their parameters, one of
+    them reversed, both curves have the same node.
+    """
     curves: tuple
     angle: float
     shift: np.ndarray
+    is_in_space: bool = False
 
     def move(self, points):
-        """Points [n, 2] of the first curve on the second one: turned by `angle` about (0, 0), then moved by `shift`."""
+        """Points [n, 2] of the first curve on the second one: turned by `angle` about (0, 0), then moved by `shift`.
+        ValueError on a curved face."""
+        if self.is_in_space:
+            raise ValueError("the sides of a curved face repeat each other in space: no motion of the chart maps them")
         cosine, sine = np.cos(self.angle), np.sin(self.angle)
         return np.asarray(points, float) @ [[cosine, sine], [-sine, cosine]] + self.shift
 
@@ -149,7 +157,7 @@ class Face:
         self.region_names = list(content.get("region_names", [self.name]))
         self.partners = np.asarray(content.get("partners", [-1] * len(self.curves)), int)
         self.periodic_pairs = [PeriodicPair(tuple(int(c) for c in p["curves"]), float(p["angle"]),
-                                            np.asarray(p["shift"], float))
+                                            np.asarray(p["shift"], float), "chart" in content)
                                for p in records(content.get("periodic_pairs", []))]
 
     def region_curves(self, region):

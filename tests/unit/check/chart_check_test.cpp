@@ -93,5 +93,15 @@ TEST(ChartCheck, ChaR09OuterEdgesFollowTheCurvesInBothPlaces) {
   EXPECT_EQ(broken([](Chart& c) { c.space_curves[0].poles[1].z += 0.01; }), Rules{"CHA-R09"});
 }
 
+TEST(ChartCheck, PeriodicSidesRepeatInSpace) {
+  const auto broken_pair = [](std::array<int, 2> curves) {
+    return broken_rules(samples::charted_face(), [&](ChartedFace& charted) {
+      charted.face.periodic_pairs = {{curves, samples::pi / 2, {}}};
+    });
+  };
+  EXPECT_EQ(broken_pair({0, 3}), Rules{});
+  EXPECT_EQ(broken_pair({0, 1}), Rules{"FAC-R12"});
+}
+
 }  // namespace
 }  // namespace quadrille::check
