@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <complex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "curve/nurbs.hpp"
 #include "graph/arc_pieces.hpp"
 #include "trace/advance.hpp"
+#include "trace/launch.hpp"
 #include "trace/launch_directions.hpp"
 
 namespace quadrille::trace {
@@ -119,6 +121,32 @@ TEST_F(Passing, LinesOfAPairThatMeetsBeforeTheirReachAreSettled) {
   EXPECT_TRUE(unsettled_at(2).empty());
   EXPECT_EQ(unsettled_at(1.1).size(), 2u) << "a pair that is not known yet might come first";
   for (const int line : unsettled_at(1.1)) EXPECT_TRUE(lines[line].is_endless());
+}
+
+// The second line from the first node meets the same partner a little later; it has no end.
+TEST_F(Passing, LinesOfAMergeThatMayBeGivenUpAreFollowedToTheirEnds) {
+  const auto from_first = [&](double radius, const Launch& launch, double max_length) {
+    return advance(evaluator, launch_line(evaluator, 0, nodes[0], launch.angle, radius, 1), PointGrid(nodes),
+                   {1e-11, 0.1, max_length, 1e-7});
+  };
+  auto lines = traced(10);
+  const std::vector<int> pair_of_ended = MergePlan(evaluator, lines, nodes, {radians(20), 0}).choose().value();
+  const MergeCandidate pair = MergePlan(evaluator, lines, nodes, {radians(20), 0}).candidate(pair_of_ended.at(0));
+  const Streamline whole = lines[pair.b];
+  lines.push_back(from_first(0.03, lines[pair.a].launch, 1.2));
+  const int endless = static_cast<int>(lines.size()) - 1;
+  ASSERT_TRUE(lines[endless].is_endless());
+  std::vector<double> reaches(lines.size(), 0);
+  lines[pair.b] = traced(1.2)[pair.b];
+  reaches[pair.b] = 1.6;
+  MergePlan plan(evaluator, lines, nodes, {radians(20), 0}, reaches);
+  EXPECT_FALSE(plan.choose());
+  EXPECT_EQ(plan.unsettled(), std::set{pair.b});
+  lines[pair.b] = whole;
+  MergePlan complete(evaluator, lines, nodes, {radians(20), 0});
+  const std::vector<int> chosen = complete.choose().value();
+  ASSERT_EQ(chosen.size(), 1u);
+  EXPECT_EQ(complete.candidate(chosen[0]).b, endless);
 }
 
 TEST_F(Passing, RejectedMergesAreNotChosenAgain) {
