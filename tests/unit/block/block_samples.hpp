@@ -43,6 +43,19 @@ inline SeparatrixGraph dart() {
   return hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}});
 }
 
+/// Two darts with a common side.
+inline SeparatrixGraph two_darts() {
+  const std::vector<Vec2> corners{{0, 0}, {1, 0}, {0.1, 0.1}, {0, 1}, {-0.1, 0.1}, {-1, 0}};
+  std::vector<Nurbs> loop;
+  for (std::size_t i = 0; i < 6; ++i) loop.push_back(curve::segment(corners[i], corners[(i + 1) % 6]));
+  SeparatrixGraph g;
+  g.face = hand_made::face({loop}, 2);
+  for (int i = 0; i < 6; ++i) hand_made::add_joint_node(g, i, i % 3 == 0 ? 2 : 1);
+  for (int i = 0; i < 6; ++i) hand_made::add_arc(g, i, (i + 1) % 6, true, {hand_made::whole(g, i)});
+  hand_made::add_cut(g, 0, 3);
+  return g;
+}
+
 /// The broken rules of the format, one on each line; empty for a sound layout.
 inline std::string faults(const BlockLayout& layout) {
   std::string all;

@@ -152,10 +152,21 @@ TEST(MakeBlocks, WarnsOfWhatNoCutMakesValid) {
   Report report;
   const Blocks blocks = make_blocks(block_samples::dart(), report);
   EXPECT_EQ(blocks.layout.num_blocks(), 1);
-  ASSERT_EQ(report.warnings().size(), 1u);  // however many blocks there are
+  ASSERT_EQ(report.warnings().size(), 1u);
   EXPECT_EQ(report.warnings()[0].code, "W-BLK-001");
   EXPECT_NE(report.warnings()[0].message.find("block_0 cannot be proved valid near ("), std::string::npos)
       << report.warnings()[0].message;
+}
+
+TEST(MakeBlocks, WarnsOnceOfAllBlocksAndNamesTheWorst) {
+  Report report;
+  const Blocks blocks = make_blocks(block_samples::two_darts(), report);
+  ASSERT_EQ(blocks.layout.num_blocks(), 2);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  const std::string& text = report.warnings()[0].message;
+  const double first = blocks.measures[0].scaled_jacobian, second = blocks.measures[1].scaled_jacobian;
+  EXPECT_EQ(text.find(first <= second ? "block_0 cannot be proved" : "block_1 cannot be proved"), 0u) << text;
+  EXPECT_NE(text.find(" (2 blocks; this one is the worst)"), std::string::npos) << text;
 }
 
 TEST(MakeBlocks, TheReportCountsTheBlocksThatWereAdded) {
