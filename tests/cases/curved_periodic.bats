@@ -85,6 +85,9 @@ names() {
     refute_output --partial periodic
   done
   run -0 python3 "$ROOT/tests/exports/check_periodic.py" msh.msh msh22.msh
+  run -1 env PYTHONPATH="$ROOT/pipelines/python" /usr/bin/python3 -c \
+    "import quadrille; quadrille.read('sector_cylinder/sector_cylinder.quad.h5').face.periodic_pairs[0].move([[0, 0]])"
+  assert_output --partial "ValueError: the sides of a curved face repeat each other in space"
   run -0 quadexport sector_cylinder/*.quad.h5 -o x.vtu
   assert_output --partial 'that sides are periodic is not stored, their nodes are images of each other: "from" and "to"'
 }
@@ -97,5 +100,8 @@ names() {
   # shellcheck disable=SC2046
   run -2 cad2tri cone.chart.h5 $(names sector_cone) --periodic from=to:rotate=36 -o x.tri.h5
   assert_output --partial "the motion of sides of a curved face is found from them: leave it out"
+  cad2chart "$DATA/curved/tube.step" --face 0 -o tube.chart.h5
+  run -2 cad2tri tube.chart.h5 --name low=0 --name high=1 --periodic low=high -o x.tri.h5
+  assert_output --partial "are closed: sides of a curved face that have no ends are not supported; cut the shape"
   assert_file_not_exist x.tri.h5
 }

@@ -84,11 +84,12 @@ PeriodicSide SideFinder::side(const std::string& name) const {
     };
     auto next = std::find_if_not(rest.begin(), rest.end(), follows_another);
     if (next == rest.end())
-      throw UsageError(
-          fmt::format("{}: the curves '{}' at {} are closed: no motion in the plane maps a closed side onto another "
-                      "from outside; "
-                      "cut the shape along two lines that repeat each other, and name these",
-                      request_.where, name, place(start(rest.front()))));
+      throw UsageError(fmt::format(
+          "{}: the curves '{}' at {} are closed: {}; cut the shape along two lines that repeat each other, and name "
+          "these",
+          request_.where, name, place(start(rest.front())),
+          face_.chart ? "sides of a curved face that have no ends are not supported"
+                      : "no motion in the plane maps a closed side onto another from outside"));
     side.push_back({name, {}});
     const auto is_next = [&](int c) { return are_same(end(side.back().curves.back()), start(c)); };
     for (; next != rest.end(); next = std::find_if(rest.begin(), rest.end(), is_next)) {

@@ -9,9 +9,11 @@
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "cad/periodic_pairing.hpp"
 #include "cad/periodic_sides.hpp"
 #include "curve/nurbs.hpp"
 #include "model/periodic.hpp"
+#include "space/space_curve.hpp"
 #include "surface/nurbs_surface.hpp"
 #include "surface/periodic_motion.hpp"
 
@@ -38,15 +40,16 @@ Curve with_uneven_parameters(Curve curve, double c) {
   return curve;
 }
 
-void expect_images(const CadFace& face) {
-  const SpaceMotion motion = surface::periodic_motion(face, face.periodic_pairs[0]);
-  const SpaceCurve &from = face.chart->space_curves[0], &to = face.chart->space_curves[3];
+void expect_images(const CadFace& face, const PeriodicPair& pair) {
+  const auto [first, second] = pair.curves;
+  const SpaceMotion motion = surface::periodic_motion(face, pair);
+  const SpaceCurve &from = face.chart->space_curves[first], &to = face.chart->space_curves[second];
   for (int k = 0; k <= 20; ++k) {
     const double t = from.begin() + (from.end() - from.begin()) * k / 20;
-    const double other = periodic_parameter(face, 0, t, 3);
+    const double other = periodic_parameter(face, first, t, second);
     const Vec3 moved = surface::image(motion, surface::point(from, t));
-    EXPECT_LE(distance(moved, surface::point(to, other)), 1e-15);
-    EXPECT_LE(distance(samples::on_sphere(curve::point(face.curves[3], other)), moved), 2e-9);
+    EXPECT_LE(distance(moved, surface::point(to, other)), 1e-14);
+    EXPECT_LE(distance(samples::on_sphere(curve::point(face.curves[second], other)), moved), 2e-9);
   }
 }
 
@@ -56,7 +59,7 @@ TEST(PeriodicInSpace, TheCurveInSpaceIsTheImageAndThatOfTheChartHasItsParameters
   EXPECT_EQ(face.periodic_pairs[0].curves, (std::array<int, 2>{0, 3}));
   EXPECT_NEAR(face.periodic_pairs[0].angle, pi / 2, 1e-15);
   EXPECT_EQ(face.periodic_pairs[0].shift, (Vec2{0, 0}));
-  expect_images(face);
+  expect_images(face, face.periodic_pairs[0]);
 }
 
 TEST(PeriodicInSpace, SidesWithOtherParametersGetThoseOfTheFirstOne) {
@@ -69,7 +72,27 @@ TEST(PeriodicInSpace, SidesWithOtherParametersGetThoseOfTheFirstOne) {
   face.chart = std::make_shared<const Chart>(chart);
   face = paired(face);
   EXPECT_EQ(face.curves[3].end(), face.curves[0].end());
-  expect_images(face);
+  expect_images(face, face.periodic_pairs[0]);
+}
+
+TEST(PeriodicInSpace, AJointThatTheOtherSideLacksIsMadeThere) {
+  CadFace face = patch();
+  Chart chart = *face.chart;
+  const SpaceCurve whole = chart.space_curves[0];
+  SpaceCurve rest = space::trimmed(whole, 0.3, 1);
+  for (double& knot : rest.knots) knot -= 0.3;
+  chart.space_curves[0] = space::trimmed(whole, 0, 0.3);
+  chart.space_curves.insert(chart.space_curves.begin() + 1, rest);
+  face.chart = std::make_shared<const Chart>(chart);
+  split_curve(face, 0, 0.3);
+  face = paired(face);
+  ASSERT_EQ(face.num_curves(), 6);
+  ASSERT_EQ(face.chart->space_curves.size(), 6U);
+  ASSERT_EQ(face.periodic_pairs.size(), 2U);
+  EXPECT_EQ(face.periodic_pairs[0].curves, (std::array<int, 2>{0, 5}));
+  EXPECT_EQ(face.periodic_pairs[1].curves, (std::array<int, 2>{1, 4}));
+  EXPECT_EQ(face.curve_names[4], "to");
+  for (const PeriodicPair& pair : face.periodic_pairs) expect_images(face, pair);
 }
 
 TEST(PeriodicInSpace, SidesThatNoMotionMapsAreRefusedWithThePlace) {
