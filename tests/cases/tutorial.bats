@@ -35,6 +35,7 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
 @test "flow around a cylinder: drag and lift of the benchmark" {
   runs '## 1.' 'command -v simpleFoam'
   assert_line --partial '12 blocks, 4 irregular nodes, 6191 quads'
+  assert_equal "$(grep -c 'warning W-EXP-001: ' <<<"$output") $(grep -c 'warning W-' <<<"$output")" '2 2'
   assert_file_not_empty work/channel.svg
   assert_equal "$(sed -n '/^boundary/,$p' work/channel/system/blockMeshDict | sed -nE 's/^    ([a-zA-Z]+)$/\1/p' |
     sort | paste -sd ' ')" "cylinder frontAndBack inlet outlet walls"
@@ -78,6 +79,7 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
 @test "a blade passage: its sides have the same nodes" {
   /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
   runs '### 4.3'
+  refute_output --partial 'warning W-'
   assert_file_not_empty work/blade.svg
   grep -qxF "\$Periodic" work/blade.msh
   run -0 /usr/bin/python3 -B "$ROOT/tests/check_regions.py" work/stages/periodic_blade.quad.h5 \

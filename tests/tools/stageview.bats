@@ -302,6 +302,12 @@ page_data() {
   assert [ "$(stat -c %s a.html)" -lt $((60000 + 200 * $(jq .quads report.json))) ]
 }
 
+@test "a page of a field is small: less than 1 MB, also where its orders are high" {
+  cad2tri -q "$DATA/gear_filleted.step" | fieldsolve -q | padapt -q -o gear.field.h5
+  stageview gear.field.h5 -o a.html
+  assert [ "$(stat -c %s a.html)" -lt 1000000 ]
+}
+
 @test "the examples of --help run" {
   cp "$X".* .
   stageview --help | sed -n '/^EXAMPLES/,$p' | grep -oE 'stageview .*' >examples
