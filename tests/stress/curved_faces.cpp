@@ -1,6 +1,6 @@
 // curved_faces FOLDER [N] [SEED]: writes N curved faces as FOLDER/NNN_FAMILY.step, of random sizes and places, the same
 // for the same seed, and FOLDER/faces.tsv with a line "file face family" for each. curved_faces --samples FOLDER writes
-// those of tests/data/curved. tests/stress/curved_faces.py meshes them.
+// those of tests/data/curved. tests/benchmarks/curved_faces meshes and judges them.
 
 #include <fmt/format.h>
 
