@@ -69,7 +69,8 @@ class ImageSampler {
     const std::size_t first = static_cast<std::size_t>(mesh_->nodes_per_elem()) * edge.elem;
     const bool is_first = samples.points.empty();
     if (is_first) samples.points.push_back({edge.t0, image_at(s0)});
-    // Each span between knots has its own, however short it is: a spline with knots there is else not determined.
+    // Each span between knots has its own, however short it is: a spline with knots there is else not determined, and
+    // where the curve bends, so does its image.
     const std::vector<double> breaks = breaks_between(length.curve().knots, edge.t0, edge.t1);
     const int n = breaks.size() > 2 ? samples_per_span : std::max(samples_per_span, 2 * mesh_->order);
     for (std::size_t b = 1; b < breaks.size(); ++b) {
@@ -112,7 +113,8 @@ class ImageSampler {
   const ElementTables* tables_;
 };
 
-/// The knots of the curve in space, as smooth in a spline of the degree of the fit.
+/// The ends of the curve in space and its knots, as smooth in a spline of the degree of the fit; none inside where it
+/// is as smooth as that spline is at a single knot: the fit has knots of its own.
 std::vector<curve::FitKnot> knots_of(const SpaceCurve& curve) {
   std::vector<curve::FitKnot> knots;
   for (const double t : curve.knots) {
@@ -121,6 +123,9 @@ std::vector<curve::FitKnot> knots_of(const SpaceCurve& curve) {
   }
   for (curve::FitKnot& knot : knots)
     knot.multiplicity = std::clamp(fit_degree - curve.degree + knot.multiplicity, 1, fit_degree);
+  std::erase_if(knots, [&](const curve::FitKnot& knot) {
+    return knot.multiplicity == 1 && knot.parameter > curve.begin() && knot.parameter < curve.end();
+  });
   return knots;
 }
 

@@ -12,7 +12,8 @@
 namespace quadrille::chart {
 namespace {
 
-constexpr int degree = 7, smooth_derivatives = 3, fewest_spans = 8, most_spans = 256, samples_per_fit_span = 12;
+constexpr int degree = 7, smooth_derivatives = 3, fewest_spans = 8, most_spans = 256, most_fits = 24,
+              samples_per_fit_span = 12;
 constexpr double fit_tolerance = 1e-13, worst_fit = 1e-12;  ///< of the length of the curve
 constexpr double same_direction = 1e-7, same_slope = 1e-2;  ///< of tangent and curvature, and of the curvature's slope
 
@@ -75,18 +76,24 @@ struct SpacePoints {
   std::vector<curve::FitPoint> xy, z;
 };
 
-std::optional<SpaceCurve> fitted(const SpaceLength& length, bool is_closed, int num_spans) {
-  const SpaceCurve& curve = length.curve();
-  const double total = length.total();
-  std::vector<curve::FitKnot> knots;
-  for (int i = 0; i <= num_spans; ++i) knots.push_back({total * i / num_spans, 1});
+SpacePoints points_in_spans(const SpaceLength& length, const std::vector<curve::FitKnot>& knots) {
   SpacePoints points;
-  const int n = num_spans * samples_per_fit_span;
-  for (int i = 0; i <= n; ++i) {
-    const double s = total * i / n;
-    const Vec3 x = surface::point(curve, length.parameter(s));
+  const auto add = [&](double s) {
+    const Vec3 x = surface::point(length.curve(), length.parameter(s));
     points.xy.push_back({s, {x.x, x.y}}), points.z.push_back({s, {x.z, 0}});
+  };
+  add(0);
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    const double a = knots[k - 1].parameter, b = knots[k].parameter;
+    for (int i = 1; i < samples_per_fit_span; ++i) add(a + (b - a) * i / samples_per_fit_span);
+    add(b);
   }
+  return points;
+}
+
+std::optional<SpaceCurve> fitted(const SpaceLength& length, bool is_closed, const std::vector<curve::FitKnot>& knots) {
+  const SpaceCurve& curve = length.curve();
+  const SpacePoints points = points_in_spans(length, knots);
   const auto fit = [&](const std::vector<curve::FitPoint>& p, auto&& part) {
     if (is_closed) return curve::periodic_least_squares_spline(degree, knots, p);
     const Vec3 a = normalized(surface::derivatives(curve, curve.begin())[1]),
@@ -107,25 +114,52 @@ std::optional<SpaceCurve> fitted(const SpaceLength& length, bool is_closed, int 
   return spline;
 }
 
-double distance_of(const SpaceLength& length, const SpaceCurve& spline) {
-  double most = 0;
-  const std::size_t n = 7 * spline.poles.size();
-  for (std::size_t i = 0; i <= n; ++i) {
-    const double s = length.total() * static_cast<double>(i) / static_cast<double>(n);
-    most = std::max(most, distance(surface::point(spline, s), surface::point(length.curve(), length.parameter(s))));
+/// The greatest distance of the spline from the curve in each span.
+std::vector<double> distances_in_spans(const SpaceLength& length, const SpaceCurve& spline,
+                                       const std::vector<curve::FitKnot>& knots) {
+  constexpr int places_per_span = 7;  // between the samples
+  std::vector<double> distances;
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    const double a = knots[k - 1].parameter, b = knots[k].parameter;
+    distances.push_back(0);
+    for (int i = 0; i < places_per_span; ++i) {
+      const double s = a + (b - a) * (i + 0.5) / places_per_span;
+      distances.back() = std::max(
+          distances.back(), distance(surface::point(spline, s), surface::point(length.curve(), length.parameter(s))));
+    }
   }
-  return most;
+  return distances;
 }
 
+std::vector<curve::FitKnot> with_halved_spans(const std::vector<curve::FitKnot>& knots,
+                                              const std::vector<double>& distances, double tolerance) {
+  std::vector<curve::FitKnot> finer{knots.front()};
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    if (distances[k - 1] >= tolerance) finer.push_back({(knots[k - 1].parameter + knots[k].parameter) / 2, 1});
+    finer.push_back(knots[k]);
+  }
+  return finer;
+}
+
+// Spans are halved where the spline is farther off than it will be in halves of the worst one, as curves bend more in
+// some places; once that hardly helps, what is left is round-off.
 std::optional<SpaceCurve> by_arc_length(const SpaceLength& length) {
+  constexpr double least_reduction = 0.25, of_halves = 1.0 / (1 << (degree + 1));
   const bool is_closed = has_smooth_seam(length.curve());
+  const double tolerance = fit_tolerance * length.total();
+  std::vector<curve::FitKnot> knots;
+  for (int i = 0; i <= fewest_spans; ++i) knots.push_back({length.total() * i / fewest_spans, 1});
   std::optional<SpaceCurve> best;
   double least = worst_fit * length.total();
-  for (int spans = fewest_spans; spans <= most_spans; spans *= 2) {
-    std::optional<SpaceCurve> spline = fitted(length, is_closed, spans);
+  for (int round = 0; round < most_fits && knots.size() <= most_spans + 1; ++round) {
+    std::optional<SpaceCurve> spline = fitted(length, is_closed, knots);
     if (!spline) break;
-    if (const double off = distance_of(length, *spline); off < least) least = off, best = std::move(spline);
-    if (least < fit_tolerance * length.total()) break;
+    const std::vector<double> distances = distances_in_spans(length, *spline, knots);
+    const double off = *std::max_element(distances.begin(), distances.end());
+    if (best && off > least_reduction * least) break;
+    if (off < least) least = off, best = std::move(spline);
+    if (off < tolerance) break;
+    knots = with_halved_spans(knots, distances, std::max(tolerance, of_halves * off));
   }
   return best;
 }
