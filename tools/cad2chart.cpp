@@ -23,7 +23,10 @@ int main(int argc, char** argv) {
       "puts the nodes of its quads on the surface and the edges, exactly. Seams and poles of the surface do not show. "
       "Refused are closed faces without a boundary, faces that go round a handle, surfaces with a kink inside the "
       "face, and charts that overlap or whose scales differ too much (--scale-range): cut such faces in the CAD "
-      "program. Curves have the names of the file; cad2tri --name renames them.";
+      "program. Several faces of one surface are regions of one chart, and curves inside a face that bound nothing, in "
+      "wires of the face or beside it, are embedded, as those of planar faces are by cad2tri: elements end there from "
+      "both sides. "
+      "Curves have the names of the file; cad2tri --name renames them.";
   tool.examples = {"cad2chart half_disc.step --face 0 -o half_disc.chart.h5",
                    "cad2chart half_disc.step --closedness 1e-8 | cad2tri -o half_disc.tri.h5"};
   tool.options = [&](Options& o) {

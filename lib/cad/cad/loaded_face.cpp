@@ -26,9 +26,11 @@ struct Members {
   static void of(auto& a, Is<NurbsSurface> auto& s) {
     a(s.degree_u, s.degree_v, s.knots_u, s.knots_v, s.poles, s.weights, s.is_closed_u, s.is_closed_v);
   }
+  static void of(auto& a, Is<InnerSpaceCurve> auto& c) { a(c.curve, c.name, c.cad_edge, c.faces); }
   static void of(auto& a, Is<FineBoundaryEdge> auto& e) { a(e.vertices, e.curve, e.t0, e.t1); }
   static void of(auto& a, Is<SpaceFace> auto& f) {
     a(f.face, f.curves, f.surface, f.is_reversed, f.vertices, f.triangles, f.triangle_uv, f.boundary_edges);
+    a(f.inner_curves, f.tolerance, f.face_names, f.curve_faces);
   }
   static void of(auto& a, Is<LoadedFace> auto& l) { a(l.face, l.repairs); }
   static void of(auto& a, Is<LoadOptions> auto& o) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -144,6 +145,12 @@ class RegionMerger {
       if (groups_.find(r) == r) add_region(face, loops[r], face_.region_names[r]);
     std::vector<int> new_numbers(face_.num_curves(), -1);
     for (int c = 0; c < face.num_curves(); ++c) new_numbers[numbers_[c]] = c;
+    if (face_.chart) {
+      auto chart = std::make_shared<Chart>(*face_.chart);
+      for (std::size_t i = 0; i < numbers_.size(); ++i) chart->space_curves[i] = face_.chart->space_curves[numbers_[i]];
+      chart->space_curves.resize(numbers_.size());
+      face.chart = std::move(chart);
+    }
     for (const int c : numbers_) face.partners.push_back(face_.partners[c] < 0 ? -1 : new_numbers[face_.partners[c]]);
     set_joints(face);
     name_curves(face);

@@ -24,6 +24,7 @@ struct RawEdge {
 struct RawFace {
   std::string file;  ///< for messages
   std::string name, layer;
+  int cad_face = -1;  ///< number of the face in the file; -1: its place among the faces that are read
   std::string length_unit = "unknown";
   double metres_per_unit = 0;
   double tolerance = 1e-7;     ///< tolerance of the file, a length: closer points coincide

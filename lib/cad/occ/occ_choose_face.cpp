@@ -21,6 +21,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "occ/occ_face.hpp"
+#include "occ/occ_one_surface.hpp"
 #include "sew/one_sheet.hpp"
 
 namespace quadrille::occ {
@@ -159,19 +160,29 @@ std::string part_name(const std::vector<PlacedFace>& faces, const PlacedFace& fa
   return face.parts.back();
 }
 
+/// Whether faces can be meant as one: in planes, or on one curved surface.
+bool are_together(const OccModel& model, const std::vector<PlacedFace>& faces) {
+  const auto is_planar = [](const PlacedFace& f) { return plane_of(f.face).has_value(); };
+  if (std::all_of(faces.begin(), faces.end(), is_planar)) return true;
+  const TopoDS_Face& first = faces.front().face;
+  const double tolerance = same_surface_tolerance(first, model.tolerance);
+  return kind_of(first) != "other" && std::all_of(faces.begin() + 1, faces.end(), [&](const PlacedFace& f) {
+           return kind_of(f.face) == kind_of(first) && gap_from_surface(f.face, first).distance <= tolerance;
+         });
+}
+
 std::vector<FaceChoice> all_faces(const OccModel& model, const std::vector<PlacedFace>& faces,
                                   const std::string& file) {
   const int num_faces = std::max(model.num_faces, static_cast<int>(faces.size()));
   if (num_faces == 1 && model.num_solids == 0) return {{faces.front().face, {}, {}}};
-  const auto is_planar = [](const PlacedFace& f) { return plane_of(f.face).has_value(); };
-  const bool are_planar = model.not_built.empty() && std::all_of(faces.begin(), faces.end(), is_planar);
-  if (model.num_solids > 0 || !are_planar)
+  if (model.num_solids > 0 || !model.not_built.empty() || !are_together(model, faces))
     throw FormatError(fmt::format("{}: the file holds {}: {}", file,
                                   model.num_solids > 0 ? "a solid" : several(faces, num_faces), sew::face_choice_text));
   std::vector<FaceChoice> all;
   for (const PlacedFace& placed : faces) {
     FaceChoice& choice = all.emplace_back();
     choice.face = placed.face, choice.part = part_name(faces, placed);
+    choice.number = static_cast<int>(all.size()) - 1;
   }
   return all;
 }
@@ -271,6 +282,28 @@ cad::FaceList list_faces(const OccModel& model) {
   return list;
 }
 
+namespace {
+
+/// "0,1": several faces as one.
+std::vector<FaceChoice> listed_faces(const OccModel& model, const std::string& list, const std::string& file) {
+  std::vector<FaceChoice> choices;
+  for (size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = list.find(',', begin);
+    const std::string item = list.substr(begin, end - begin);
+    if (item.empty()) throw FormatError(fmt::format("{}: --face {}: a face is missing between commas", file, list));
+    const FaceChoice choice = choose_faces(model, item, file).front();
+    if (choice.piece.number >= 0)
+      throw FormatError(
+          fmt::format("{}: --face {}: a piece of a face is not one of several: give {} alone", file, list, item));
+    if (std::ranges::any_of(choices, [&](const FaceChoice& c) { return c.number == choice.number; }))
+      throw FormatError(fmt::format("{}: --face {}: face {} is there twice", file, list, choice.number));
+    choices.push_back(choice);
+  }
+  return choices;
+}
+
+}  // namespace
+
 std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& choice, const std::string& file) {
   const std::vector<PlacedFace> faces = placed_faces(model);
   if (model.num_faces == 0) throw FormatError(file + ": the file holds no face; expected one planar face");
@@ -278,6 +311,7 @@ std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& c
   if (choice.empty()) return all_faces(model, faces, file);
   outline::FacePiece piece{choice, -1};
   Choice found = chosen(model, faces, choice);
+  if (found.faces.empty() && choice.find(',') != std::string::npos) return listed_faces(model, choice, file);
   if (found.faces.empty()) piece = piece_of(choice), found = chosen(model, faces, piece.face);
   if (found.faces.empty())
     throw FormatError(fmt::format(
@@ -287,7 +321,8 @@ std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& c
   if (found.faces.size() > 1)
     throw FormatError(fmt::format("{}: --face {}: the faces {} {}: choose one by its number", file, choice,
                                   list_text(found.faces), found.relation));
-  return {{faces[found.faces.front()].face, piece, {}}};
+  const int number = found.faces.front();
+  return {{faces[number].face, piece, {}, number}};
 }
 
 }  // namespace quadrille::occ

@@ -27,6 +27,7 @@
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
 #include "occ/occ_curves.hpp"
+#include "occ/occ_parts_beside.hpp"
 
 namespace quadrille::occ {
 namespace {
@@ -100,10 +101,6 @@ class EdgeReader {
   heal::RawFace& raw_;
   Report& report_;
 };
-
-bool has_face_on_both_sides(const TopoDS_Shape& shape) {
-  return shape.Orientation() == TopAbs_INTERNAL || shape.Orientation() == TopAbs_EXTERNAL;
-}
 
 // Traverses the wires of one face.
 class FaceReader {
@@ -197,22 +194,6 @@ class FaceReader {
   int num_edges_ = 0;
 };
 
-// Whether the shape is a part of one of the faces.
-bool belongs_to(const TopoDS_Shape& shape, const std::vector<FaceChoice>& faces) {
-  for (const FaceChoice& choice : faces)
-    for (TopExp_Explorer part(choice.face, shape.ShapeType()); part.More(); part.Next())
-      if (part.Current().IsSame(shape)) return true;
-  return false;
-}
-
-std::vector<TopoDS_Shape> parts_beside(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum around,
-                                       const std::vector<FaceChoice>& faces) {
-  std::vector<TopoDS_Shape> parts;
-  for (TopExp_Explorer e(shape, kind, around); e.More(); e.Next())
-    if (!belongs_to(e.Current(), faces)) parts.push_back(e.Current());
-  return parts;
-}
-
 // Those that have a curve of use; infinite lines, for example, have none.
 std::vector<heal::RawEdge> free_edges(const OccModel& model, const std::vector<TopoDS_Shape>& edges,
                                       const PlaneFrame& frame, heal::RawFace raw, Report& report) {
@@ -225,6 +206,12 @@ std::vector<heal::RawEdge> free_edges(const OccModel& model, const std::vector<T
     }
   }
   return result;
+}
+
+std::vector<TopoDS_Face> shapes_of(const std::vector<FaceChoice>& choices) {
+  std::vector<TopoDS_Face> faces;
+  for (const FaceChoice& choice : choices) faces.push_back(choice.face);
+  return faces;
 }
 
 /// Without edges.
@@ -282,6 +269,10 @@ gp_Pln plane_through(const std::vector<gp_Pnt>& points, const std::string& file)
 
 }  // namespace
 
+bool has_face_on_both_sides(const TopoDS_Shape& shape) {
+  return shape.Orientation() == TopAbs_INTERNAL || shape.Orientation() == TopAbs_EXTERNAL;
+}
+
 // Under a scaled placement the kernel keeps the parameters of curves, and with them the old ends of lines.
 void require_unscaled(const TopoDS_Face& face, const std::string& file) {
   for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
@@ -319,11 +310,14 @@ FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& fa
   if (!plane) throw FormatError(fmt::format("{}: the face is {}", file, not_planar_text(faces.front())));
   const PlaneFrame frame = frame_of(*plane);
   FacesAndEdges result;
-  for (const FaceChoice& choice : faces) result.faces.push_back(raw_face(model, choice.face, frame, file, report));
-  const auto edges = parts_beside(model.shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  for (const FaceChoice& choice : faces) {
+    result.faces.push_back(raw_face(model, choice.face, frame, file, report));
+    result.faces.back().cad_face = choice.number;
+  }
+  const auto edges = parts_beside(model.shape, TopAbs_EDGE, TopAbs_FACE, shapes_of(faces));
   result.free_edges = free_edges(model, edges, frame, result.faces.front(), report);
   result.num_ignored_curves = static_cast<int>(edges.size() - result.free_edges.size());
-  result.num_points = static_cast<int>(parts_beside(model.shape, TopAbs_VERTEX, TopAbs_EDGE, faces).size());
+  result.num_points = static_cast<int>(parts_beside(model.shape, TopAbs_VERTEX, TopAbs_EDGE, shapes_of(faces)).size());
   return result;
 }
 

@@ -26,14 +26,18 @@ struct FaceChoice {
   TopoDS_Face face;
   outline::FacePiece piece;
   std::string part = {};  ///< name of the innermost part that holds it
+  int number = 0;         ///< in list_faces
 };
 
 /// The face whose name is `choice` or, if no face has that name, whose number it is, or else the only face in the part
 /// or on the layer of that name. A part is chosen by its name or by its path ("rig/bolt"). ".0" and so on behind that:
-/// a piece of the face. If `choice` is empty: all faces of the model, in the order of the file. Throws FormatError if
-/// no face or several faces are chosen, or if `choice` is empty and the model is a solid, or has several faces of which
-/// one is not planar. `file`: name of the file, for messages.
+/// a piece of the face. "0,1" and the like: several faces. If `choice` is empty: all faces of the model, in the order
+/// of the file. Throws FormatError if no face or several faces are chosen, or if `choice` is empty and the model is a
+/// solid, or has several faces of which one is not planar. `file`: name of the file, for messages.
 std::vector<FaceChoice> choose_faces(const OccModel& model, const std::string& choice, const std::string& file);
+
+/// Whether an edge or a wire of a face bounds nothing: the face is on both sides.
+bool has_face_on_both_sides(const TopoDS_Shape& shape);
 
 /// The kind of its surface: "plane", "cylinder", ..., "other".
 std::string kind_of(const TopoDS_Face& face);

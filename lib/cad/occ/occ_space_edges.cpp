@@ -5,8 +5,6 @@
 #include <Geom_Line.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <cmath>
 
@@ -20,14 +18,6 @@ namespace quadrille::occ {
 
 namespace {
 
-heal::RawEdge labels_of(const OccModel& model, const TopoDS_Edge& edge, int number) {
-  const ShapeLabel label = model.label_of(edge);
-  heal::RawEdge result;
-  result.cad_edge = number;
-  result.name = label.name, result.layer = label.layer, result.colour = label.colour;
-  return result;
-}
-
 /// As it is stored, so that it has one address for all of its uses.
 const Geom_Curve* stored_curve(const TopoDS_Edge& edge, double& first, double& last) {
   TopLoc_Location location;
@@ -36,25 +26,17 @@ const Geom_Curve* stored_curve(const TopoDS_Edge& edge, double& first, double& l
 
 }  // namespace
 
-FaceEdges::FaceEdges(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels) {
-  labels.wires.assign(1, {});
-  int number = 0;
-  for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next()) {
-    if (wire.Value().ShapeType() != TopAbs_WIRE) continue;
-    for (TopoDS_Iterator e(wire.Value().Oriented(TopAbs_FORWARD)); e.More(); e.Next()) {
-      if (e.Value().ShapeType() != TopAbs_EDGE) continue;
-      const TopoDS_Edge edge = TopoDS::Edge(e.Value());
-      const auto is_same = [&](const TopoDS_Edge& other) { return other.IsSame(edge); };
-      if (!BRep_Tool::Degenerated(edge) && std::none_of(edges_.begin(), edges_.end(), is_same)) {
-        double first = 0, last = 0;
-        if (stored_curve(edge, first, last) == nullptr) BRepLib::BuildCurve3d(edge);
-        labels.shape_tolerance = std::max(labels.shape_tolerance, BRep_Tool::Tolerance(edge));
-        edges_.push_back(edge);
-        labels.wires.front().push_back(labels_of(model, edge, number));
-      }
-      ++number;
-    }
-  }
+heal::RawEdge labels_of(const OccModel& model, const TopoDS_Edge& edge, int number) {
+  const ShapeLabel label = model.label_of(edge);
+  heal::RawEdge result;
+  result.cad_edge = number;
+  result.name = label.name, result.layer = label.layer, result.colour = label.colour;
+  return result;
+}
+
+void require_curve(const TopoDS_Edge& edge) {
+  double first = 0, last = 0;
+  if (stored_curve(edge, first, last) == nullptr) BRepLib::BuildCurve3d(edge);
 }
 
 int FaceEdges::number_of(const TopoDS_Edge& edge) const {

@@ -3,12 +3,12 @@
 
 #include <Geom_Curve.hxx>
 #include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
+#include <utility>
 #include <vector>
 
-#include "base/report.hpp"
+#include "heal/raw_face.hpp"
+#include "model/chart.hpp"
 #include "occ/occ_model.hpp"
-#include "space/raw_space_face.hpp"
 
 namespace quadrille::occ {
 
@@ -19,11 +19,16 @@ struct EdgePart {
   double first = 0, last = 0;
 };
 
+/// Number, name, layer and colour of an edge.
+heal::RawEdge labels_of(const OccModel& model, const TopoDS_Edge& edge, int number);
+
+/// Makes the curve of an edge that the file describes in the parameters of its surface alone.
+void require_curve(const TopoDS_Edge& edge);
+
 /// The edges of a face as the file has them.
 class FaceEdges {
  public:
-  /// Sets the wire of `labels`, with numbers, names, layers and colours.
-  FaceEdges(const OccModel& model, const TopoDS_Face& face, heal::RawFace& labels);
+  explicit FaceEdges(std::vector<TopoDS_Edge> edges) : edges_(std::move(edges)) {}
 
   /// The edge of the file of which `edge`, of the same face after the kernel changed its topology, is a part; -1 for
   /// an edge that the kernel added, such as a seam.

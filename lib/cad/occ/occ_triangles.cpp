@@ -2,15 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
-#include <ShapeFix_Face.hxx>
-#include <ShapeFix_Wire.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -28,8 +24,13 @@
 #include "base/error.hpp"
 #include "base/vec3.hpp"
 #include "base/warning_codes.hpp"
+#include "heal/heal_rules.hpp"
+#include "occ/occ_completed_face.hpp"
+#include "occ/occ_inner_edges.hpp"
+#include "occ/occ_one_surface.hpp"
 #include "occ/occ_space_edges.hpp"
 #include "occ/occ_surface.hpp"
+#include "occ/occ_united_face.hpp"
 #include "surface/nurbs_surface.hpp"
 
 namespace quadrille::occ {
@@ -39,43 +40,6 @@ namespace {
 constexpr double deflection = 1e-3;  // of the triangles from the surface, in diameters
 constexpr double angle = 0.2;        // between neighbours, radians
 constexpr double least_side = 1e-3;  // diameters
-
-TopoDS_Face only_face(const TopoDS_Shape& shape, const std::string& file) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  if (faces.Extent() != 1)
-    throw FormatError(fmt::format("{}: the boundary of the face divides it into {} parts: cut it in the CAD program",
-                                  file, faces.Extent()));
-  return TopoDS::Face(faces(1));
-}
-
-/// With `is_seam`: adds the seam of a closed surface, else parameter curves and poles. The kernel loses the parameter
-/// curves if it does both at once.
-TopoDS_Face completed(const TopoDS_Face& face, bool is_seam, const std::string& file) {
-  const Handle(ShapeFix_Face) fix = new ShapeFix_Face(face);
-  fix->FixSmallAreaWireMode() = 0, fix->FixIntersectingWiresMode() = 0, fix->FixSplitFaceMode() = 0;
-  fix->RemoveSmallAreaFaceMode() = 0;
-  fix->FixMissingSeamMode() = is_seam ? 1 : 0, fix->FixWireMode() = is_seam ? 0 : 1;
-  const Handle(ShapeFix_Wire) wire = fix->FixWireTool();
-  wire->ModifyTopologyMode() = Standard_False, wire->ModifyGeometryMode() = Standard_True;
-  wire->FixSmallMode() = 0, wire->FixSelfIntersectionMode() = 0, wire->FixNotchedEdgesMode() = 0;
-  wire->FixGaps3dMode() = 0, wire->FixGaps2dMode() = 0;
-  fix->Perform();
-  return only_face(fix->Result(), file);
-}
-
-/// The face with what triangles need and files leave out: parameter curves, poles, seams. Curves and points are not
-/// changed.
-TopoDS_Face completed(const TopoDS_Face& face, const std::string& file) {
-  return completed(completed(face, false, file), true, file);
-}
-
-double size_of(const TopoDS_Face& face) {
-  Bnd_Box box;
-  BRepBndLib::Add(face, box, Standard_False);
-  if (box.IsVoid()) throw FormatError("the face has no extent");
-  return std::sqrt(box.SquareExtent());
-}
 
 /// The triangulation of a face by the kernel, which has a node for each pair of parameters; one vertex for each point.
 class Triangles {
@@ -121,7 +85,7 @@ class Triangles {
 
  private:
   DisjointSets triangulated(const std::string& file) {
-    const double size = size_of(face_);
+    const double size = box_diagonal(face_);
     IMeshTools_Parameters parameters;
     parameters.Deflection = parameters.DeflectionInterior = deflection * size;
     parameters.Angle = parameters.AngleInterior = angle;
@@ -194,6 +158,17 @@ class Triangles {
   std::vector<int> number_;    ///< of the vertex of such a first node
 };
 
+/// Warns if the curve has no exact form.
+ConvertedCurve converted_edge(const TopoDS_Edge& edge, double first, double last, int number,
+                              const heal::RawFace& labels, Report& report) {
+  ConvertedCurve converted(edge, first, last, labels.tolerance / 100);
+  if (converted.error() > labels.tolerance / 10)
+    report.warn(warning::edge_approximated,
+                fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}", labels.file,
+                            number, converted.error()));
+  return converted;
+}
+
 /// Parts of the edges of the file, and their polygons.
 class CurveReader {
  public:
@@ -233,18 +208,13 @@ class CurveReader {
   }
 
   void add_edge(int number, const std::vector<EdgePart>& parts) {
-    const std::string& file = raw_.labels.file;
     try {
-      const double tolerance = raw_.labels.tolerance;
-      const ConvertedCurve converted(parts.front().edge, parts.front().first, parts.back().last, tolerance / 100);
-      if (converted.error() > tolerance / 10)
-        report_.warn(warning::edge_approximated,
-                     fmt::format("{}: edge {} has no exact rational form and was approximated to {:.3g}", file,
-                                 raw_.cad_edge(number), converted.error()));
+      const ConvertedCurve converted = converted_edge(parts.front().edge, parts.front().first, parts.back().last,
+                                                      raw_.cad_edge(number), raw_.labels, report_);
       raw_.curves[number] = converted.curve();
       add_polygon(number, parts, converted);
     } catch (const FormatError& e) {
-      throw FormatError(fmt::format("{}: edge {}: {}", file, raw_.cad_edge(number), e.what()));
+      throw FormatError(fmt::format("{}: edge {}: {}", raw_.labels.file, raw_.cad_edge(number), e.what()));
     }
   }
 
@@ -293,20 +263,53 @@ void report_deviation(const ConvertedSurface& surface, const TopoDS_Face& face, 
                             file, greatest));
 }
 
+/// The curves of the inner edges, seen against the normal of the face.
+void read_inner_edges(const std::vector<LabelledEdge>& edges, space::RawSpaceFace& raw, Report& report) {
+  for (const LabelledEdge& e : edges) {
+    require_curve(e.edge);
+    double first = 0, last = 0;
+    BRep_Tool::Range(e.edge, first, last);
+    space::RawInnerEdge inner{converted_edge(e.edge, first, last, e.labels.cad_edge, raw.labels, report).curve(),
+                              e.faces};
+    if (raw.is_reversed) std::swap(inner.faces[0], inner.faces[1]);
+    raw.inner_edges.push_back(std::move(inner));
+    raw.labels.inner_edges.push_back(e.labels);
+  }
+}
+
+FaceEdges outer_edges(const std::vector<LabelledEdge>& edges, space::RawSpaceFace& raw) {
+  std::vector<TopoDS_Edge> outer;
+  raw.labels.wires.assign(1, {});
+  for (const LabelledEdge& e : edges) {
+    require_curve(e.edge);
+    raw.labels.shape_tolerance = std::max(raw.labels.shape_tolerance, BRep_Tool::Tolerance(e.edge));
+    raw.labels.wires.front().push_back(e.labels);
+    raw.edge_faces.push_back(e.bounded_face());
+    outer.push_back(e.edge);
+  }
+  return FaceEdges(std::move(outer));
+}
+
 }  // namespace
 
-void read_curved_face(const OccModel& model, const TopoDS_Face& face, space::RawSpaceFace& raw, Report& report) {
+void read_curved_face(const OccModel& model, const std::vector<FaceChoice>& choices, double heal_tolerance,
+                      space::RawSpaceFace& raw, Report& report) {
   const std::string& file = raw.labels.file;
-  const FaceEdges edges(model, face, raw.labels);
-  raw.is_reversed = face.Orientation() == TopAbs_REVERSED;
-  const TopoDS_Face whole = completed(TopoDS::Face(face.Oriented(TopAbs_FORWARD)), file);
-  const double size = size_of(whole);
+  UnitedFace united =
+      united_face(model, choices, file,
+                  heal::heal_scale(raw.labels, heal_tolerance, extent_of_edges(choices.front().face)).tolerance);
+  const TopoDS_Face& whole = united.face;
+  const FaceEdges edges = outer_edges(united.outer, raw);
+  raw.is_reversed = choices.front().face.Orientation() == TopAbs_REVERSED;
+  const double size = box_diagonal(whole);
+  add_edges_inside(model, choices, file, heal::heal_scale(raw.labels, heal_tolerance, size).tolerance, united, report);
   const ConvertedSurface surface(basis_surface(whole), box_of(whole), std::min(raw.labels.tolerance, 1e-7 * size));
   raw.surface = surface.spline();
   report_deviation(surface, whole, size, file, report);
   Triangles triangles(whole, file);
   triangles.copy_to(raw, surface);
   CurveReader(edges, triangles, raw, report).read();
+  read_inner_edges(united.inner, raw, report);
 }
 
 }  // namespace quadrille::occ

@@ -101,13 +101,12 @@ cad::LoadedFace planar_face(const OccModel& model, const std::string& name, cons
   return loaded;
 }
 
-FaceChoice choose_one_face(const OccModel& model, const std::string& choice, const std::string& name) {
-  const std::vector<FaceChoice> choices = choose_faces(model, choice, name);
-  if (choices.size() > 1 || choices.front().piece.number >= 0)
-    throw FormatError(fmt::format(
-        "{}: {}", name,
-        choices.size() > 1 ? sew::face_choice_text : "only planar faces have pieces: choose the whole face"));
-  return choices.front();
+/// Pieces are for planes.
+std::vector<FaceChoice> choose_whole_faces(const OccModel& model, const std::string& choice, const std::string& name) {
+  std::vector<FaceChoice> choices = choose_faces(model, choice, name);
+  if (choices.front().piece.number >= 0)
+    throw FormatError(name + ": only planar faces have pieces: choose the whole face");
+  return choices;
 }
 
 void require_smooth(const space::RawSpaceFace& raw, double angle) {
@@ -118,21 +117,29 @@ void require_smooth(const space::RawSpaceFace& raw, double angle) {
         raw.labels.file, degrees(kink->angle), kink->is_u ? "u" : "v", kink->parameter, position_text(kink->position)));
 }
 
-/// Whether the face is planar, by its kind; several faces are, if they are read as one.
+/// "plane" if all chosen faces are planar, else the kind of the first that is not.
 std::string chosen_kind(const OccModel& model, const std::string& choice, const std::string& name) {
   if (model.num_faces == 0) return "plane";
-  return kind_of(choose_faces(model, choice, name).front().face);
+  for (const FaceChoice& chosen : choose_faces(model, choice, name))
+    if (const std::string kind = kind_of(chosen.face); kind != "plane") return kind;
+  return "plane";
 }
 
 SpaceFace curved_face(const OccModel& model, const std::string& name, const cad::LoadOptions& options, Report& report) {
-  const FaceChoice choice = choose_one_face(model, options.face, name);
-  require_unscaled(choice.face, name);
+  const std::vector<FaceChoice> choices = choose_whole_faces(model, options.face, name);
   space::RawSpaceFace raw;
-  raw.labels = labels_of_face(model, choice.face, name);
+  raw.labels = labels_of_face(model, choices.front().face, name);
   if (!options.face.empty()) raw.labels.file += ": face " + options.face;  // the begin of all messages
-  read_curved_face(model, choice.face, raw, report);
+  raw.face_names.clear();
+  for (const FaceChoice& choice : choices) {
+    require_unscaled(choice.face, name);
+    const std::string own = model.label_of(choice.face).name;
+    raw.face_names.push_back(own.empty() ? choice.part : own);
+  }
+  read_curved_face(model, choices, options.heal_tolerance, raw, report);
   cad::choose_names(raw.labels);
-  report.set("surface.kind", kind_of(choice.face));
+  if (choices.size() == 1) raw.face_names = {raw.labels.name};
+  report.set("surface.kind", kind_of(choices.front().face));
   require_smooth(raw, options.corner_angle);
   return space::assemble_space_face(raw, options.heal_tolerance, report);
 }

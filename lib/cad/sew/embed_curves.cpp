@@ -265,12 +265,12 @@ std::vector<std::vector<int>> grouped(const std::vector<TracedLoop>& loops) {
   return groups;
 }
 
-Region region_of_group(const Region& whole, const std::vector<SideOfCurve>& sides, const std::vector<TracedLoop>& loops,
-                       const std::vector<int>& group) {
+Region region_of_loops(const Region& whole, const std::vector<SideOfCurve>& sides,
+                       const std::vector<std::vector<int>>& loops) {
   Region region{whole.name, whole.cad_face, {}, {}, {0}};
   std::vector<int> numbers(sides.size(), -1), used;
-  for (const int l : group) {
-    for (const int s : loops[l].sides) {
+  for (const std::vector<int>& loop : loops) {
+    for (const int s : loop) {
       numbers[s] = region.num_curves();
       used.push_back(s);
       region.curves.push_back(sides[s].curve);
@@ -279,6 +279,18 @@ Region region_of_group(const Region& whole, const std::vector<SideOfCurve>& side
   }
   for (const int s : used) region.other_sides.push_back(sides[s].twin < 0 ? -1 : numbers[sides[s].twin]);
   return region;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::vector<int>>> regions_of_sides(const std::vector<SideOfCurve>& sides) {
+  const std::vector<TracedLoop> loops = measured_loops(sides);
+  std::vector<std::vector<std::vector<int>>> regions;
+  for (const std::vector<int>& group : grouped(loops)) {
+    regions.emplace_back();
+    for (const int l : group) regions.back().push_back(loops[l].sides);
+  }
+  return regions;
 }
 
 void refuse_cusps(const Region& region, const std::string& file) {
@@ -294,8 +306,6 @@ void refuse_cusps(const Region& region, const std::string& file) {
   }
 }
 
-}  // namespace
-
 std::vector<Region> embed_curves(const Region& region, const std::vector<heal::LoopCurve>& curves, double tol,
                                  const std::string& file) {
   Sides sides(region, inner_nodes(region, curves, tol, file), tol);
@@ -303,10 +313,9 @@ std::vector<Region> embed_curves(const Region& region, const std::vector<heal::L
   const size_t num_boundary = sides.sides.size();
   for (const heal::LoopCurve& inner : curves) sides.add_inner(inner);
   if (sides.sides.size() == num_boundary) return {region};
-  const std::vector<TracedLoop> loops = measured_loops(sides.sides);
   std::vector<Region> regions;
-  for (const std::vector<int>& group : grouped(loops)) {
-    regions.push_back(region_of_group(region, sides.sides, loops, group));
+  for (const auto& loops : regions_of_sides(sides.sides)) {
+    regions.push_back(region_of_loops(region, sides.sides, loops));
     refuse_cusps(regions.back(), file);
   }
   return regions;

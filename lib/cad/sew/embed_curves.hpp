@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sew/inner_curves.hpp"
 #include "sew/region.hpp"
 
 namespace quadrille::sew {
@@ -16,5 +17,12 @@ namespace quadrille::sew {
 /// angle of zero. Curves have no tangent jumps inside.
 std::vector<Region> embed_curves(const Region& region, const std::vector<heal::LoopCurve>& curves, double tol,
                                  const std::string& file);
+
+/// The loops of each region that the sides bound, the outline first, then holes and slits: numbers of sides.
+std::vector<std::vector<std::vector<int>>> regions_of_sides(const std::vector<SideOfCurve>& sides);
+
+/// Throws FormatError, with the edges and the place, if two curves of the region meet at an angle of zero, but at the
+/// tips of slits. `other_sides`: as Region::other_sides.
+void refuse_cusps(const Region& region, const std::string& file);
 
 }  // namespace quadrille::sew

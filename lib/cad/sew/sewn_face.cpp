@@ -108,8 +108,12 @@ heal::HealScale scale_of(const std::vector<heal::RawFace>& faces, double toleran
   return scale;
 }
 
+int number_of(const std::vector<heal::RawFace>& faces, size_t f) {
+  return faces[f].cad_face < 0 ? static_cast<int>(f) : faces[f].cad_face;
+}
+
 std::string text_of(const std::vector<heal::RawFace>& faces, size_t f) {
-  return face_text({faces[f].name, static_cast<int>(f), {}, {}, {}});
+  return face_text({faces[f].name, number_of(faces, f), {}, {}, {}});
 }
 
 void require_one_plane(const std::vector<heal::RawFace>& faces, const heal::HealScale& scale) {
@@ -231,7 +235,7 @@ CadFace sewn_face(std::vector<heal::RawFace> faces, std::vector<heal::RawEdge> f
   const heal::HealScale scale = scale_of(faces, options.heal_tolerance);
   require_one_plane(faces, scale);
   RegionMaker maker(scale, options, repairs, report);
-  for (size_t f = 0; f < faces.size(); ++f) maker.add_face(faces[f], static_cast<int>(f), faces.size() == 1);
+  for (size_t f = 0; f < faces.size(); ++f) maker.add_face(faces[f], number_of(faces, f), faces.size() == 1);
   const std::vector<Region> regions = maker.regions(std::move(free_edges));
   const Sewn sewn = sew_regions(regions, scale.tolerance);
   require_one_sheet(sewn, scale, options.heal_tolerance >= 0);

@@ -149,16 +149,17 @@ CadFace labelled_face(const heal::RawFace& labels) {
   return face;
 }
 
-void add_loop(const heal::RawFace& labels, std::vector<Piece> loop, SpaceFace& result) {
+void add_loop(const RawSpaceFace& raw, std::vector<Piece> loop, SpaceFace& result) {
   for (Piece& piece : loop) {
     for (FineBoundaryEdge& e : piece.fine) {
       e.curve = static_cast<int>(result.curves.size());
       result.boundary_edges.push_back(e);
     }
-    const heal::RawEdge& edge = labels.wires.front()[piece.edge];
+    const heal::RawEdge& edge = raw.labels.wires.front()[piece.edge];
     result.curves.push_back(std::move(piece.curve));
     result.face.curve_names.push_back(edge.name);
     result.face.curve_cad_edges.push_back(edge.cad_edge);
+    result.curve_faces.push_back(raw.edge_faces.empty() ? 0 : raw.edge_faces[piece.edge]);
   }
   result.face.loop_offsets.push_back(static_cast<int>(result.curves.size()));
 }
@@ -179,12 +180,17 @@ void warn_of_edges_off_the_surface(const SpaceFace& face, const heal::HealScale&
                             scale.file, greatest, face.face.curve_cad_edges[at]));
 }
 
-void warn_of_inner_edges(const RawSpaceFace& raw, const SpaceFace& face, Report& report) {
-  const std::vector<int>& used = face.face.curve_cad_edges;
-  for (const EdgePolygon& polygon : raw.polygons)
-    if (const int number = raw.cad_edge(polygon.edge); std::find(used.begin(), used.end(), number) == used.end())
-      report.warn(warning::inner_edge_ignored,
-                  fmt::format("{}: edge {} has the face on both sides and was ignored", raw.labels.file, number));
+/// Cut where their tangents jump.
+void add_inner_curves(const RawSpaceFace& raw, SpaceFace& result) {
+  for (std::size_t i = 0; i < raw.inner_edges.size(); ++i) {
+    const auto& [curve, faces] = raw.inner_edges[i];
+    const heal::RawEdge& labels = raw.labels.inner_edges[i];
+    std::vector<double> breaks = tangent_jumps(curve);
+    breaks.insert(breaks.begin(), curve.begin());
+    breaks.push_back(curve.end());
+    for (std::size_t b = 1; b < breaks.size(); ++b)
+      result.inner_curves.push_back({trimmed(curve, breaks[b - 1], breaks[b]), labels.name, labels.cad_edge, faces});
+  }
 }
 
 }  // namespace
@@ -196,18 +202,20 @@ SpaceFace assemble_space_face(const RawSpaceFace& raw, double heal_tolerance, Re
   result.surface = raw.surface, result.is_reversed = raw.is_reversed;
   result.vertices = raw.vertices, result.triangles = raw.triangles, result.triangle_uv = raw.triangle_uv;
   const heal::HealScale scale = heal::heal_scale(raw.labels, heal_tolerance, box_diagonal(raw.vertices));
+  result.face_names = raw.face_names;
+  result.tolerance = std::max(scale.tolerance, scale.rounding);
   GapCloser closer(raw, scale);
   for (const std::vector<LoopEdge>& edges : loops) {
     std::vector<Piece> loop;
     for (const LoopEdge& edge : edges)
       for (Piece& piece : EdgeCutter(raw, edge).pieces()) loop.push_back(std::move(piece));
     closer.close(loop);
-    add_loop(raw.labels, std::move(loop), result);
+    add_loop(raw, std::move(loop), result);
   }
   result.face.unnamed_curves = replace_empty_names(result.face.curve_names, "curve");
   closer.report(report);
   warn_of_edges_off_the_surface(result, scale, report);
-  warn_of_inner_edges(raw, result, report);
+  add_inner_curves(raw, result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 // yet checked. No OpenCASCADE types.
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "heal/raw_face.hpp"
@@ -17,12 +18,22 @@ struct EdgePolygon {
   std::vector<double> parameters;  ///< on the curve, rising
 };
 
+/// An edge with faces on both sides.
+struct RawInnerEdge {
+  SpaceCurve curve;
+  std::array<int, 2> faces;  ///< on its left and on its right, as in InnerSpaceCurve
+};
+
 struct RawSpaceFace {
-  /// File, name, unit, tolerances, labels. One wire has the edges of the face, each used once and without its curve.
+  /// File, name, unit, tolerances, labels. One wire has the edges of the face, each used once and without its curve;
+  /// its inner edges are those of `inner_edges`.
   heal::RawFace labels;
   std::vector<SpaceCurve> curves;  ///< of the edges, in the direction of the file
   NurbsSurface surface;
   bool is_reversed = false;
+  std::vector<RawInnerEdge> inner_edges;
+  std::vector<std::string> face_names{""};
+  std::vector<int> edge_faces;  ///< of each edge of the wire: the face that it bounds; empty: the only one
 
   // As in SpaceFace.
   std::vector<Vec3> vertices;

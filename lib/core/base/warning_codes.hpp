@@ -20,7 +20,6 @@ inline constexpr const char* tip_cut_off = "W-CAD-011";         ///< a cusp, by 
 inline constexpr const char* face_of_curves = "W-CAD-012";      ///< the curves of a file without faces
 inline constexpr const char* edge_off_surface = "W-CAD-013";    ///< of a curved face
 inline constexpr const char* surface_approximated = "W-CAD-014";  ///< without an exact rational form
-inline constexpr const char* inner_edge_ignored = "W-CAD-015";    ///< inside a curved face
 inline constexpr const char* closedness_missed = "W-CAD-016";     ///< of the chart of a curved face
 inline constexpr const char* curve_tolerance_missed = "W-TRI-001";
 

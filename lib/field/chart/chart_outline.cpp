@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "chart/element_tables.hpp"
 #include "chart/smooth_parameters.hpp"
-#include "curve/least_squares_spline.hpp"
 #include "curve/nurbs.hpp"
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_map.hpp"
@@ -19,13 +18,11 @@ namespace quadrille::chart {
 namespace {
 
 constexpr int fit_degree = 7;
+constexpr double least_outline = 1e-9;  // tolerance of splines, diameters
 /// Samples that each span of a spline needs, also of a straight edge, and the greatest number of bisections.
 constexpr int samples_per_span = 8, most_rounds = 24;
 
-/// The image of one curve: points with ascending parameters, and the derivatives by the parameter at both ends.
-struct Samples {
-  std::vector<curve::FitPoint> points;
-  Vec2 start_derivative, end_derivative;
+struct Samples : CurveSamples {
   Vec3 start_normal;
   Vec2 start_uv;
 };
@@ -173,7 +170,7 @@ std::vector<curve::FitKnot> periodic_knots(std::vector<curve::FitKnot> knots,
 /// Least squares with knots where the tolerance asks for them.
 class OutlineFit {
  public:
-  OutlineFit(const Samples& samples, const curve::FitEnds& ends, double tolerance)
+  OutlineFit(const CurveSamples& samples, const curve::FitEnds& ends, double tolerance)
       : samples_(&samples), ends_(ends), tolerance_(tolerance) {}
 
   std::optional<Nurbs> open(const std::vector<curve::FitKnot>& knots) const {
@@ -199,12 +196,12 @@ class OutlineFit {
     return best;
   }
 
-  const Samples* samples_;
+  const CurveSamples* samples_;
   curve::FitEnds ends_;
   double tolerance_;
 };
 
-Nurbs fitted(const SpaceCurve& space_curve, const OutlineFit& fit, const Samples& samples, bool is_rough) {
+Nurbs fitted(const SpaceCurve& space_curve, const OutlineFit& fit, const CurveSamples& samples, bool is_rough) {
   const std::vector<curve::FitKnot> all = knots_of(space_curve), ends{all.front(), all.back()};
   std::optional<Nurbs> spline;
   if (has_smooth_seam(space_curve)) spline = fit.periodic(periodic_knots(is_rough ? ends : all, samples.points));
@@ -285,6 +282,16 @@ void keep_angle(double interior_angle, Vec2& in, Vec2& out) {
 }
 
 }  // namespace
+
+double outline_tolerance(double closedness) {
+  return std::clamp(closedness / 10, least_outline, rough_outline_tolerance);
+}
+
+Nurbs fitted_curve(const SpaceCurve& space_curve, const CurveSamples& samples, double tolerance) {
+  const curve::FitEnds ends{samples.points.front().position, samples.start_derivative, samples.points.back().position,
+                            samples.end_derivative};
+  return fitted(space_curve, OutlineFit(samples, ends, tolerance), samples, false);
+}
 
 double space_angle(const SpaceFace& face, int curve, Vec3 normal) {
   const SpaceCurve &before = face.curves[face.face.previous_in_loop(curve)], &after = face.curves[curve];

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "chart/surface_mesh.hpp"
+#include "curve/least_squares_spline.hpp"
 #include "model/space_face.hpp"
 
 namespace quadrille::chart {
@@ -12,6 +13,20 @@ struct OutlineOptions {
   double tolerance = 1e-9;  ///< of the distance of the splines from the image: of their length, at most of the diameter
   double corner_angle = 0;  ///< radians, as ChartOptions
 };
+
+/// The image of one curve: points with ascending parameters, and the derivatives by the parameter at both ends.
+struct CurveSamples {
+  std::vector<curve::FitPoint> points;
+  Vec2 start_derivative, end_derivative;
+};
+
+/// The spline through the image, with the parameters of the curve in space and as smooth at its knots; `tolerance`: a
+/// length. Throws ComputeError if the curve is too short.
+Nurbs fitted_curve(const SpaceCurve& space_curve, const CurveSamples& samples, double tolerance);
+
+/// The tolerance of the splines of a chart, as in OutlineOptions: of one without elements, and of one that is closed.
+inline constexpr double rough_outline_tolerance = 2e-3;
+double outline_tolerance(double closedness);
 
 /// The angle inside the face between the curve that ends at the start of `curve` and `curve`, in space, radians in
 /// (0, 2 pi).

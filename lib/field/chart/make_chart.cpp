@@ -31,8 +31,7 @@ struct ChartConstants {
   double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
   double edge_tolerance = 1e-2;  ///< of the straight triangles, whose edges are put onto the curves in space
-  double rough_outline = 2e-3, least_outline = 1e-9;  ///< tolerances of splines, diameters
-  double least_reduction = 0.2;                       ///< of the size of elements that are not accurate enough
+  double least_reduction = 0.2;  ///< of the size of elements that are not accurate enough
 };
 constexpr ChartConstants constants;
 
@@ -233,7 +232,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
   made.mesh = rough_chart(space_face.face, delaunay_triangles(space_face, lengths));
   std::vector<SizePoint> by_error;
   Judge judge(options);
-  for (double tolerance = constants.rough_outline;;) {
+  for (double tolerance = rough_outline_tolerance;;) {
     normalize(space_face, lengths, made.mesh);
     made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
     if (judge.is_good(made)) return made;
@@ -250,7 +249,7 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
     made.fit = make_isothermal(made.mesh, space_face.face.loop_offsets);
     require_finite(made);
     ++made.num_meshes;
-    tolerance = std::clamp(made.fit.closedness / 10, constants.least_outline, constants.rough_outline);
+    tolerance = outline_tolerance(made.fit.closedness);
   }
   refuse(made, options.worst_closedness);
 }

@@ -164,6 +164,16 @@ std::optional<SpaceCurve> by_arc_length(const SpaceLength& length) {
   return best;
 }
 
+/// None if the parameters are smooth.
+std::optional<SpaceCurve> smooth_spline(const SpaceCurve& curve, const SpaceLength& length) {
+  if (!has_rough_parameters(curve, length.total())) return std::nullopt;
+  std::optional<SpaceCurve> spline = by_arc_length(length);
+  // The ends are those of its neighbours in the loop, bit for bit.
+  if (spline && spline->poles.front() != spline->poles.back())
+    spline->poles.front() = curve.poles.front(), spline->poles.back() = curve.poles.back();
+  return spline;
+}
+
 }  // namespace
 
 bool has_smooth_seam(const SpaceCurve& curve) {
@@ -175,17 +185,18 @@ bool has_smooth_seam(const SpaceCurve& curve) {
                   bend_at(curve, curve.begin(), false, knots[1].t - knots[0].t), length);
 }
 
+SpaceCurve with_smooth_parameters(SpaceCurve curve) {
+  std::optional<SpaceCurve> spline = smooth_spline(curve, SpaceLength(curve));
+  return spline ? *std::move(spline) : curve;
+}
+
 SpaceFace with_smooth_parameters(SpaceFace face) {
   for (std::size_t c = 0; c < face.curves.size(); ++c) {
     const SpaceLength length(face.curves[c]);
-    if (!has_rough_parameters(face.curves[c], length.total())) continue;
-    std::optional<SpaceCurve> spline = by_arc_length(length);
+    std::optional<SpaceCurve> spline = smooth_spline(face.curves[c], length);
     if (!spline) continue;
     for (FineBoundaryEdge& edge : face.boundary_edges)
       if (edge.curve == static_cast<int>(c)) edge.t0 = length.at(edge.t0), edge.t1 = length.at(edge.t1);
-    // The ends are those of its neighbours in the loop, bit for bit.
-    if (spline->poles.front() != spline->poles.back())
-      spline->poles.front() = face.curves[c].poles.front(), spline->poles.back() = face.curves[c].poles.back();
     face.curves[c] = *std::move(spline);
   }
   return face;

@@ -94,8 +94,9 @@ OPTIONS
   --regions                 drawings: closed curves inside others bound regions, not holes
   --embed NAME,...          drawings: curves of these layers or names bound nothing, sides of elements follow them (see
                             drawing2step --help for these)
-  --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them); a curved one
-                            is meshed in its chart (SHAPE.chart.h5 in --workdir; see cad2chart --help)
+  --face N|NAME             the face to mesh, if SHAPE holds several (cad2tri --list SHAPE shows them), or N,N: several
+                            of one surface, as regions; a curved one is meshed in its chart (SHAPE.chart.h5 in
+                            --workdir; see cad2chart --help)
   --sweep                   sweep the quads into hexahedra, by the options of hexsweep (--height, --revolve, ...;
                             without them one layer as high as the quads are long), and write those
   --section PLANE           cut the solids of SHAPE by a plane, z=0.5 or NX,NY,NZ@X,Y,Z (its normal and a point), and
@@ -106,7 +107,7 @@ OPTIONS
                             outline and of holes, 'interface:*' those between regions; may be given several times (see
                             cad2tri --help)
   --region-name NAME=LIST|NAME@X,Y
-                            name of regions, where SHAPE has several faces in one plane, in the same way; a point lies
+                            name of regions, where SHAPE has several faces of one surface, in the same way; a point lies
                             inside the region; neighbours of one name become one region
   --keep-joints             keep the lines between neighbours that --region-name gives one name
   --periodic A=B[:MOTION]   the sides A and B, names of curves, are periodic: their nodes are images of each other;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "base/angle.hpp"
@@ -10,8 +11,11 @@
 #include "base/warning_codes.hpp"
 #include "cad/file_kind.hpp"
 #include "cad/load_face.hpp"
+#include "cad/region_names.hpp"
+#include "chart/inner_images.hpp"
 #include "chart/make_chart.hpp"
 #include "outline/outline_checks.hpp"
+#include "sew/chart_regions.hpp"
 #include "surface/nurbs_surface.hpp"
 
 namespace quadrille::stage {
@@ -33,12 +37,27 @@ void require_simple_outline(const CadFace& face) {
       place(contact->loop_a, contact->curve_a, contact->t_a), place(contact->loop_b, contact->curve_b, contact->t_b)));
 }
 
+/// The chart with cracks and the common edges of faces, as they are there in a plane.
+CadFace with_inner_curves(const CadFace& face, const SpaceFace& space_face, const std::string& file,
+                          double corner_angle, Report& report) {
+  if (space_face.inner_curves.empty()) return face;
+  std::vector<sew::ChartCurve> curves;
+  for (chart::ImagedCurve& curve : chart::inner_curves_in_chart(space_face, face)) {
+    const InnerSpaceCurve& inner = space_face.inner_curves[curves.size()];
+    curves.push_back({std::move(curve.image), std::move(curve.space), inner.name, inner.cad_edge, inner.faces});
+  }
+  CadFace divided = sew::divided_chart(
+      face, curves, {file, space_face.tolerance, corner_angle, space_face.face_names, space_face.curve_faces}, report);
+  cad::name_interfaces(divided);
+  return divided;
+}
+
 }  // namespace
 
 void declare(Options& o, Cad2chartOptions& cad2chart) {
   o.text("--face", cad2chart.face, "N|NAME",
          "the face to read of a solid, shell or assembly: its name, or its number in cad2tri --list, from 0, or the "
-         "name of a part or layer that holds no other face");
+         "name of a part or layer that holds no other face; N,N: several faces of one surface, as regions");
   o.number("--corner-angle", cad2chart.corner_angle, 0, 90, "degrees",
            "tangent discontinuities greater than this are corners of the layout; a surface whose normal jumps by more "
            "inside the face is refused");
@@ -75,6 +94,7 @@ ChartedFace cad2chart(const SpaceFace& space_face, const Input<std::string>& cad
   try {
     charted.face = chart::make_chart(space_face, limits, run.report());
     require_simple_outline(charted.face);
+    charted.face = with_inner_curves(charted.face, space_face, name, corner_angle, run.report());
   } catch (const ComputeError& e) {
     throw ComputeError(fmt::format("{}{}: {}", name, options.face.empty() ? "" : ": face " + options.face, e.what()));
   }

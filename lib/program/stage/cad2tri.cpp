@@ -146,7 +146,7 @@ void declare_face(Options& o, Cad2triOptions& cad2tri) {
   o.text("--face", cad2tri.face, "N|NAME",
          "the one face to read of a solid, shell or assembly: its name, or its number in --list, from 0, or the name "
          "of a part or layer that holds no other face; N.0, N.1 and so on: a piece of it, the largest first, if its "
-         "boundary touches itself and separates it");
+         "boundary touches itself and separates it; N,N: several faces of one plane, as regions");
   o.text("--section", cad2tri.section, "x|y|z=VALUE|NX,NY,NZ@X,Y,Z",
          "cut the solids of SHAPE by a plane, z=0.5 or one given by its normal and a point, and read the faces of the "
          "cut, which are named like the solids, their curves like the faces of the solids, or face_N after their "

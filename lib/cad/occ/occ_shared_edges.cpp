@@ -1,0 +1,99 @@
+#include "occ/occ_shared_edges.hpp"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
+
+namespace quadrille::occ {
+
+namespace {
+
+constexpr int num_samples = 8;
+
+/// Replaces parts of each face by parts of the faces before it. `replacement`: of a part, as it is oriented forward,
+/// among the parts of the earlier faces; null: none.
+template <class Replacement>
+void replace_parts(std::vector<TopoDS_Face>& faces, TopAbs_ShapeEnum kind, const Replacement& replacement) {
+  TopTools_IndexedMapOfShape known;
+  for (TopoDS_Face& face : faces) {
+    const Handle(BRepTools_ReShape) reshape = new BRepTools_ReShape;
+    TopTools_IndexedMapOfShape own, taken;
+    TopExp::MapShapes(face, kind, own);
+    for (int i = 1; i <= own.Extent(); ++i) {
+      const TopoDS_Shape part = own(i).Oriented(TopAbs_FORWARD);
+      if (known.Contains(part)) continue;
+      for (int k = 1; k <= known.Extent(); ++k) {
+        if (own.Contains(known(k)) || taken.Contains(known(k))) continue;
+        const TopoDS_Shape other = replacement(part, known(k).Oriented(TopAbs_FORWARD));
+        if (other.IsNull()) continue;
+        reshape->Replace(part, other);
+        taken.Add(known(k));
+        break;
+      }
+    }
+    face = TopoDS::Face(reshape->Apply(face));
+    TopExp::MapShapes(face, kind, known);
+  }
+}
+
+TopoDS_Shape same_vertex(const TopoDS_Shape& part, const TopoDS_Shape& known, double tolerance) {
+  const TopoDS_Vertex v = TopoDS::Vertex(part), w = TopoDS::Vertex(known);
+  const double apart = BRep_Tool::Pnt(v).Distance(BRep_Tool::Pnt(w));
+  if (apart > tolerance) return {};
+  BRep_Builder().UpdateVertex(w, apart + BRep_Tool::Tolerance(v));
+  return known;
+}
+
+/// Whether the first lies along the second, within the tolerance.
+bool lies_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double tolerance) {
+  double begin = 0, end = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(other, begin, end);
+  if (curve.IsNull()) return false;
+  const BRepAdaptor_Curve samples(edge);
+  const double first = samples.FirstParameter(), last = samples.LastParameter();
+  for (int i = 1; i < num_samples; ++i) {
+    const GeomAPI_ProjectPointOnCurve foot(samples.Value(first + (last - first) * i / num_samples), curve, begin, end);
+    if (foot.NbPoints() == 0 || foot.LowerDistance() > tolerance) return false;
+  }
+  return true;
+}
+
+gp_Vec tangent_in_the_middle(const TopoDS_Edge& edge) {
+  const BRepAdaptor_Curve curve(edge);
+  gp_Pnt p;
+  gp_Vec tangent;
+  curve.D1((curve.FirstParameter() + curve.LastParameter()) / 2, p, tangent);
+  return tangent;
+}
+
+TopoDS_Shape same_edge(const TopoDS_Shape& part, const TopoDS_Shape& known, double tolerance) {
+  const TopoDS_Edge e = TopoDS::Edge(part), other = TopoDS::Edge(known);
+  if (BRep_Tool::Degenerated(e) || BRep_Tool::Degenerated(other)) return {};
+  const TopoDS_Vertex a = TopExp::FirstVertex(e), b = TopExp::LastVertex(e), c = TopExp::FirstVertex(other),
+                      d = TopExp::LastVertex(other);
+  const bool is_along = a.IsSame(c) && b.IsSame(d), is_against = a.IsSame(d) && b.IsSame(c);
+  if (!(is_along || is_against) || !lies_along(e, other, tolerance)) return {};
+  const bool is_closed = is_along && is_against;
+  const bool is_turned = is_closed ? tangent_in_the_middle(e).Dot(tangent_in_the_middle(other)) < 0 : is_against;
+  return known.Oriented(is_turned ? TopAbs_REVERSED : TopAbs_FORWARD);
+}
+
+}  // namespace
+
+std::vector<TopoDS_Face> with_shared_edges(std::vector<TopoDS_Face> faces, double tolerance) {
+  replace_parts(faces, TopAbs_VERTEX, [&](const TopoDS_Shape& part, const TopoDS_Shape& known) {
+    return same_vertex(part, known, tolerance);
+  });
+  replace_parts(faces, TopAbs_EDGE,
+                [&](const TopoDS_Shape& part, const TopoDS_Shape& known) { return same_edge(part, known, tolerance); });
+  return faces;
+}
+
+}  // namespace quadrille::occ
