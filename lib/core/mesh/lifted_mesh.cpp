@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "curve/nearest_along.hpp"
+#include "curve/nurbs.hpp"
 #include "model/periodic.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/per_order.hpp"
@@ -69,7 +70,7 @@ struct Worst {
 };
 
 /// The end of the curve if x is there to the accuracy of its spline in the chart, else t: a node at a joint of curves
-/// is the joint in space.
+/// is the joint, in space and in the chart.
 double end_if_there(const CadFace& face, int curve, double t, Vec2 x) {
   constexpr double same_place = 1e-8;  // diameters; splines are within 1e-9
   const Nurbs& spline = face.curves[curve];
@@ -125,6 +126,7 @@ void lift_nodes(const ChartMap& map, QuadMesh& mesh) {
         if (is_placed[node]) continue;
         const curve::NearestPoint at = curve::nearest_along(boundary, edge.curve, mesh.nodes[node]);
         const double t = end_if_there(mesh.face, at.curve, at.t, mesh.nodes[node]);
+        if (t != at.t) mesh.nodes[node] = curve::point(mesh.face.curves[at.curve], t);
         points[node] = {at.curve, t};
         mesh.space_nodes[node] = map.boundary_point(at.curve, t);
         is_placed[node] = true;

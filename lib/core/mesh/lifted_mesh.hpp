@@ -9,8 +9,8 @@
 namespace quadrille::mesh {
 
 /// Fills in space_nodes: points of the exact surface; nodes on boundary and interface edges are points of the curves in
-/// space, with the parameters that they have in the chart; those on the second of two periodic curves are the images
-/// of those on the first. Measures are to be taken again.
+/// space, with the parameters that they have in the chart; those within 1e-8 diameters of a joint move there, and those
+/// on the second of two periodic curves are the images of those on the first. Measures are to be taken again.
 void lift_nodes(const ChartMap& map, QuadMesh& mesh);
 
 /// Distances of the elements from the surface, and of their edges on the boundary from the curves in space.

@@ -138,7 +138,7 @@ TEST(LiftedSplit, TheNearestMeshHasTheFewestUnprovedElements) {
   EXPECT_FALSE(is_nearer(with(1, 1e-6), with(1, 1e-6)));
 }
 
-TEST(LiftedSplit, ANodeBesideAJointIsTheJointInSpace) {
+TEST(LiftedSplit, ANodeBesideAJointIsTheJoint) {
   Report report;
   QuadMesh mesh = refined({}, report);
   const mesh::ChartMap map(mesh.face);
@@ -149,6 +149,7 @@ TEST(LiftedSplit, ANodeBesideAJointIsTheJointInSpace) {
   mesh::lift_nodes(map, mesh);
   const Vec3 there = mesh.face.chart->space_curves.front().poles.front();
   EXPECT_EQ(distance(mesh.space_nodes[corner - mesh.nodes.begin()], there), 0);
+  EXPECT_LT(distance(*corner, curve.poles.front()), 1e-15);
 }
 
 TEST(LiftedSplit, ElementsAtATipAreNotShorter) {
