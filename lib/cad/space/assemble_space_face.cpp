@@ -164,12 +164,24 @@ void add_loop(const RawSpaceFace& raw, std::vector<Piece> loop, SpaceFace& resul
   result.face.loop_offsets.push_back(static_cast<int>(result.curves.size()));
 }
 
-/// The vertices lie on the surface.
+/// Parameters on the surface of each vertex, in one of its triangles.
+std::vector<Vec2> vertex_parameters(const SpaceFace& face) {
+  std::vector<Vec2> result(face.vertices.size());
+  for (std::size_t i = 0; i < face.triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k) result[face.triangles[i][k]] = face.triangle_uv[i][k];
+  return result;
+}
+
+/// The vertices lie on the surface, but not where the curve has their parameters: they are first guesses alone.
 void warn_of_edges_off_the_surface(const SpaceFace& face, const heal::HealScale& scale, Report& report) {
+  const std::vector<Vec2> uv = vertex_parameters(face);
   double greatest = 0;
   int at = -1;
   for (const FineBoundaryEdge& e : face.boundary_edges) {
-    const double off = distance(surface::point(face.curves[e.curve], e.t0), face.vertices[e.vertices[0]]);
+    const Vec3 x = surface::point(face.curves[e.curve], e.t0);
+    const int vertex = e.vertices[0];
+    const double off =
+        std::min(distance(x, face.vertices[vertex]), surface::project(face.surface, x, uv[vertex]).distance);
     if (off > greatest) greatest = off, at = e.curve;
   }
   report.set("surface.edge_distance", greatest / scale.diameter);

@@ -41,6 +41,18 @@ TEST(AssembleSpaceFace, gaps_within_the_tolerance_are_closed_wider_ones_refused)
   EXPECT_NO_THROW(assemble_space_face(raw, 1e-3, report));
 }
 
+TEST(AssembleSpaceFace, warns_of_edges_off_the_surface_but_not_of_other_parameters_along_them) {
+  RawSpaceFace raw = grid_face(flat_square(), 2);
+  raw.curves[0] = {2, {0, 0, 0, 1, 1, 1}, {{0, 0, 0}, {0.5, 0, 0}, {2, 0, 0}}, {1, 1, 1}};
+  Report report;
+  assemble_space_face(raw, -1, report);
+  EXPECT_TRUE(report.warnings().empty());
+  raw.curves[0].poles[1].z = 0.02;
+  assemble_space_face(raw, -1, report);
+  ASSERT_EQ(report.warnings().size(), 1U);
+  expect_contains(report.warnings()[0].message, "edges lie off the surface of the face by up to 0.01, most edge 0");
+}
+
 TEST(AssembleSpaceFace, edges_are_cut_at_kinks) {
   RawSpaceFace raw = grid_face(roof(1), 2);
   for (const int edge : {0, 2}) {
