@@ -25,6 +25,12 @@ load common
   stagecheck b.tri.h5
 }
 
+@test "knots of arcs may be vertices of the kernel's triangles, but for rounding" {
+  cad2chart "$DATA/curved_regions/half_turn.step" -o a.chart.h5 --report report.json
+  stagecheck a.chart.h5
+  run -0 jq -e '.chart.scale_range - 1 < 1e-6' report.json # unrolled
+}
+
 @test "what has no chart is refused, with a remedy" {
   run -3 cad2chart "$DATA/curved/sphere.step" --face 0 -o a.chart.h5
   assert_output --partial 'the face is closed, without a boundary'

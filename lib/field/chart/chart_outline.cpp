@@ -23,15 +23,17 @@ constexpr double least_outline = 1e-9;  // tolerance of splines, diameters
 constexpr int samples_per_span = 8, most_rounds = 24;
 
 struct Samples : CurveSamples {
+  std::vector<std::size_t> vertices;  ///< those of `points` that are vertices of the mesh
   Vec3 start_normal;
   Vec2 start_uv;
 };
 
-/// t0, the different knots inside (t0, t1), t1.
+/// t0, the different knots inside (t0, t1), t1. Knots that are an end but for rounding are left out.
 std::vector<double> breaks_between(const std::vector<double>& knots, double t0, double t1) {
+  const double rounding = 1e-14 * (knots.back() - knots.front());
   std::vector<double> breaks{t0};
   for (const double knot : knots)
-    if (knot > breaks.back() && knot < t1) breaks.push_back(knot);
+    if (knot > breaks.back() + rounding && knot < t1 - rounding) breaks.push_back(knot);
   breaks.push_back(t1);
   return breaks;
 }
@@ -65,7 +67,7 @@ class ImageSampler {
     };
     const std::size_t first = static_cast<std::size_t>(mesh_->nodes_per_elem()) * edge.elem;
     const bool is_first = samples.points.empty();
-    if (is_first) samples.points.push_back({edge.t0, image_at(s0)});
+    if (is_first) samples.points.push_back({edge.t0, image_at(s0)}), samples.vertices.push_back(0);
     // Each span between knots has its own, however short it is: a spline with knots there is else not determined, and
     // where the curve bends, so does its image.
     const std::vector<double> breaks = breaks_between(length.curve().knots, edge.t0, edge.t1);
@@ -78,6 +80,7 @@ class ImageSampler {
       }
       samples.points.push_back({breaks[b], image_at(high)});
     }
+    samples.vertices.push_back(samples.points.size() - 1);
     const auto derivative = [&](bool at_end) {
       const double speed = norm(surface::derivatives(length.curve(), at_end ? edge.t1 : edge.t0, at_end)[1]);
       return image_slope(*mesh_, edge, at_end) * (speed / (s1 - s0));
@@ -91,18 +94,16 @@ class ImageSampler {
 
   // Of straight triangles: those of parabolas through three vertices.
   void estimate_derivatives(Samples& s) const {
-    const auto slope = [&](std::size_t i, std::size_t j) {
-      return (s.points[j].position - s.points[i].position) / (s.points[j].parameter - s.points[i].parameter);
+    const std::size_t count = s.vertices.size();
+    if (count < 3) return;
+    const auto at_end = [&](std::size_t i, std::size_t j, std::size_t k) {
+      const curve::FitPoint &a = s.points[s.vertices[i]], &b = s.points[s.vertices[j]], &c = s.points[s.vertices[k]];
+      const auto slope = [](const curve::FitPoint& from, const curve::FitPoint& to) {
+        return (to.position - from.position) / (to.parameter - from.parameter);
+      };
+      return slope(a, b) + (slope(a, b) - slope(b, c)) * ((b.parameter - a.parameter) / (c.parameter - a.parameter));
     };
-    const std::size_t last = s.points.size() - 1;
-    constexpr std::size_t edge = samples_per_span;
-    if (last < 2 * edge) return;
-    const auto at_end = [&](std::size_t a, std::size_t b, std::size_t c) {
-      const double ab = s.points[b].parameter - s.points[a].parameter,
-                   ac = s.points[c].parameter - s.points[a].parameter;
-      return slope(a, b) + (slope(a, b) - slope(b, c)) * (ab / ac);
-    };
-    s.start_derivative = at_end(0, edge, 2 * edge), s.end_derivative = at_end(last, last - edge, last - 2 * edge);
+    s.start_derivative = at_end(0, 1, 2), s.end_derivative = at_end(count - 1, count - 2, count - 3);
   }
 
   const SurfaceMesh* mesh_;

@@ -132,6 +132,13 @@ def half(s, z=2, begin=BEGIN, end=2.9):
     return ["bottom", "left", "-top", "-right"]
 
 
+def half_turn():
+    """Its arcs have knots where the kernel has vertices, but for rounding."""
+    s = Surfaces()
+    s.face("sheet", s.cylinder(), [half(s, 2, 0, math.pi)])
+    return s
+
+
 def crack():
     """Along the axis, inside: a wire forth and back."""
     s = Surfaces()
@@ -311,8 +318,8 @@ def two_parts(begin, end):
     return s
 
 
-SHAPES = {"crack": crack, "crack_on_seam": crack_on_seam, "crack_from_rim": crack_from_rim, "tube_crack": tube_crack,
-          "cracks_free": cracks_free, "ring_inside": ring_inside, "halves": halves,
+SHAPES = {"half_turn": half_turn, "crack": crack, "crack_on_seam": crack_on_seam, "crack_from_rim": crack_from_rim,
+          "tube_crack": tube_crack, "cracks_free": cracks_free, "ring_inside": ring_inside, "halves": halves,
           "halves_own": lambda: halves(own=True), "halves_turned": lambda: halves(sense=False), "stack": stack,
           "window": window, "spline": spline, "blade": blade, "bad_surfaces": two_surfaces,
           "bad_gap": lambda: two_parts(1.4, 2.4), "bad_overlap": lambda: two_parts(.8, 2.0)}
