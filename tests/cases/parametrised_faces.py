@@ -199,6 +199,7 @@ def sphere():
     return shape, splines_of(shape) | {
         "pole_outside": (analytic(kind, (0, 1, 0), (0, 0, -1), 1), True),
         "pole_inside": (analytic(kind, (0.1, 0.4, 0.9), (1, 0, 0), 1), True),
+        "pole_on_edge": (analytic(kind, (0, 0, 1), (1, 0, 0), 1), True),
         "seam": (analytic(kind, (1, 0, 0), (0, 0.3, 0.9), 1), True)}
 
 

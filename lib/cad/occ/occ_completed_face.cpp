@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "occ/occ_poles.hpp"
 
 namespace quadrille::occ {
 
@@ -44,7 +45,7 @@ TopoDS_Face completed(const TopoDS_Face& face, bool is_seam, const std::string& 
 }  // namespace
 
 TopoDS_Face completed(const TopoDS_Face& face, const std::string& file) {
-  return completed(completed(face, false, file), true, file);
+  return completed(completed(split_at_poles(face), false, file), true, file);
 }
 
 double box_diagonal(const TopoDS_Face& face) {
