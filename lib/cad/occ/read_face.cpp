@@ -121,7 +121,7 @@ void require_smooth(const space::RawSpaceFace& raw, double angle) {
 std::string chosen_kind(const OccModel& model, const std::string& choice, const std::string& name) {
   if (model.num_faces == 0) return "plane";
   for (const FaceChoice& chosen : choose_faces(model, choice, name))
-    if (const std::string kind = kind_of(chosen.face); kind != "plane") return kind;
+    if (std::string kind = kind_of(chosen.face); kind != "plane") return kind;
   return "plane";
 }
 

@@ -185,9 +185,8 @@ bool has_smooth_seam(const SpaceCurve& curve) {
                   bend_at(curve, curve.begin(), false, knots[1].t - knots[0].t), length);
 }
 
-SpaceCurve with_smooth_parameters(SpaceCurve curve) {
-  std::optional<SpaceCurve> spline = smooth_spline(curve, SpaceLength(curve));
-  return spline ? *std::move(spline) : curve;
+SpaceCurve with_smooth_parameters(const SpaceCurve& curve) {
+  return smooth_spline(curve, SpaceLength(curve)).value_or(curve);
 }
 
 SpaceFace with_smooth_parameters(SpaceFace face) {

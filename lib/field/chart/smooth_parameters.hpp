@@ -14,6 +14,6 @@ bool has_smooth_seam(const SpaceCurve& curve);
 /// in the chart with their parameters is as smooth as they are. Curves with smooth parameters, and those that bend at a
 /// knot, remain as they are.
 SpaceFace with_smooth_parameters(SpaceFace face);
-SpaceCurve with_smooth_parameters(SpaceCurve curve);
+SpaceCurve with_smooth_parameters(const SpaceCurve& curve);
 
 }  // namespace quadrille::chart
