@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "chart/element_tables.hpp"
 #include "chart/smooth_parameters.hpp"
+#include "chart/tip_angle.hpp"
 #include "curve/nurbs.hpp"
 #include "spectral/quadrature.hpp"
 #include "spectral/tri_map.hpp"
@@ -222,58 +223,6 @@ Vec3 end_direction(const SpaceCurve& curve, bool at_end) {
 
 Vec2 rotated(Vec2 a, double angle) { return a.x * unit(angle) + a.y * left_of(unit(angle)); }
 
-/// A tip, as that of a cone, at the start of a curve: a pole where the surface has no normal.
-class Tip {
- public:
-  /// `uv`: parameters of the joint.
-  Tip(const SpaceFace& face, int curve, Vec2 uv) : face_(face), pole_(corner_parameters(face, uv)) {
-    if (pole_.has_u && pole_.has_v) return;
-    const SpaceCurve &before = face.curves[face.face.previous_in_loop(curve)], &after = face.curves[curve];
-    in_ = beside(before, 1 - part), out_ = beside(after, part);
-    is_tip_ = norm(face_normal(face, in_) - face_normal(face, out_)) > same_normal;
-  }
-
-  bool is_tip() const { return is_tip_; }
-
-  /// The angle of the surface between the curves: the length of the directions X_v / |X_v| on the unit sphere, over the
-  /// values of u at the pole. Of the two ways around a closed surface the one with an angle nearer to `rough`.
-  double angle(double rough) const {
-    const double from = parameter(in_), to = parameter(out_), inside = swept(from, to);
-    const NurbsSurface& s = face_.surface;
-    const bool is_closed = pole_.has_u ? s.is_closed_v : s.is_closed_u;
-    if (!is_closed) return inside;
-    const std::vector<double>& knots = pole_.has_u ? s.knots_v : s.knots_u;
-    const double outside = swept(knots.front(), knots.back()) - inside;
-    return std::abs(outside - rough) < std::abs(inside - rough) ? outside : inside;
-  }
-
- private:
-  static constexpr double part = 1e-4, same_normal = 1e-2;  // of the curve, radians
-  static constexpr int steps = 1000;
-
-  double parameter(Vec2 uv) const { return pole_.has_u ? uv.y : uv.x; }
-  Vec2 beside(const SpaceCurve& c, double at) const {
-    const Vec3 x = surface::point(c, c.begin() + at * (c.end() - c.begin()));
-    return surface::project(face_.surface, x, pole_.uv).uv;
-  }
-  Vec3 direction(double t) const {
-    const surface::SurfacePoint p =
-        surface::evaluate(face_.surface, pole_.has_u ? Vec2{pole_.uv.x, t} : Vec2{t, pole_.uv.y});
-    return normalized(pole_.has_u ? p.xu : p.xv);
-  }
-  double swept(double from, double to) const {
-    double sum = 0;
-    for (int i = 0; i < steps; ++i)
-      sum += distance(direction(from + (to - from) * i / steps), direction(from + (to - from) * (i + 1) / steps));
-    return sum;
-  }
-
-  const SpaceFace& face_;
-  CornerParameters pole_;
-  Vec2 in_, out_;
-  bool is_tip_ = false;
-};
-
 double image_angle(Vec2 in, Vec2 out) { return pi - wrap_pi(angle_of(out) - angle_of(in)); }
 
 /// Turns the derivatives on both sides of a joint, by the same angle, so that it has the angle of space.
@@ -332,9 +281,8 @@ CadFace outline_of_image(const SpaceFace& space_face, const std::vector<SpaceLen
   std::vector<double> angles;
   for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
     Vec2 &in = samples[face.previous_in_loop(i)].end_derivative, &out = samples[i].start_derivative;
-    const Tip tip(space_face, i, samples[i].start_uv);
-    angles.push_back(tip.is_tip() ? tip.angle(image_angle(in, out))
-                                  : space_angle(space_face, i, samples[i].start_normal));
+    angles.push_back(tip_angle(space_face, i, samples[i].start_uv, image_angle(in, out))
+                         .value_or(space_angle(space_face, i, samples[i].start_normal)));
     keep_angle(angles[i], in, out);
   }
   double size = 0;
