@@ -107,6 +107,8 @@ curves() {
   mesh_of window --region-name shell=wall --region-name shell=pane
   assert_equal "$(jq -c '[.face.region_names, .face.name]' work/window.sep.json)" '[null,"shell"]'
   stagecheck -q work/*.h5 work/*.json
+  mesh_of halves --region-name shell=front --region-name shell=back # two joints where the rims are smooth
+  stagecheck -q work/*.h5 work/*.json
   mesh_of halves --name 'joint=interface:*'
   run -0 curves halves
   assert_output "2 joint"
