@@ -67,8 +67,9 @@ void limit_stacks(std::size_t bytes) {
 
 namespace {
 
-// Exit code of a program whose libraries the dynamic loader does not find; the loader's message is on stderr.
-constexpr int not_loaded = 127;
+// The first byte from a program that runs. One that ends before has libraries that the dynamic loader does not find, or
+// no memory for them; the loader's message is on stderr.
+constexpr char has_started = 's';
 
 // Message from the child: one letter for the kind of outcome; the rule and a zero byte for a FormatError; then the
 // text.
@@ -271,17 +272,19 @@ std::string run_program(const std::string& program, const std::string& input, co
   int status = 0;
   const auto body = [&](int fd) { become(program, ends[1], fd); };
   const auto feed = [&] { close(ends[1]), send_all(ends[0], input); };
-  const std::string bytes = answer_of_child(body, feed, limits, status);
-  if (bytes.empty() && WIFEXITED(status) && WEXITSTATUS(status) == not_loaded) {
+  std::string bytes = answer_of_child(body, feed, limits, status);
+  if (bytes.empty()) {
     require_resources(has_limited_memory() ? ENOMEM : 0, program + " cannot be started");
     throw Error(ExitCode::defect, program + " cannot be started");
   }
+  if (bytes.front() == has_started) bytes.erase(0, 1);
   return result_of(bytes, status, crash_message);
 }
 
 void answer_parent(const std::function<std::string(const std::string& input)>& work) {
-  const std::string input = read_all(STDIN_FILENO);
   const int fd = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  write_all(fd, &has_started, 1);
+  const std::string input = read_all(STDIN_FILENO);
   silence();
   answer(outcome_of([&] { return work(input); }), fd);
 }

@@ -118,12 +118,12 @@ std::string message_of_program(const std::string& program) {
 }
 
 TEST(Program, gets_the_input_and_answers_by_its_output) {
-  const std::string program = script("answers", "cat >$0.input; printf v; cat $0.input");
+  const std::string program = script("answers", "printf s; cat >$0.input; printf v; cat $0.input");
   std::string bytes(1 << 20, 'x');
   bytes[5] = '\0';
   EXPECT_EQ(run_program(program, bytes, crash), bytes);
   EXPECT_EQ(run_program(program, "", crash), "");
-  const std::string counting = script("counts", "printf v; wc -c");
+  const std::string counting = script("counts", "printf sv; wc -c");
   rlimit whole{};
   getrlimit(RLIMIT_FSIZE, &whole);
   const rlimit small{100, whole.rlim_max};
@@ -133,16 +133,18 @@ TEST(Program, gets_the_input_and_answers_by_its_output) {
 }
 
 TEST(Program, a_crash_is_a_format_error) {
-  EXPECT_EQ(message_of_program<FormatError>(script("crashes", "kill -SEGV $$")), crash);
-  EXPECT_THROW(run_program(script("reads_nothing", "exit 1"), std::string(1 << 22, 'x'), crash), FormatError);
-  EXPECT_EQ(message_of_program<FormatError>(script("fails", "printf v; exit 1")), crash);
-  EXPECT_EQ(message_of_program<FormatError>(script("silent", "exit 0")), crash);
+  EXPECT_EQ(message_of_program<FormatError>(script("crashes", "printf s; kill -SEGV $$")), crash);
+  EXPECT_THROW(run_program(script("reads_nothing", "printf s; exit 1"), std::string(1 << 22, 'x'), crash), FormatError);
+  EXPECT_EQ(message_of_program<FormatError>(script("fails", "printf sv; exit 1")), crash);
+  EXPECT_EQ(message_of_program<FormatError>(script("silent", "printf s")), crash);
 }
 
-TEST(Program, one_that_is_missing_or_finds_no_libraries_is_named) {
+TEST(Program, one_that_is_missing_or_ends_before_it_starts_is_named) {
   EXPECT_EQ(message_of_program<Error>("/nowhere/reader"), "/nowhere/reader cannot be run: No such file or directory");
-  const std::string unloaded = script("unloaded", "exit 127");
-  EXPECT_EQ(message_of_program<Error>(unloaded), unloaded + " cannot be started");
+  for (const std::string way : {"exit 127", "kill -ABRT $$"}) {
+    const std::string unloaded = script("unloaded", way);
+    EXPECT_EQ(message_of_program<Error>(unloaded), unloaded + " cannot be started");
+  }
 }
 
 TEST(Program, answers_with_the_result_or_the_error_of_its_work_and_prints_nothing_else) {
@@ -170,8 +172,8 @@ TEST(Program, answers_with_the_result_or_the_error_of_its_work_and_prints_nothin
     waitpid(child, nullptr, 0);
     return text;
   };
-  EXPECT_EQ(answered("input"), "v<input>");
-  EXPECT_EQ(answered("broken"), std::string("fTRI-R01\0TRI-R01: broken", 24));
+  EXPECT_EQ(answered("input"), "sv<input>");
+  EXPECT_EQ(answered("broken"), std::string("sfTRI-R01\0TRI-R01: broken", 25));
 }
 
 TEST(HelperProgram, is_in_libexec_beside_the_folder_of_this_program) {
