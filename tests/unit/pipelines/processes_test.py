@@ -15,7 +15,7 @@ class ProcessesTest(unittest.TestCase):
         self.processes.begin(1)
         run = self.processes.of(1)
         self.assertEqual(run.output_of(["sh", "-c", "echo $WHAT"]), "seen\n")
-        self.assertEqual(run.run(["sh", "-c", "echo no >&2; exit 3"]), (3, "no\n"))
+        self.assertEqual(run.run(["sh", "-c", "echo so; echo no >&2; exit 3"]), (3, "so\n", "no\n"))
         with self.assertRaises(Failure) as failure:
             run.output_of(["sh", "-c", "echo 'sh: no' >&2; exit 3"])
         self.assertEqual((failure.exception.code, str(failure.exception)), (3, "no"))
