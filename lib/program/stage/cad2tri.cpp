@@ -203,13 +203,12 @@ void declare_names(Options& o, Cad2triOptions& cad2tri) {
       "the sides A and B, names or patterns of curves, in one part or several, repeat each other: their nodes are "
       "images under a translation or rotation, found from the curves or given as A=B:translate=DX,DY or "
       "A=B:rotate=DEGREES[,CX,CY], in file units; on a curved face a rotation or translation in space, always found "
-      "from the curves; B is replaced by the exact image of A, from which it may differ by 1e-9 diameters; may be "
-      "given several times");
+      "from the curves; B is replaced by the exact image of A, from which it may differ by 1e-9 diameters");
   o.texts("--offset", cad2tri.offsets, "NAME=T",
-          "embed a curve at the distance T, in file units, from the boundary NAME (or NAME,NAME): blocks end there, so "
-          "that layers of this thickness have blocks of their own; around corners, and along neighbours of NAME that "
-          "meet it at more than 135 degrees, up to the first that does not; nearer where a facing wall or a bend "
-          "leaves less room; the curve is called NAME_offset; may be given several times",
+          "in a planar face, embed a curve at the distance T, in file units, from the boundary NAME (or NAME,NAME):"
+          " blocks end there, so that layers of this thickness have blocks of their own; around corners, and along "
+          "neighbours of NAME that meet it at more than 135 degrees, up to the first that does not; nearer where a "
+          "facing wall or a bend leaves less room; the curve is called NAME_offset",
           false);
 }
 
