@@ -64,7 +64,7 @@ class Curve:
         return basis
 
     def at(self, t):
-        """Points and first derivatives [len(t), 2]."""
+        """Points and first derivatives [len(t), dimension]."""
         t = np.atleast_1d(np.asarray(t, float))
         p, k, h = self.degree, self.knots, self.homogeneous
         x = self._basis(t, p) @ h
@@ -73,8 +73,8 @@ class Curve:
         inner = Curve.__new__(Curve)
         inner.knots = k[1:-1]
         dx = inner._basis(t, p - 1) @ slopes
-        points = x[:, :2] / x[:, 2:]
-        return points, (dx[:, :2] - points * dx[:, 2:]) / x[:, 2:]
+        points = x[:, :-1] / x[:, -1:]
+        return points, (dx[:, :-1] - points * dx[:, -1:]) / x[:, -1:]
 
     def distances(self, points):
         """From each point to the curve: Newton's method on the squared distance from the best of many samples."""
@@ -93,7 +93,7 @@ class Curve:
                 step = t - slope / np.maximum((dx ** 2).sum(axis=1), 1e-300)
                 t = np.where((step > low) & (step < high), step, (low + high) / 2)
             for u in (t, low, high):
-                best = np.minimum(best, np.hypot(*(self.at(u)[0] - points).T))
+                best = np.minimum(best, np.linalg.norm(self.at(u)[0] - points, axis=1))
         return best
 
 

@@ -132,6 +132,14 @@ def half(s, z=2, begin=BEGIN, end=2.9):
     return ["bottom", "left", "-top", "-right"]
 
 
+def tube(s):
+    """The edges of the whole cylinder from 0 to 2, and its loop."""
+    s.arc("bottom", 0, 0, 0, "bottom")
+    s.arc("top", 2, 0, 0, "top")
+    s.line("seam", on_cylinder(0, 0), on_cylinder(0, 2))
+    return ["bottom", "seam", "-top", "-seam"]
+
+
 def half_turn():
     """Its arcs have knots where the kernel has vertices, but for rounding."""
     s = Surfaces()
@@ -171,11 +179,9 @@ def crack_from_rim():
 def tube_crack():
     """A whole tube: its seam is no crack, the other edge that is there twice is one."""
     s = Surfaces()
-    s.arc("bottom", 0, 0, 0, "bottom")
-    s.arc("top", 2, 0, 0, "top")
-    s.line("seam", on_cylinder(0, 0), on_cylinder(0, 2))
+    outline = tube(s)
     s.line("crack", on_cylinder(math.pi, .6), on_cylinder(math.pi, 1.4), "crack")
-    s.face("tube", s.cylinder(), [["bottom", "seam", "-top", "-seam"], ["crack", "-crack"]])
+    s.face("tube", s.cylinder(), [outline, ["crack", "-crack"]])
     return s
 
 
@@ -192,10 +198,7 @@ def cracks_free():
 def ring_inside():
     """A closed curve beside the face: it divides the tube."""
     s = Surfaces()
-    s.arc("bottom", 0, 0, 0, "bottom")
-    s.arc("top", 2, 0, 0, "top")
-    s.line("seam", on_cylinder(0, 0), on_cylinder(0, 2))
-    s.face("tube", s.cylinder(), [["bottom", "seam", "-top", "-seam"]])
+    s.face("tube", s.cylinder(), [tube(s)])
     s.free.append(s.tilted_basis(1, .3, .4))
     return s
 
