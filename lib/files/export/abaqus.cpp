@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/error.hpp"
-#include "export/abaqus_text.hpp"
-#include "export/groups.hpp"
+#include "export/cells.hpp"
+#include "export/hex_periodic.hpp"
+#include "export/renode.hpp"
 #include "export/serendipity.hpp"
 #include "export/split_elements.hpp"
 #include "export/writers.hpp"
@@ -13,68 +13,99 @@
 namespace quadrille::exports {
 namespace {
 
-class AbaqusWriter : AbaqusText {
- public:
-  AbaqusWriter(const QuadMesh& quads, const Frame& frame, const Groups& lines)
-      : quads_(quads), frame_(frame), lines_(lines), numbers_(serendipity_numbers(quads)) {}
+/// CalculiX' greatest length of the name of a set; upper and lower case are the same.
+const WordRules abaqus_set_names{{"NALL", "EALL"}, 80, true};
 
-  std::string text(const char* type, const PlainNames& words) {
-    print("*HEADING\nquadrilaterals of order {}\n", quads_.order);
-    write_nodes();
-    write_elements(fmt::format("{}{}", type, quads_.order == 1 ? 4 : 8), words.regions);
-    write_lines(words.boundaries);
+/// The places of the nodes in a grid of 3 x 3 or 3 x 3 x 3: corners, then middles: of sides counter-clockwise; of edges
+/// below, above and upright.
+std::vector<int> places(const QuadMesh&) { return {0, 2, 8, 6, 1, 5, 7, 3}; }
+std::vector<int> places(const HexMesh&) {
+  return {0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15};
+}
+
+/// Sides of quads in their order; of hexahedra S1 is the bottom, S2 the top, S3 to S6 are the sides of the quad.
+int surface_number(const QuadMesh&, int side) { return side + 1; }
+int surface_number(const HexMesh&, int face) { return face < 4 ? face + 3 : face - 3; }
+
+/// The shortest digits that read back to the same bits or, if those are more than CalculiX reads, as many as fit.
+std::string short_number(double x) {
+  constexpr std::size_t longest = 20;
+  std::string text = fmt::format("{}", x);
+  for (int digits = 17; text.size() > longest; --digits) text = fmt::format("{:.{}g}", x, digits);
+  return text;
+}
+
+/// Of a mesh of order 1 or 2.
+template <typename Mesh>
+class AbaqusWriter : TextWriter {
+ public:
+  /// `groups` with interfaces as boundaries.
+  AbaqusWriter(const Mesh& mesh, const Groups& groups)
+      : mesh_(mesh), groups_(groups), numbers_(serendipity_numbers(mesh)) {}
+
+  /// `type` without the number of nodes.
+  std::string text(const std::vector<std::array<double, 3>>& positions, const char* type, const PlainNames& words) {
+    print("*HEADING\n{} of order {}\n*NODE, NSET=NALL\n", mesh_dimension<Mesh> == 2 ? "quadrilaterals" : "hexahedra",
+          mesh_.order);
+    for (std::size_t node = 0; node < numbers_.size(); ++node)
+      if (const auto& x = positions[node]; numbers_[node] > 0)
+        print("{}, {}, {}, {}\n", numbers_[node], short_number(x[0]), short_number(x[1]),
+              short_number(mesh_dimension<Mesh> == 2 ? 0 : x[2]));
+    write_elements(type, words.regions);
+    const std::vector<std::vector<GroupSide>> sides = sides_by_group(mesh_, groups_);
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      if (!sides[k].empty()) write_sides(words.boundaries[k], sides[k]);
     return std::move(out_);
   }
 
  private:
-  void write_nodes() {
-    print("*NODE, NSET=NALL\n");
-    for (std::size_t node = 0; node < numbers_.size(); ++node) {
-      if (numbers_[node] == 0) continue;
-      const std::array<double, 3> x = frame_.at(quads_.nodes[node]);
-      print_node(numbers_[node], {x[0], x[1], 0});
-    }
-  }
-
-  /// Corners counter-clockwise, then the middles of the sides after them.
-  void write_element(int elem) {
-    print("{}", elem + 1);
-    for (int k = 0; k < quads_.order; ++k)
-      for (int side = 0; side < 4; ++side) print(", {}", numbers_[side_node(quads_, elem, side, k)]);
-    print("\n");
-  }
-
-  void write_elements(const std::string& type, const NameList& regions) {
-    for (std::size_t region = 0; region < regions.size(); ++region) {
-      print("*ELEMENT, TYPE={}, ELSET={}\n", type, regions[region]);
-      for (int elem = 0; elem < quads_.num_elems(); ++elem)
-        if (lines_.block2region[quads_.elem_block[elem]] == static_cast<int>(region)) write_element(elem);
-    }
-    print_all_elements(regions);
-  }
-
-  void write_lines(const NameList& names) {
-    std::vector<std::vector<QuadBoundaryEdge>> edges(names.size());
-    for (const QuadBoundaryEdge& e : quads_.boundary_edges) edges[lines_.curve2boundary[e.curve]].push_back(e);
-    for (const QuadBoundaryEdge& e : interface_edges_once(quads_)) edges[lines_.curve2boundary[e.curve]].push_back(e);
-    for (std::size_t line = 0; line < names.size(); ++line) {
-      if (edges[line].empty()) continue;
-      write_node_set(names[line], edges[line]);
-      print("*SURFACE, NAME={}, TYPE=ELEMENT\n", names[line]);
-      for (const QuadBoundaryEdge& e : edges[line]) print("{}, S{}\n", e.elem + 1, e.side + 1);
-    }
-  }
-
-  void write_node_set(const std::string& name, const std::vector<QuadBoundaryEdge>& edges) {
+  std::vector<int> element(int elem) const {
     std::vector<int> nodes;
-    for (const QuadBoundaryEdge& e : edges)
-      for (int k = 0; k <= quads_.order; ++k) nodes.push_back(numbers_[side_node(quads_, e.elem, e.side, k)]);
-    print_node_set(name, std::move(nodes));
+    if (mesh_.order == 1)
+      for (int corner = 0; corner < mesh_.nodes_per_elem(); ++corner) nodes.push_back(corner_node(mesh_, elem, corner));
+    else
+      for (const int local : places(mesh_)) nodes.push_back(element_nodes(mesh_, elem)[local]);
+    return nodes;
   }
 
-  const QuadMesh& quads_;
-  const Frame& frame_;
-  const Groups& lines_;
+  /// At most 16 numbers in a line, which goes on after a comma.
+  void write_elements(const char* type, const NameList& regions) {
+    const std::vector<std::vector<int>> elems = elements_by_region(mesh_, groups_);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      print("*ELEMENT, TYPE={}{}, ELSET={}\n", type, element(0).size(), regions[r]);
+      for (const int elem : elems[r]) {
+        print("{}", elem + 1);
+        const std::vector<int> nodes = element(elem);
+        for (std::size_t k = 0; k < nodes.size(); ++k) print("{}{}", k == 15 ? ",\n" : ", ", numbers_[nodes[k]]);
+        print("\n");
+      }
+    }
+    print("*ELSET, ELSET=EALL\n");
+    for (const std::string& region : regions) print("{}\n", region);
+  }
+
+  void write_sides(const std::string& name, const std::vector<GroupSide>& sides) {
+    std::vector<int> numbers;
+    for (const GroupSide& at : sides)
+      for (const int node : side_nodes(mesh_, at.elem, at.side))
+        if (numbers_[node] > 0) numbers.push_back(numbers_[node]);
+    print_node_set(name, std::move(numbers));
+    print("*SURFACE, NAME={}, TYPE=ELEMENT\n", name);
+    for (const GroupSide& at : sides) print("{}, S{}\n", at.elem + 1, surface_number(mesh_, at.side));
+  }
+
+  /// Sorted, each once.
+  void print_node_set(const std::string& name, std::vector<int> numbers) {
+    constexpr int numbers_a_line = 16;
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    print("*NSET, NSET={}\n", name);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      print("{}{}", numbers[k], (k + 1) % numbers_a_line == 0 || k + 1 == numbers.size() ? "\n" : ", ");
+  }
+
+  const Mesh& mesh_;
+  const Groups& groups_;
   std::vector<int> numbers_;  ///< by mesh node, from 1; 0: it is not written
 };
 
@@ -96,7 +127,7 @@ Exported abaqus(const QuadMesh& mesh, const Frame& frame, const char* type) {
   exported.add_loss(split_loss(mesh, quads));
   exported.add_loss(serendipity_loss(quads, "CalculiX"));
   const PlainNames words = add_plain_names(lines, true, abaqus_set_names, exported);
-  exported.bytes = AbaqusWriter(quads, frame, lines).text(type, words);
+  exported.bytes = AbaqusWriter(quads, lines).text(positions(quads, frame, ElementPoints::nodes), type, words);
   return exported;
 }
 
@@ -108,6 +139,16 @@ Exported abaqus_cpe(const QuadMesh& mesh, const Frame& frame) { return abaqus(me
 Exported abaqus_cax(const QuadMesh& mesh, const Frame& frame) {
   require_radii(mesh, frame);
   return abaqus(mesh, frame, "CAX");
+}
+
+Exported abaqus_c3d(const HexMesh& mesh) {
+  const Groups faces = lines_as_boundaries(mesh_groups(mesh));
+  Exported exported;
+  exported.add_loss(serendipity_loss(mesh, "CalculiX"));
+  exported.add_loss(periodic_loss(mesh));
+  const PlainNames words = add_plain_names(faces, true, abaqus_set_names, exported);
+  exported.bytes = AbaqusWriter(mesh, faces).text(positions(mesh, ElementPoints::nodes), "C3D", words);
+  return exported;
 }
 
 }  // namespace quadrille::exports

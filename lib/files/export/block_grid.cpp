@@ -20,14 +20,14 @@ SkeletonEdge turned(SkeletonEdge e, int quarters) { return {e.elem, (e.side + qu
 
 /// By element and side: the same side as a side of the neighbour in the same block.
 std::vector<SkeletonEdge> neighbours(const QuadMesh& mesh) {
-  const EdgeNumbering numbering = number_edges(mesh);
+  const EdgeNumbering numbering = number_parts(mesh);
   std::vector<SkeletonEdge> beyond(numbering.elem2edges.size(), nowhere);
   for (std::size_t k = 0; k < beyond.size(); ++k) {
     const NumberedEdge& edge = numbering.edges[numbering.elem2edges[k]];
     const int elem = static_cast<int>(k / 4), side = static_cast<int>(k % 4);
-    if ((edge.elem == elem && edge.side == side) || mesh.elem_block[edge.elem] != mesh.elem_block[elem]) continue;
-    beyond[k] = {edge.elem, edge.side};
-    beyond[4 * edge.elem + edge.side] = {elem, side};
+    if ((edge.elem == elem && edge.edge == side) || mesh.elem_block[edge.elem] != mesh.elem_block[elem]) continue;
+    beyond[k] = {edge.elem, edge.edge};
+    beyond[4 * edge.elem + edge.edge] = {elem, side};
   }
   return beyond;
 }

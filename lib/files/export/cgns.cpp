@@ -1,89 +1,155 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
+#include "export/cells.hpp"
 #include "export/cgns_request.hpp"
 #include "export/cgns_words.hpp"
-#include "export/groups.hpp"
+#include "export/hex_periodic.hpp"
 #include "export/renode.hpp"
 #include "export/writers.hpp"
 
 namespace quadrille::exports {
 namespace {
 
-std::vector<std::vector<double>> coordinates(const QuadMesh& mesh, const Frame& frame, const std::vector<int>& nodes,
-                                             const std::vector<std::array<double, 3>>& positions) {
-  std::vector<std::vector<double>> x(space_dimension(mesh, frame));
-  for (const int node : nodes)
-    for (std::size_t c = 0; c < x.size(); ++c) x[c].push_back(positions[node][c]);
-  return x;
+/// Types of elements by their order.
+constexpr std::array<const char*, 5> cgns_bar_types{"", "BAR_2", "BAR_3", "BAR_4", "BAR_5"};
+constexpr std::array<const char*, 5> cgns_quad_types{"", "QUAD_4", "QUAD_9", "QUAD_16", "QUAD_25"};
+constexpr std::array<const char*, 5> cgns_hex_types{"", "HEXA_8", "HEXA_27", "HEXA_64", "HEXA_125"};
+
+/// The edges of a hexahedron bottom, upright, top, each in the standard's direction.
+constexpr std::array<std::array<int, 2>, 12> cgns_hex_edges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 5}, {2, 6}, {3, 7}, {4, 5}, {5, 6}, {6, 7}, {7, 4}}};
+
+/// The faces by the corners where the rings of their inner nodes begin: bottom, sides, top.
+constexpr std::array<std::array<int, 4>, 6> cgns_hex_faces{
+    {{0, 1, 2, 3}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}}};
+
+/// The nodes of a line: its ends, then the others.
+std::vector<int> cgns_bar_order(int order) {
+  std::vector<int> nodes{0, order};
+  for (int k = 1; k < order; ++k) nodes.push_back(k);
+  return nodes;
 }
 
-class UnstructuredZone {
- public:
-  UnstructuredZone(const QuadMesh& mesh, const Groups& lines, const PlainNames& words)
-      : mesh_(mesh), lines_(lines), words_(words) {}
+/// The nodes of a quad: corners, then sides counter-clockwise, then the rings inside in the same way, corner first.
+std::vector<int> cgns_quad_order(int order) {
+  std::vector<int> nodes;
+  for (int side = 0; side < 4; ++side) nodes.push_back(local_side_node(order, side, 0));
+  for (int side = 0; side < 4; ++side)
+    for (int k = 1; k < order; ++k) nodes.push_back(local_side_node(order, side, k));
+  for (int low = 1; 2 * low <= order; ++low) {
+    const int size = order - 2 * low, shift = low * (order + 2);
+    if (size == 0) nodes.push_back(shift);
+    for (int side = 0; side < 4 && size > 0; ++side)
+      for (int k = 0; k < size; ++k) {
+        const int local = local_side_node(size, side, k);
+        nodes.push_back(shift + local / (size + 1) * (order + 1) + local % (size + 1));
+      }
+  }
+  return nodes;
+}
 
-  CgnsZone zone(const Frame& frame, int num_boundaries) {
-    const std::vector<std::array<double, 3>> x = positions(mesh_, frame, ElementPoints::equispaced);
-    std::vector<int> all(mesh_.nodes.size());
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
+/// The nodes of a hexahedron: corners, edges, the insides of faces, then layers from the bottom to the top; faces and
+/// layers as quads have their inner nodes, in rings.
+std::vector<int> cgns_hex_order(int order) {
+  std::vector<int> nodes;
+  for (int corner = 0; corner < 8; ++corner) nodes.push_back(hex_corner_node(order, corner));
+  for (const auto& [from, to] : cgns_hex_edges) {
+    const int start = hex_corner_node(order, from), step = (hex_corner_node(order, to) - start) / order;
+    for (int k = 1; k < order; ++k) nodes.push_back(start + k * step);
+  }
+  std::vector<int> inside = cgns_quad_order(order);
+  inside.erase(inside.begin(), inside.begin() + 4 * order);
+  for (const std::array<int, 4>& corners : cgns_hex_faces) {
+    const std::vector<int> face = local_face_nodes(order, corners);
+    for (const int local : inside) nodes.push_back(face[local]);
+  }
+  for (int layer = 1; layer < order; ++layer)
+    for (const int local : inside) nodes.push_back(layer * (order + 1) * (order + 1) + local);
+  return nodes;
+}
+
+/// One unstructured zone.
+template <typename Mesh>
+class ZoneMaker {
+ public:
+  /// `groups` with interfaces as further boundaries.
+  ZoneMaker(const Mesh& mesh, const Groups& groups, const PlainNames& words)
+      : mesh_(mesh), groups_(groups), words_(words) {}
+
+  CgnsZone zone(const std::vector<std::array<double, 3>>& positions, int space_dim, int num_boundaries) {
+    constexpr bool are_quads = mesh_dimension<Mesh> == 2;
     zone_.name = "zone";
-    zone_.size = {static_cast<std::int64_t>(all.size()), mesh_.num_elems()};
-    zone_.x = coordinates(mesh_, frame, all, x);
-    for (std::size_t region = 0; region < words_.regions.size(); ++region) add_quads(static_cast<int>(region));
-    for (std::size_t line = 0; line < words_.boundaries.size(); ++line)
-      add_bars(static_cast<int>(line), num_boundaries);
+    zone_.size = {static_cast<std::int64_t>(positions.size()), mesh_.num_elems()};
+    zone_.x.resize(space_dim);
+    for (const std::array<double, 3>& x : positions)
+      for (int c = 0; c < space_dim; ++c) zone_.x[c].push_back(x[c]);
+    const std::vector<std::vector<int>> elems = elements_by_region(mesh_, groups_);
+    const std::vector<int> local_nodes = are_quads ? cgns_quad_order(mesh_.order) : cgns_hex_order(mesh_.order);
+    for (std::size_t r = 0; r < elems.size(); ++r) {
+      begin(words_.regions[r], (are_quads ? cgns_quad_types : cgns_hex_types)[mesh_.order]);
+      for (const int elem : elems[r]) add_element(element_nodes(mesh_, elem), local_nodes);
+      end(false);
+    }
+    const std::vector<std::vector<GroupSide>> sides = sides_by_group(mesh_, groups_);
+    const std::vector<int> side_order = are_quads ? cgns_bar_order(mesh_.order) : cgns_quad_order(mesh_.order);
+    for (int b = 0; b < groups_.num_boundaries(); ++b) {
+      begin(words_.boundaries[b], (are_quads ? cgns_bar_types : cgns_quad_types)[mesh_.order]);
+      for (const GroupSide& at : sides[b]) add_element(side_nodes(mesh_, at.elem, at.side).data(), side_order);
+      end(b < num_boundaries);
+    }
     return std::move(zone_);
   }
 
  private:
-  void add_quads(int region) {
-    CgnsSection section = sections_.begin(words_.regions[region], cgns_quad_types[mesh_.order]);
-    const std::vector<int> order = cgns_quad_order(mesh_.order);
-    for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
-      if (lines_.block2region[mesh_.elem_block[elem]] != region) continue;
-      for (const int local : order)
-        section.nodes.push_back(mesh_.elem_nodes[elem * mesh_.nodes_per_elem() + local] + 1);
-      ++section.count;
-    }
-    sections_.add(std::move(section), false, zone_);
+  void begin(const std::string& name, const char* type) { section_ = {name, type, next_, 0, {}}; }
+
+  void add_element(const int* nodes, const std::vector<int>& local_nodes) {
+    for (const int local : local_nodes) section_.nodes.push_back(nodes[local] + 1);
+    ++section_.count;
   }
 
-  void add_bars(int line, int num_boundaries) {
-    CgnsSection section = sections_.begin(words_.boundaries[line], bar_types[mesh_.order]);
-    std::vector<QuadBoundaryEdge> edges = mesh_.boundary_edges;
-    const std::vector<QuadBoundaryEdge> inner = interface_edges_once(mesh_);
-    edges.insert(edges.end(), inner.begin(), inner.end());
-    for (const QuadBoundaryEdge& e : edges) {
-      if (lines_.curve2boundary[e.curve] != line) continue;
-      for (const int k : {0, mesh_.order}) section.nodes.push_back(side_node(mesh_, e.elem, e.side, k) + 1);
-      for (int k = 1; k < mesh_.order; ++k) section.nodes.push_back(side_node(mesh_, e.elem, e.side, k) + 1);
-      ++section.count;
-    }
-    sections_.add(std::move(section), line < num_boundaries, zone_);
+  /// Adds the section to the zone, unless it is empty. `is_boundary`: the zone gets a boundary of its name too.
+  void end(bool is_boundary) {
+    if (section_.count == 0) return;
+    const std::int64_t last = next_ + section_.count - 1;
+    if (is_boundary) zone_.boundaries.push_back({section_.name, section_.name, {next_, last}});
+    next_ = last + 1;
+    zone_.sections.push_back(std::move(section_));
   }
 
-  const QuadMesh& mesh_;
-  const Groups& lines_;
+  const Mesh& mesh_;
+  const Groups& groups_;
   const PlainNames& words_;
   CgnsZone zone_;
-  CgnsSections sections_;
+  CgnsSection section_;
+  std::int64_t next_ = 1;  ///< number of the next element
 };
+
+template <typename Mesh>
+Exported unstructured(const Mesh& mesh, const std::vector<std::array<double, 3>>& positions, int space_dim,
+                      const std::string& loss) {
+  const Groups groups = mesh_groups(mesh), all = lines_as_boundaries(groups);
+  Exported exported;
+  exported.is_binary = true;
+  exported.add_loss(loss);
+  const PlainNames words = family_names(all, exported);
+  exported.bytes = to_bytes({false,
+                             mesh_dimension<Mesh>,
+                             families(all, words, groups.num_boundaries()),
+                             {ZoneMaker(mesh, all, words).zone(positions, space_dim, groups.num_boundaries())}});
+  return exported;
+}
 
 }  // namespace
 
 Exported cgns_unstructured(const QuadMesh& mesh, const Frame& frame) {
-  const Groups groups = mesh_groups(mesh), lines = lines_as_boundaries(groups);
-  Exported exported;
-  exported.is_binary = true;
-  const PlainNames words = family_names(lines, exported);
-  CgnsRequest request{false, 2, families(lines, words, groups.num_boundaries()), {}};
-  request.zones.push_back(UnstructuredZone(mesh, lines, words).zone(frame, groups.num_boundaries()));
-  exported.bytes = to_bytes(request);
-  return exported;
+  return unstructured(mesh, positions(mesh, frame, ElementPoints::equispaced), space_dimension(mesh, frame), "");
+}
+
+Exported cgns_unstructured(const HexMesh& mesh) {
+  return unstructured(mesh, positions(mesh, ElementPoints::equispaced), 3, periodic_loss(mesh));
 }
 
 }  // namespace quadrille::exports

@@ -4,8 +4,6 @@
 #include <cctype>
 #include <utility>
 
-#include "model/quad_mesh.hpp"
-
 namespace quadrille::exports {
 
 namespace {
@@ -48,31 +46,6 @@ std::vector<CgnsFamily> families(const Groups& groups, const PlainNames& words, 
     all.push_back({words.boundaries[b], boundary_type(groups.boundary_names[b])});
   for (const std::string& region : words.regions) all.push_back({region, ""});
   return all;
-}
-
-std::vector<int> cgns_quad_order(int order) {
-  std::vector<int> nodes;
-  for (int side = 0; side < 4; ++side) nodes.push_back(local_side_node(order, side, 0));
-  for (int side = 0; side < 4; ++side)
-    for (int k = 1; k < order; ++k) nodes.push_back(local_side_node(order, side, k));
-  for (int low = 1; 2 * low <= order; ++low) {
-    const int size = order - 2 * low, shift = low * (order + 2);
-    if (size == 0) nodes.push_back(shift);
-    for (int side = 0; side < 4 && size > 0; ++side)
-      for (int k = 0; k < size; ++k) {
-        const int local = local_side_node(size, side, k);
-        nodes.push_back(shift + local / (size + 1) * (order + 1) + local % (size + 1));
-      }
-  }
-  return nodes;
-}
-
-void CgnsSections::add(CgnsSection section, bool is_boundary, CgnsZone& zone) {
-  if (section.count == 0) return;
-  const std::int64_t last = next_ + section.count - 1;
-  if (is_boundary) zone.boundaries.push_back({section.name, section.name, {next_, last}});
-  next_ = last + 1;
-  zone.sections.push_back(std::move(section));
 }
 
 }  // namespace quadrille::exports

@@ -16,10 +16,8 @@ namespace {
 
 class Numbering {
  public:
-  explicit Numbering(const QuadMesh& mesh) : mesh_(mesh), node2vertex_(mesh.nodes.size(), -1) {
-    result_.elem2verts.reserve(4 * mesh.num_elems());
-    result_.elem2edges.reserve(4 * mesh.num_elems());
-  }
+  explicit Numbering(const QuadMesh& mesh)
+      : mesh_(mesh), node2vertex_(mesh.nodes.size(), -1), numbers_(mesh.nodes.size()) {}
 
   EdgeNumbering build() {
     for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
@@ -34,39 +32,24 @@ class Numbering {
     if (node2vertex_[node] < 0) {
       node2vertex_[node] = result_.num_vertices();
       result_.vertices.push_back(node);
-      first_edge_.push_back(-1);
     }
     return node2vertex_[node];
   }
 
-  /// Edges of one lower vertex form a short linked list.
+  /// An edge is known by its ends and the node next to the lower one, the other end for order 1.
   int edge_at(int elem, int side) {
-    const int* corners = &result_.elem2verts[4 * elem];
-    const int from = corners[side], to = corners[(side + 1) % 4];
+    const int from = result_.vertex(elem, side), to = result_.vertex(elem, side + 1);
     const NumberedEdge edge{{std::min(from, to), std::max(from, to)}, elem, side, from > to};
-    const int inner = inner_node(edge);
-    int* link = &first_edge_[edge.vertices[0]];
-    while (*link >= 0) {
-      if (result_.edges[*link].vertices[1] == edge.vertices[1] && inner_[*link] == inner) return *link;
-      link = &next_edge_[*link];
-    }
-    const int number = *link = result_.num_edges();
-    result_.edges.push_back(edge);
-    inner_.push_back(inner);
-    next_edge_.push_back(-1);  // after the last use of `link`, which may point into this list
+    const int inner = side_node(mesh_, elem, side, edge.is_reversed ? mesh_.order - 1 : 1);
+    const int number = numbers_.number({edge.vertices[0], edge.vertices[1], inner});
+    if (number == result_.num_edges()) result_.edges.push_back(edge);
     return number;
-  }
-
-  /// The node next to the lower vertex (the other vertex for order 1).
-  int inner_node(const NumberedEdge& edge) const {
-    return side_node(mesh_, edge.elem, edge.side, edge.is_reversed ? mesh_.order - 1 : 1);
   }
 
   const QuadMesh& mesh_;
   EdgeNumbering result_;
   std::vector<int> node2vertex_;
-  std::vector<int> first_edge_;         ///< by lower vertex: head of its list, -1 none
-  std::vector<int> next_edge_, inner_;  ///< by edge: the next of the list, -1 at its end; node that identifies it
+  KeyNumbers<3> numbers_;
 };
 
 struct Side {
@@ -77,7 +60,7 @@ struct Side {
 class Directions {
  public:
   explicit Directions(const QuadMesh& mesh)
-      : numbering_(number_edges(mesh)),
+      : numbering_(number_parts(mesh)),
         edge_sides_(numbering_.num_edges()),
         is_turned_(numbering_.num_edges()),
         is_known_(numbering_.num_edges()) {
@@ -103,7 +86,7 @@ class Directions {
   /// Whether the edge runs counter-clockwise around the element.
   bool is_counter_clockwise(Side at) const {
     const NumberedEdge& edge = numbering_.edges[edge_at(at)];
-    const bool is_first = edge.elem == at.elem && edge.side == at.side;
+    const bool is_first = edge.elem == at.elem && edge.edge == at.side;
     return is_turned_[edge_at(at)] != (is_first != edge.is_reversed);
   }
 
@@ -147,15 +130,15 @@ std::vector<int> nodes_from_corner(const QuadMesh& mesh, int elem, int corner) {
 
 }  // namespace
 
-EdgeNumbering number_edges(const QuadMesh& mesh) { return Numbering(mesh).build(); }
+EdgeNumbering number_parts(const QuadMesh& mesh) { return Numbering(mesh).build(); }
 
 std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge) {
-  std::vector<int> nodes = side_nodes(mesh, edge.elem, edge.side);
+  std::vector<int> nodes = side_nodes(mesh, edge.elem, edge.edge);
   if (edge.is_reversed) std::reverse(nodes.begin(), nodes.end());
   return nodes;
 }
 
-void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader) {
+void require_known_by_vertices(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader) {
   std::vector<std::array<int, 2>> ends;
   for (const NumberedEdge& e : numbering.edges) ends.push_back(e.vertices);
   std::sort(ends.begin(), ends.end());
@@ -184,10 +167,10 @@ QuadMesh turned_along_chords(const QuadMesh& mesh) {
   return turned;
 }
 
-EdgeNumbering number_directed_edges(const QuadMesh& turned) {
-  EdgeNumbering numbering = number_edges(turned);
+EdgeNumbering number_directed_parts(const QuadMesh& turned) {
+  EdgeNumbering numbering = number_parts(turned);
   for (NumberedEdge& edge : numbering.edges) {
-    const bool runs_clockwise = edge.side >= 2;
+    const bool runs_clockwise = edge.edge >= 2;
     if (edge.is_reversed != runs_clockwise) std::swap(edge.vertices[0], edge.vertices[1]);
     edge.is_reversed = runs_clockwise;
   }

@@ -21,38 +21,67 @@ namespace quadrille::exports {
 
 struct NumberedEdge {
   std::array<int, 2> vertices{};  ///< the lower number first: the edge's own direction
-  int elem = 0, side = 0;         ///< the first element that has this edge, and its side
-  bool is_reversed = false;       ///< that element's counter-clockwise direction is the opposite one
+  int elem = 0, edge = 0;         ///< the first element that has this edge, and its number there: of a quad the side
+  bool is_reversed =
+      false;  ///< the direction there, counter-clockwise or that of hex_edge_corners, is the opposite one
 };
 
 struct EdgeNumbering {
   std::vector<int> vertices;    ///< vertex -> mesh node
-  std::vector<int> elem2verts;  ///< 4 per element, corners counter-clockwise
-  std::vector<int> elem2edges;  ///< 4 per element, by side
+  std::vector<int> elem2verts;  ///< 4 per element, corners counter-clockwise; 8 of a hexahedron
+  std::vector<int> elem2edges;  ///< 4 per element, by side; 12 of a hexahedron
   std::vector<NumberedEdge> edges;
 
   int num_vertices() const { return static_cast<int>(vertices.size()); }
   int num_edges() const { return static_cast<int>(edges.size()); }
+  /// Corners are counted modulo 4.
+  int vertex(int elem, int corner) const { return elem2verts[4 * elem + corner % 4]; }
 };
 
-EdgeNumbering number_edges(const QuadMesh& mesh);
+/// Numbers keys in the order of their first use. Keys of one first entry form a short linked list.
+template <std::size_t size>
+class KeyNumbers {
+ public:
+  using Key = std::array<int, size>;
+
+  /// First entries are below `num_firsts`.
+  explicit KeyNumbers(std::size_t num_firsts) : first_(num_firsts, -1) {}
+
+  int number(const Key& key) {
+    int* link = &first_[key[0]];
+    while (*link >= 0) {
+      if (keys_[*link] == key) return *link;
+      link = &next_[*link];
+    }
+    const int number = *link = static_cast<int>(keys_.size());
+    keys_.push_back(key);
+    next_.push_back(-1);  // after the last use of `link`, which may point into this list
+    return number;
+  }
+
+ private:
+  std::vector<int> first_, next_;
+  std::vector<Key> keys_;
+};
+
+EdgeNumbering number_parts(const QuadMesh& mesh);
 
 /// Mesh nodes of an edge in its own direction, both ends included.
 std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
 
 /// Throws ComputeError with the position if two edges join the same two vertices, which `reader` could not distinguish.
-void require_edges_known_by_ends(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader);
+void require_known_by_vertices(const QuadMesh& mesh, const EdgeNumbering& numbering, const char* reader);
 
 /// For each element the corner where the directions of its sides begin. The edge of least number on a chord determines
-/// the direction of all (from its vertex of lower number, as number_edges has it). Linear cost.
+/// the direction of all (from its vertex of lower number, as number_parts has it). Linear cost.
 std::vector<int> chord_corners(const QuadMesh& mesh);
 
 /// The same elements, each with its nodes in the order that starts at its chord_corners: sides 0 and 2 run along xi1,
 /// sides 1 and 3 along xi2.
 QuadMesh turned_along_chords(const QuadMesh& mesh);
 
-/// number_edges of a mesh that is turned along its chords, with edges in the directions of their chords, which need not
+/// number_parts of a mesh that is turned along its chords, with edges in the directions of their chords, which need not
 /// begin at the vertex of lower number.
-EdgeNumbering number_directed_edges(const QuadMesh& turned);
+EdgeNumbering number_directed_parts(const QuadMesh& turned);
 
 }  // namespace quadrille::exports

@@ -2,11 +2,12 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <utility>
 
-#include "export/exodus_model.hpp"
-#include "export/groups.hpp"
-#include "export/hex_numbering.hpp"
+#include "export/cells.hpp"
 #include "export/hex_periodic.hpp"
+#include "export/netcdf_request.hpp"
+#include "export/renode.hpp"
 #include "export/serendipity.hpp"
 #include "export/split_elements.hpp"
 #include "export/writers.hpp"
@@ -14,125 +15,230 @@
 namespace quadrille::exports {
 namespace {
 
+/// Names in the file have at most this many characters.
+constexpr std::size_t longest_exodus_name = 32;
+
+/// Elements of one type; nodes count from 1.
+struct ExodusBlock {
+  std::string name, type;
+  int nodes_per_elem = 0;
+  std::vector<std::int32_t> nodes;
+};
+
+/// Sides of elements, which count block by block from 1, as sides do.
+struct ExodusSideSet {
+  std::string name;
+  std::vector<std::int32_t> elems, sides;
+};
+
+struct ExodusModel {
+  std::string title;
+  std::vector<std::vector<double>> x;  ///< by coordinate: two or three
+  std::vector<ExodusBlock> blocks;     ///< none of them empty
+  std::vector<ExodusSideSet> side_sets;
+};
+
+constexpr float exodus_version = 8.03F;
+
+/// Names as rows of 33 characters, filled with zeros.
+std::string name_rows(const std::vector<std::string>& names) {
+  std::string rows;
+  for (const std::string& name : names) rows += name + std::string(longest_exodus_name + 1 - name.size(), '\0');
+  return rows;
+}
+
+std::vector<std::int32_t> counted_up(std::size_t count) {
+  std::vector<std::int32_t> numbers(count);
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = static_cast<std::int32_t>(k) + 1;
+  return numbers;
+}
+
+template <typename Part>
+std::vector<std::string> names_of(const std::vector<Part>& parts) {
+  std::vector<std::string> names;
+  for (const Part& part : parts) names.push_back(part.name);
+  return names;
+}
+
+class ExodusFile {
+ public:
+  NetcdfRequest request(ExodusModel&& model) {
+    write_globals(model);
+    write_coordinates(model);
+    write_blocks(model.blocks);
+    if (!model.side_sets.empty()) write_side_sets(model.side_sets);
+    return std::move(file_);
+  }
+
+ private:
+  void write_globals(const ExodusModel& model) {
+    file_.attributes = {{"api_version", std::vector<float>{exodus_version}},
+                        {"version", std::vector<float>{exodus_version}},
+                        {"floating_point_word_size", std::vector<std::int32_t>{8}},
+                        {"file_size", std::vector<std::int32_t>{1}},
+                        {"maximum_name_length", std::vector<std::int32_t>{longest_exodus_name}},
+                        {"int64_status", std::vector<std::int32_t>{0}},
+                        {"title", model.title}};
+    name_length_ = file_.add_dimension("len_name", longest_exodus_name + 1);
+    const int time = file_.add_dimension("time_step", 0);
+    add("time_whole", {time}, std::vector<double>{});
+  }
+
+  void write_coordinates(ExodusModel& model) {
+    const int space = file_.add_dimension("num_dim", model.x.size());
+    const int nodes = file_.add_dimension("num_nodes", model.x[0].size());
+    std::size_t num_elems = 0;
+    for (const ExodusBlock& block : model.blocks) num_elems += block.nodes.size() / block.nodes_per_elem;
+    file_.add_dimension("num_elem", num_elems);
+    std::vector<std::string> names;
+    for (std::size_t c = 0; c < model.x.size(); ++c) {
+      names.emplace_back(1, static_cast<char>('x' + c));
+      add("coord" + names.back(), {nodes}, std::move(model.x[c]));
+    }
+    add("coor_names", {space, name_length_}, name_rows(names));
+  }
+
+  void write_blocks(std::vector<ExodusBlock>& blocks) {
+    const int count = file_.add_dimension("num_el_blk", blocks.size());
+    add("eb_status", {count}, std::vector<std::int32_t>(blocks.size(), 1));
+    add("eb_prop1", {count}, counted_up(blocks.size()), {{"name", std::string("ID")}});
+    add("eb_names", {count, name_length_}, name_rows(names_of(blocks)));
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const std::string number = std::to_string(b + 1);
+      const int elems =
+          file_.add_dimension("num_el_in_blk" + number, blocks[b].nodes.size() / blocks[b].nodes_per_elem);
+      const int size = file_.add_dimension("num_nod_per_el" + number, blocks[b].nodes_per_elem);
+      add("connect" + number, {elems, size}, std::move(blocks[b].nodes), {{"elem_type", blocks[b].type}});
+    }
+  }
+
+  /// An empty set has a name, and no more.
+  void write_side_sets(std::vector<ExodusSideSet>& sets) {
+    const int count = file_.add_dimension("num_side_sets", sets.size());
+    add("ss_prop1", {count}, counted_up(sets.size()), {{"name", std::string("ID")}});
+    add("ss_names", {count, name_length_}, name_rows(names_of(sets)));
+    std::vector<std::int32_t> status;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      status.push_back(sets[s].elems.empty() ? 0 : 1);
+      if (sets[s].elems.empty()) continue;
+      const std::string number = std::to_string(s + 1);
+      const int size = file_.add_dimension("num_side_ss" + number, sets[s].elems.size());
+      add("elem_ss" + number, {size}, std::move(sets[s].elems));
+      add("side_ss" + number, {size}, std::move(sets[s].sides));
+    }
+    add("ss_status", {count}, std::move(status));
+  }
+
+  void add(std::string name, std::vector<std::int32_t> dimensions, NetcdfValues values,
+           std::vector<NetcdfAttribute> attributes = {}) {
+    file_.variables.push_back({std::move(name), std::move(dimensions), std::move(values), std::move(attributes)});
+  }
+
+  NetcdfRequest file_;
+  int name_length_ = 0;
+};
+
 /// Elements of order 2 with all nodes, or with those on edges alone.
 enum class ExodusNodes { all, on_edges };
 
-/// By mesh node, from 1; 0: it is not written.
+/// The places of the nodes of elements of order 2 in a grid of 3 x 3: corners, middles of the sides after them, the
+/// middle; or of 3 x 3 x 3: corners, middles of the edges below, upright and above, the middle of the element, middles
+/// of the faces: below, above, then low and high first and second coordinate.
+std::vector<int> exodus_places(const QuadMesh&) { return {0, 2, 8, 6, 1, 5, 7, 3, 4}; }
+std::vector<int> exodus_places(const HexMesh&) {
+  return {0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 9, 11, 17, 15, 19, 23, 25, 21, 13, 4, 22, 12, 14, 10, 16};
+}
+
 template <typename Mesh>
-std::vector<int> node_numbers(const Mesh& mesh, ExodusNodes nodes) {
-  if (nodes == ExodusNodes::on_edges) return serendipity_numbers(mesh);
-  std::vector<int> numbers(mesh.nodes.size());
-  std::iota(numbers.begin(), numbers.end(), 1);
-  return numbers;
-}
-
-/// Elements by region, numbered block by block from 1: `block_of` and `nodes_of` of an element, whose type is `shape`
-/// and the number of its nodes.
-template <typename BlockOf, typename NodesOf>
-std::vector<std::int32_t> add_blocks(const NameList& names, const char* shape, int num_elems, const BlockOf& block_of,
-                                     const NodesOf& nodes_of, const std::vector<int>& node2number, ExodusModel& model) {
-  std::vector<std::int32_t> numbers(num_elems);
-  std::int32_t next = 0;
-  for (std::size_t b = 0; b < names.size(); ++b) {
-    ExodusBlock block{names[b], {}, 0, {}};
-    for (int elem = 0; elem < num_elems; ++elem) {
-      if (block_of(elem) != static_cast<int>(b)) continue;
-      block.nodes_per_elem = 0;
-      for (const int node : nodes_of(elem))
-        if (node2number[node] > 0) block.nodes.push_back(node2number[node]), ++block.nodes_per_elem;
-      numbers[elem] = ++next;
+class ExodusParts {
+ public:
+  /// `groups` with interfaces as boundaries.
+  ExodusParts(const Mesh& mesh, const Groups& groups, ExodusNodes nodes) : mesh_(mesh), groups_(groups) {
+    if (nodes == ExodusNodes::on_edges) {
+      node2number_ = serendipity_numbers(mesh);
+    } else {
+      node2number_.resize(mesh.nodes.size());
+      std::iota(node2number_.begin(), node2number_.end(), 1);
     }
-    block.type = shape + std::to_string(block.nodes_per_elem);
-    if (!block.nodes.empty()) model.blocks.push_back(std::move(block));
   }
-  return numbers;
+
+  ExodusModel model(const std::vector<std::array<double, 3>>& positions, const PlainNames& words) {
+    model_.title =
+        (mesh_dimension<Mesh> == 2 ? "quadrilaterals of order " : "hexahedra of order ") + std::to_string(mesh_.order);
+    model_.x.resize(mesh_dimension<Mesh>);
+    for (std::size_t node = 0; node < positions.size(); ++node)
+      for (std::size_t c = 0; c < model_.x.size() && node2number_[node] > 0; ++c)
+        model_.x[c].push_back(positions[node][c]);
+    add_blocks(words.regions);
+    for (const std::string& name : words.boundaries) model_.side_sets.push_back({name, {}, {}});
+    for (const GroupSide& at : group_sides(mesh_, groups_)) {
+      ExodusSideSet& set = model_.side_sets[at.group];
+      set.elems.push_back(elem2number_[at.elem]), set.sides.push_back(at.side + 1);
+    }
+    return std::move(model_);
+  }
+
+ private:
+  /// Elements by region, numbered block by block from 1.
+  void add_blocks(const NameList& names) {
+    elem2number_.resize(mesh_.num_elems());
+    std::int32_t next = 0;
+    const std::vector<std::vector<int>> elems = elements_by_region(mesh_, groups_);
+    for (std::size_t b = 0; b < names.size(); ++b) {
+      if (elems[b].empty()) continue;
+      ExodusBlock block{names[b], mesh_dimension<Mesh> == 2 ? "QUAD" : "HEX", 0, {}};
+      for (const int elem : elems[b]) {
+        add_nodes(elem, block);
+        elem2number_[elem] = ++next;
+      }
+      block.nodes_per_elem = static_cast<int>(block.nodes.size() / elems[b].size());
+      block.type += std::to_string(block.nodes_per_elem);
+      model_.blocks.push_back(std::move(block));
+    }
+  }
+
+  void add_nodes(int elem, ExodusBlock& block) const {
+    const auto add = [&](int node) {
+      if (node2number_[node] > 0) block.nodes.push_back(node2number_[node]);
+    };
+    if (mesh_.order == 1)
+      for (int corner = 0; corner < mesh_.nodes_per_elem(); ++corner) add(corner_node(mesh_, elem, corner));
+    else
+      for (const int local : exodus_places(mesh_)) add(element_nodes(mesh_, elem)[local]);
+  }
+
+  const Mesh& mesh_;
+  const Groups& groups_;
+  std::vector<int> node2number_;           ///< by mesh node, from 1; 0: it is not written
+  std::vector<std::int32_t> elem2number_;  ///< by element
+  ExodusModel model_;
+};
+
+template <typename Mesh>
+void write_exodus(const Mesh& mesh, const std::vector<std::array<double, 3>>& positions, ExodusNodes nodes,
+                  Exported& exported) {
+  exported.is_binary = true;
+  if (nodes == ExodusNodes::on_edges) exported.add_loss(serendipity_loss(mesh, "Exodus"));
+  if constexpr (mesh_dimension<Mesh> == 3) exported.add_loss(periodic_loss(mesh));
+  const Groups groups = lines_as_boundaries(mesh_groups(mesh));
+  const PlainNames words = add_plain_names(groups, true, {{}, longest_exodus_name, false}, exported);
+  ExodusModel model = ExodusParts(mesh, groups, nodes).model(positions, words);
+  exported.bytes = to_bytes(ExodusFile().request(std::move(model)));
 }
-
-/// Corners, middles of the sides after them, middle of the element.
-std::vector<int> exodus_quad(const QuadMesh& mesh, int elem) {
-  std::vector<int> nodes;
-  for (int k = 0; k < mesh.order; ++k)
-    for (int side = 0; side < 4; ++side) nodes.push_back(side_node(mesh, elem, side, k));
-  if (mesh.order == 2) nodes.push_back(mesh.elem_nodes[elem * 9 + 4]);
-  return nodes;
-}
-
-/// The places of the nodes in a grid of 3 x 3 x 3: corners, middles of the edges below, upright and above, the middle
-/// of the element, middles of the faces: below, above, then low and high first and second coordinate.
-constexpr std::array<int, 27> hex27_order{0,  2,  8,  6,  18, 20, 26, 24, 1,  5,  7,  3,  9, 11,
-                                          17, 15, 19, 23, 25, 21, 13, 4,  22, 12, 14, 10, 16};
-
-std::vector<int> exodus_hex(const HexMesh& mesh, int elem) {
-  const int* own = &mesh.elem_nodes[elem * mesh.nodes_per_elem()];
-  std::vector<int> nodes;
-  if (mesh.order == 1)
-    for (int corner = 0; corner < 8; ++corner) nodes.push_back(own[hex_corner_node(1, corner)]);
-  else
-    for (const int local : hex27_order) nodes.push_back(own[local]);
-  return nodes;
-}
-
-std::vector<ExodusSideSet> named_sets(const NameList& names) {
-  std::vector<ExodusSideSet> sets;
-  for (const std::string& name : names) sets.push_back({name, {}, {}});
-  return sets;
-}
-
-const WordRules exodus_names{{}, longest_exodus_name, false};
 
 Exported exodus_of(const QuadMesh& mesh, const Frame& frame, ExodusNodes nodes) {
   const QuadMesh quads = split_to_quadratic(mesh);
   require_valid_pieces(quads, "Elements of Exodus");
-  const Groups lines = lines_as_boundaries(mesh_groups(mesh));
   Exported exported;
-  exported.is_binary = true;
   exported.add_loss(split_loss(mesh, quads));
-  if (nodes == ExodusNodes::on_edges) exported.add_loss(serendipity_loss(quads, "Exodus"));
-  const PlainNames words = add_plain_names(lines, true, exodus_names, exported);
-  ExodusModel model{"quadrilaterals of order " + std::to_string(quads.order), {{}, {}}, {}, {}};
-  const std::vector<int> node2number = node_numbers(quads, nodes);
-  for (std::size_t node = 0; node < quads.nodes.size(); ++node)
-    for (int c = 0; c < 2 && node2number[node] > 0; ++c) model.x[c].push_back(frame.at(quads.nodes[node])[c]);
-  const std::vector<std::int32_t> numbers = add_blocks(
-      words.regions, "QUAD", quads.num_elems(), [&](int elem) { return lines.block2region[quads.elem_block[elem]]; },
-      [&](int elem) { return exodus_quad(quads, elem); }, node2number, model);
-  model.side_sets = named_sets(words.boundaries);
-  const std::vector<QuadBoundaryEdge> inner = interface_edges_once(quads);
-  for (const auto* edges : {&quads.boundary_edges, &inner})
-    for (const QuadBoundaryEdge& e : *edges) {
-      ExodusSideSet& set = model.side_sets[lines.curve2boundary[e.curve]];
-      set.elems.push_back(numbers[e.elem]), set.sides.push_back(e.side + 1);
-    }
-  exported.bytes = to_bytes(exodus_request(std::move(model)));
+  write_exodus(quads, positions(quads, frame, ElementPoints::nodes), nodes, exported);
   return exported;
 }
 
 /// Faces have the numbers of HexMesh: the sides of the quad, bottom, top.
 Exported exodus_of(const HexMesh& mesh, ExodusNodes nodes) {
-  const HexNumbering numbering = number_hexes(mesh);
-  const Groups faces = lines_as_boundaries(mesh_groups(mesh));
   Exported exported;
-  exported.is_binary = true;
-  if (nodes == ExodusNodes::on_edges) exported.add_loss(serendipity_loss(mesh, "Exodus"));
-  exported.add_loss(periodic_loss(mesh));
-  const PlainNames words = add_plain_names(faces, true, exodus_names, exported);
-  ExodusModel model{"hexahedra of order " + std::to_string(mesh.order), {{}, {}, {}}, {}, {}};
-  const std::vector<int> node2number = node_numbers(mesh, nodes);
-  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-    const Vec3 x = mesh.nodes[node];
-    if (node2number[node] > 0) model.x[0].push_back(x.x), model.x[1].push_back(x.y), model.x[2].push_back(x.z);
-  }
-  const std::vector<std::int32_t> numbers = add_blocks(
-      words.regions, "HEX", mesh.num_elems(),
-      [&](int elem) { return faces.block2region[mesh.quad_block[elem % mesh.num_quads]]; },
-      [&](int elem) { return exodus_hex(mesh, elem); }, node2number, model);
-  model.side_sets = named_sets(words.boundaries);
-  for (std::size_t g = 0; g < mesh.face_groups.size(); ++g)
-    for (const GroupFace at : faces_once(mesh.face_groups[g], numbering)) {
-      ExodusSideSet& set = model.side_sets[faces.curve2boundary[g]];
-      set.elems.push_back(numbers[at.elem]), set.sides.push_back(at.face + 1);
-    }
-  exported.bytes = to_bytes(exodus_request(std::move(model)));
+  write_exodus(mesh, positions(mesh, ElementPoints::nodes), nodes, exported);
   return exported;
 }
 

@@ -64,7 +64,7 @@ class GmshHexWriter : TextWriter {
  public:
   GmshHexWriter(const HexMesh& mesh, bool is_41)
       : mesh_(mesh), is_41_(is_41), node_order_(HexOrder(mesh.order).take()) {
-    const HexNumbering numbering = number_hexes(mesh);
+    const HexNumbering numbering = number_parts(mesh);
     for (const HexFaceGroup& group : mesh.face_groups) faces_.push_back(faces_once(group, numbering));
     model_.groups = mesh_groups(mesh);
     model_.positions = positions(mesh, ElementPoints::equispaced);

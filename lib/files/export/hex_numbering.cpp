@@ -7,38 +7,11 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
-#include "export/edge_numbering.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
 
 namespace {
-
-/// Numbers keys in the order of their first use. Keys of one first entry form a short linked list.
-template <std::size_t size>
-class KeyNumbers {
- public:
-  using Key = std::array<int, size>;
-
-  /// First entries are below `num_firsts`.
-  explicit KeyNumbers(std::size_t num_firsts) : first_(num_firsts, -1) {}
-
-  int number(const Key& key) {
-    int* link = &first_[key[0]];
-    while (*link >= 0) {
-      if (keys_[*link] == key) return *link;
-      link = &next_[*link];
-    }
-    const int number = *link = static_cast<int>(keys_.size());
-    keys_.push_back(key);
-    next_.push_back(-1);  // after the last use of `link`, which may point into this list
-    return number;
-  }
-
- private:
-  std::vector<int> first_, next_;
-  std::vector<Key> keys_;
-};
 
 /// Where the nodes of an edge stand among those of its element.
 std::vector<int> hex_edge_nodes(int order, int edge) {
@@ -161,13 +134,13 @@ QuadMesh bottom_quads(const HexMesh& mesh) {
 
 }  // namespace
 
-HexNumbering number_hexes(const HexMesh& mesh) { return HexNumbers(mesh).build(); }
+HexNumbering number_parts(const HexMesh& mesh) { return HexNumbers(mesh).build(); }
 
 std::vector<int> edge_nodes(const HexMesh& mesh, int elem, int edge) {
   return nodes_at(mesh, elem, hex_edge_nodes(mesh.order, edge));
 }
 
-std::vector<int> edge_nodes(const HexMesh& mesh, const NumberedHexEdge& edge) {
+std::vector<int> edge_nodes(const HexMesh& mesh, const NumberedEdge& edge) {
   std::vector<int> nodes = edge_nodes(mesh, edge.elem, edge.edge);
   if (edge.is_reversed) std::reverse(nodes.begin(), nodes.end());
   return nodes;
@@ -211,9 +184,9 @@ HexMesh turned_along_chords(const HexMesh& mesh) {
   return turned;
 }
 
-HexNumbering number_directed_hexes(const HexMesh& turned) {
-  HexNumbering numbering = number_hexes(turned);
-  for (NumberedHexEdge& edge : numbering.edges) {
+HexNumbering number_directed_parts(const HexMesh& turned) {
+  HexNumbering numbering = number_parts(turned);
+  for (NumberedEdge& edge : numbering.edges) {
     if (edge.is_reversed) std::swap(edge.vertices[0], edge.vertices[1]);
     edge.is_reversed = false;
   }
@@ -222,7 +195,7 @@ HexNumbering number_directed_hexes(const HexMesh& turned) {
 
 void require_known_by_vertices(const HexMesh& mesh, const HexNumbering& numbering, const char* reader) {
   std::vector<std::array<int, 3>> edges;
-  for (const NumberedHexEdge& e : numbering.edges)
+  for (const NumberedEdge& e : numbering.edges)
     edges.push_back({e.vertices[0], e.vertices[1], numbering.vertices[e.vertices[0]]});
   require_distinct(mesh, edges, "edges", reader);
   std::vector<std::array<int, 5>> faces;

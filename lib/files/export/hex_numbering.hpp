@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include "export/edge_numbering.hpp"
 #include "model/hex_mesh.hpp"
 
 namespace quadrille::exports {
@@ -40,38 +41,26 @@ constexpr int hex_corner_node(int order, int corner) {
   return order * ((k * (order + 1) + j) * (order + 1) + i);
 }
 
-struct NumberedHexEdge {
-  std::array<int, 2> vertices{};  ///< the lower number first: the edge's own direction
-  int elem = 0, edge = 0;         ///< the first element that has this edge, and its number there
-  bool is_reversed = false;       ///< the direction of hex_edge_corners is the opposite one there
-};
-
 struct NumberedHexFace {
   int elem = 0, face = 0;                ///< the element of lower number
   int other_elem = -1, other_face = -1;  ///< -1 on the boundary
 };
 
-struct HexNumbering {
-  std::vector<int> vertices;    ///< vertex -> mesh node
-  std::vector<int> elem2verts;  ///< 8 per element
-  std::vector<int> elem2edges;  ///< 12 per element
+struct HexNumbering : EdgeNumbering {
   std::vector<int> elem2faces;  ///< 6 per element, by the face's number in HexMesh
-  std::vector<NumberedHexEdge> edges;
   std::vector<NumberedHexFace> faces;
 
-  int num_vertices() const { return static_cast<int>(vertices.size()); }
-  int num_edges() const { return static_cast<int>(edges.size()); }
   int num_faces() const { return static_cast<int>(faces.size()); }
   int vertex(int elem, int corner) const { return elem2verts[8 * elem + corner]; }
   int face(int elem, int face) const { return elem2faces[6 * elem + face]; }
 };
 
-HexNumbering number_hexes(const HexMesh& mesh);
+HexNumbering number_parts(const HexMesh& mesh);
 
 /// Mesh nodes of an edge of an element in the direction of hex_edge_corners, or of an edge in its own direction, both
 /// ends included.
 std::vector<int> edge_nodes(const HexMesh& mesh, int elem, int edge);
-std::vector<int> edge_nodes(const HexMesh& mesh, const NumberedHexEdge& edge);
+std::vector<int> edge_nodes(const HexMesh& mesh, const NumberedEdge& edge);
 
 /// Where the nodes of a face stand among those of its element, from its first corner to the second first, then towards
 /// the fourth.
@@ -85,9 +74,9 @@ std::vector<int> face_nodes(const HexMesh& mesh, int elem, const std::array<int,
 /// as turned_along_chords makes them in each layer.
 HexMesh turned_along_chords(const HexMesh& mesh);
 
-/// number_hexes of a mesh that is turned along its chords, with edges in the direction of hex_edge_corners, which need
+/// number_parts of a mesh that is turned along its chords, with edges in the direction of hex_edge_corners, which need
 /// not begin at the vertex of lower number.
-HexNumbering number_directed_hexes(const HexMesh& turned);
+HexNumbering number_directed_parts(const HexMesh& turned);
 
 /// Throws ComputeError with the position if two edges, or two faces, join the same vertices, which `reader` could not
 /// distinguish.

@@ -28,7 +28,7 @@ void number_corners(const EdgeNumbering& numbering, HohqmeshModel& model) {
 }
 
 void find_edges(const EdgeNumbering& numbering, HohqmeshModel& model) {
-  for (const NumberedEdge& e : numbering.edges) model.edges.push_back({e.elem, e.side});
+  for (const NumberedEdge& e : numbering.edges) model.edges.push_back({e.elem, e.edge});
   for (std::size_t k = 0; k < numbering.elem2edges.size(); ++k) {
     HohqmeshEdge& edge = model.edges[numbering.elem2edges[k]];
     const int elem = static_cast<int>(k / 4), side = static_cast<int>(k % 4);
@@ -74,7 +74,7 @@ void report_losses(const QuadMesh& mesh, const Groups& groups, Materials materia
 HohqmeshModel hohqmesh_model(const QuadMesh& mesh, const Frame& frame, Materials materials) {
   HohqmeshModel model;
   const Groups groups = mesh_groups(mesh);
-  const EdgeNumbering numbering = number_edges(mesh);
+  const EdgeNumbering numbering = number_parts(mesh);
   number_corners(numbering, model);
   find_edges(numbering, model);
   mark_curved_sides(mesh, model);
@@ -244,8 +244,8 @@ Exported hohqmesh_ism_mm(const QuadMesh& mesh, const Frame& frame) {
 }
 
 Exported abaqus_inp(const QuadMesh& mesh, const Frame& frame) {
-  const EdgeNumbering numbering = number_edges(mesh);
-  require_edges_known_by_ends(mesh, numbering, "p4est");
+  const EdgeNumbering numbering = number_parts(mesh);
+  require_known_by_vertices(mesh, numbering, "p4est");
   HohqmeshModel model = hohqmesh_model(mesh, frame, Materials::lost);
   const PeriodicVertices periodic = periodic_vertices(mesh, numbering, Motions::translations, "p4est");
   if (periodic.are_identified()) {

@@ -120,7 +120,7 @@ void report_periodic(const HexMesh& mesh, const PeriodicVertices& periodic, Expo
 
 Exported abaqus_inp(const HexMesh& mesh) {
   const Groups groups = mesh_groups(mesh);
-  const HexNumbering numbering = number_hexes(mesh);
+  const HexNumbering numbering = number_parts(mesh);
   require_known_by_vertices(mesh, numbering, "p4est");
   const PeriodicVertices periodic = periodic_vertices(mesh, numbering, Motions::translations, "p4est");
   Exported exported;

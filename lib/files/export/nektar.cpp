@@ -50,7 +50,7 @@ CurvedParts curved_parts(const QuadMesh& mesh, const EdgeNumbering& numbering) {
 class NektarWriter : NektarText {
  public:
   NektarWriter(const QuadMesh& mesh, const Frame& frame)
-      : mesh_(mesh), frame_(frame), edges_(number_directed_edges(mesh)), groups_(mesh_groups(mesh)) {}
+      : mesh_(mesh), frame_(frame), edges_(number_directed_parts(mesh)), groups_(mesh_groups(mesh)) {}
 
   std::string text() {
     begin(2, space_dimension(mesh_, frame_));

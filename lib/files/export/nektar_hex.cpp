@@ -21,7 +21,7 @@ int edge_between(int from, int to) {
 class NektarHexWriter : NektarText {
  public:
   explicit NektarHexWriter(const HexMesh& mesh)
-      : mesh_(mesh), numbering_(number_directed_hexes(mesh)), groups_(mesh_groups(mesh)) {}
+      : mesh_(mesh), numbering_(number_directed_parts(mesh)), groups_(mesh_groups(mesh)) {}
 
   std::string text() {
     begin(3, 3);

@@ -30,7 +30,7 @@ HexFaceGroup named_group(const std::string& name) {
 }
 
 void add_cells(const QuadMesh& mesh, const Frame& frame, HexMesh& plate) {
-  const EdgeNumbering numbering = number_edges(mesh);
+  const EdgeNumbering numbering = number_parts(mesh);
   const int above = numbering.num_vertices();
   for (const double z : {0.0, thickness * mesh.face.diameter})
     for (const int node : numbering.vertices) {

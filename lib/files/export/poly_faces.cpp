@@ -59,7 +59,7 @@ class FaceSorter {
  public:
   FaceSorter(const HexMesh& mesh, const std::vector<PatchType>& types) : mesh_(mesh), types_(types) {
     result_.groups = mesh_groups(mesh);
-    result_.numbering = number_hexes(mesh);
+    result_.numbering = number_parts(mesh);
     result_.inner = inner_faces(result_.numbering);
     make_patches();
     couple_patches();

@@ -54,7 +54,7 @@ class PolyMeshWriter {
   void report_losses(Exported& exported) const {
     require_convex_corners(mesh_);
     double moved = 0;
-    for (const NumberedHexEdge& edge : faces_.numbering.edges)
+    for (const NumberedEdge& edge : faces_.numbering.edges)
       moved = std::max(moved, blend_distance(mesh_, edge_nodes(mesh_, edge)));
     if (moved > 1e-12 * mesh_.diameter)
       exported.add_loss(

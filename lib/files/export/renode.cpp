@@ -95,7 +95,9 @@ Eigen::MatrixXd from_gll(int order, ElementPoints points) {
 }
 
 /// Nodes of order 2 and below are equispaced.
-bool are_nodes(int order, ElementPoints points) { return points == ElementPoints::equispaced && order <= 2; }
+bool are_nodes(int order, ElementPoints points) {
+  return points == ElementPoints::nodes || (points == ElementPoints::equispaced && order <= 2);
+}
 
 template <typename Point>
 std::vector<Point> points_of(const QuadMesh& mesh, const std::vector<Point>& nodes, ElementPoints points) {

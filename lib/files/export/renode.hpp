@@ -32,11 +32,11 @@ std::vector<Vec2> bezier_points(const QuadMesh& mesh);
 /// equispaced point (i, j). Vertices keep their position bit for bit; an edge's nodes are evaluated once and shared.
 std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh);
 
-/// By which points a format defines an element.
-enum class ElementPoints { equispaced, bezier };
+/// By which points a format defines an element: those of the mesh, or others.
+enum class ElementPoints { nodes, equispaced, bezier };
 
-/// One position in space for each of mesh.nodes: bezier_points or equispaced_nodes, of a planar face in the frame, of a
-/// curved one those of the elements in space.
+/// One position in space for each of mesh.nodes: itself, bezier_points or equispaced_nodes, of a planar face in the
+/// frame, of a curved one those of the elements in space.
 std::vector<std::array<double, 3>> positions(const QuadMesh& mesh, const Frame& frame, ElementPoints points);
 
 /// Of hexahedra: nodes of edges and faces are evaluated once and shared, vertices keep their position bit for bit.

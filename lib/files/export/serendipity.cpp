@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "export/cells.hpp"
 #include "export/hex_blend.hpp"
 #include "export/renode.hpp"
 
@@ -9,22 +10,13 @@ namespace quadrille::exports {
 
 namespace {
 
-/// Nodes on edges have one coordinate at most that is inside.
-bool is_on_edge(int order, int dimension, int local) {
-  int inside = 0;
-  for (int c = 0; c < dimension; ++c, local /= order + 1) {
-    const int index = local % (order + 1);
-    inside += index > 0 && index < order ? 1 : 0;
-  }
-  return inside <= 1;
-}
-
 template <typename Mesh>
-std::vector<int> numbers_on_edges(const Mesh& mesh, int dimension) {
+std::vector<int> numbers_on_edges(const Mesh& mesh) {
   std::vector<int> numbers(mesh.nodes.size(), 0);
   const std::size_t size = mesh.nodes_per_elem();
   for (std::size_t k = 0; k < mesh.elem_nodes.size(); ++k)
-    if (is_on_edge(mesh.order, dimension, static_cast<int>(k % size))) numbers[mesh.elem_nodes[k]] = 1;
+    if (inner_coordinates(mesh.order, mesh_dimension<Mesh>, static_cast<int>(k % size)) <= 1)
+      numbers[mesh.elem_nodes[k]] = 1;
   int count = 0;
   for (int& number : numbers)
     if (number > 0) number = ++count;
@@ -33,8 +25,8 @@ std::vector<int> numbers_on_edges(const Mesh& mesh, int dimension) {
 
 }  // namespace
 
-std::vector<int> serendipity_numbers(const QuadMesh& quads) { return numbers_on_edges(quads, 2); }
-std::vector<int> serendipity_numbers(const HexMesh& mesh) { return numbers_on_edges(mesh, 3); }
+std::vector<int> serendipity_numbers(const QuadMesh& quads) { return numbers_on_edges(quads); }
+std::vector<int> serendipity_numbers(const HexMesh& mesh) { return numbers_on_edges(mesh); }
 
 std::string serendipity_loss(const QuadMesh& quads, const char* reader) {
   if (quads.order == 1) return {};

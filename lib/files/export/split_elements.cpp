@@ -33,7 +33,7 @@ std::vector<double> piece_points(const std::vector<double>& breaks, int order) {
 class NodeGrids {
  public:
   NodeGrids(const QuadMesh& mesh, int grid_order)
-      : mesh_(mesh), grid_order_(grid_order), edges_(number_edges(mesh)), inner_(grid_order - 1) {}
+      : mesh_(mesh), grid_order_(grid_order), edges_(number_parts(mesh)), inner_(grid_order - 1) {}
 
   const EdgeNumbering& edges() const { return edges_; }
   int count() const { return first_inside() + mesh_.num_elems() * inner_ * inner_; }

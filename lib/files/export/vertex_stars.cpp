@@ -5,7 +5,7 @@
 namespace quadrille::exports {
 
 VertexStars::VertexStars(const QuadMesh& mesh)
-    : numbering_(number_edges(mesh)), ends_(numbering_.edges.size(), {-1, -1}) {
+    : numbering_(number_parts(mesh)), ends_(numbering_.edges.size(), {-1, -1}) {
   find_neighbours();
   std::vector<bool> is_done(across_.size(), false);  // by corner, 4 elem + corner
   for (int corner = 0; corner < static_cast<int>(across_.size()); ++corner)
@@ -16,7 +16,7 @@ void VertexStars::find_neighbours() {
   across_.assign(numbering_.elem2edges.size(), -1);
   for (int k = 0; k < static_cast<int>(across_.size()); ++k) {
     const NumberedEdge& edge = numbering_.edges[numbering_.elem2edges[k]];
-    const int first = 4 * edge.elem + edge.side;
+    const int first = 4 * edge.elem + edge.edge;
     if (first != k) across_[k] = first, across_[first] = k;
   }
 }

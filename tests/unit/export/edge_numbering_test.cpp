@@ -18,16 +18,16 @@ namespace {
 TEST(EdgeNumbering, CountsObeyEuler) {
   for (const int order : {1, 2, 5}) {
     const QuadMesh l = refined(hand_made::l_shape(), {0.4, order, 5e-7});
-    const EdgeNumbering n = number_edges(l);
+    const EdgeNumbering n = number_parts(l);
     EXPECT_EQ(n.num_vertices() - n.num_edges() + l.num_elems(), 1);
     const QuadMesh annulus = refined(hand_made::cut_annulus(3), {0.3, order, 1e-2});
-    const EdgeNumbering m = number_edges(annulus);
+    const EdgeNumbering m = number_parts(annulus);
     EXPECT_EQ(m.num_vertices() - m.num_edges() + annulus.num_elems(), 0);
   }
 }
 
 TEST(EdgeNumbering, NumbersRiseAsALoopOverTheElementsMeetsThem) {
-  const EdgeNumbering n = number_edges(refined(hand_made::l_shape(), {0.4, 3, 5e-7}));
+  const EdgeNumbering n = number_parts(refined(hand_made::l_shape(), {0.4, 3, 5e-7}));
   for (const std::vector<int>* members : {&n.elem2verts, &n.elem2edges}) {
     int next = 0;
     for (const int number : *members) {
@@ -40,7 +40,7 @@ TEST(EdgeNumbering, NumbersRiseAsALoopOverTheElementsMeetsThem) {
 
 TEST(EdgeNumbering, EdgesRunFromTheLowerVertexThroughTheSideOfEveryElementThatHasThem) {
   const QuadMesh mesh = refined(hand_made::l_shape(), {0.4, 3, 5e-7});
-  const EdgeNumbering n = number_edges(mesh);
+  const EdgeNumbering n = number_parts(mesh);
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     for (int side = 0; side < 4; ++side) {
       const NumberedEdge& edge = n.edges[n.elem2edges[4 * elem + side]];
@@ -53,7 +53,7 @@ TEST(EdgeNumbering, EdgesRunFromTheLowerVertexThroughTheSideOfEveryElementThatHa
 }
 
 TEST(EdgeNumbering, TwoEdgesBetweenTwoVerticesStayTwo) {
-  const EdgeNumbering n = number_edges(ring_of_two_quads());
+  const EdgeNumbering n = number_parts(ring_of_two_quads());
   EXPECT_EQ(n.num_vertices(), 4);
   EXPECT_EQ(n.num_edges(), 6);
 }
@@ -89,7 +89,7 @@ QuadMesh three_quads() {
 /// Opposite edges are parallel, and the first corner is the start of both directions.
 void expect_directed(const QuadMesh& mesh) {
   const QuadMesh turned = turned_along_chords(mesh);
-  const EdgeNumbering numbering = number_directed_edges(turned);
+  const EdgeNumbering numbering = number_directed_parts(turned);
   for (int elem = 0; elem < turned.num_elems(); ++elem)
     for (int side = 0; side < 4; ++side) {
       const int corner = numbering.elem2verts[4 * elem + side], next = numbering.elem2verts[4 * elem + (side + 1) % 4];
@@ -109,7 +109,7 @@ TEST(ChordDirections, OppositeEdgesAreParallelAndMeetInTheFirstCorner) {
 
 TEST(ChordDirections, NodesOfAnEdgeRunInItsDirection) {
   const QuadMesh turned = turned_along_chords(two_quads());
-  const EdgeNumbering numbering = number_directed_edges(turned);
+  const EdgeNumbering numbering = number_directed_parts(turned);
   for (const NumberedEdge& edge : numbering.edges) {
     const std::vector<int> nodes = edge_nodes(turned, edge);
     EXPECT_EQ(nodes.front(), numbering.vertices[edge.vertices[0]]);

@@ -14,7 +14,7 @@ TEST(HexNumbering, EveryEdgeAndFaceIsCountedOnceWhateverItsOrientation) {
   for (int order = 1; order <= 3; ++order)
     for (int corner = 0; corner < 4; ++corner) {
       const HexMesh mesh = two_hexes({.order = order, .layers = 2, .first_corner = corner});
-      const HexNumbering numbering = number_hexes(mesh);
+      const HexNumbering numbering = number_parts(mesh);
       EXPECT_EQ(numbering.num_vertices(), 18);
       EXPECT_EQ(numbering.num_edges(), 3 * 7 + 2 * 6);
       EXPECT_EQ(numbering.num_faces(), 3 * 2 + 2 * 7);
@@ -32,8 +32,8 @@ TEST(HexNumbering, EveryEdgeAndFaceIsCountedOnceWhateverItsOrientation) {
 
 TEST(HexNumbering, EdgesRunFromTheLowerVertex) {
   const HexMesh mesh = two_hexes({.order = 3, .first_corner = 2});
-  const HexNumbering numbering = number_hexes(mesh);
-  for (const NumberedHexEdge& edge : numbering.edges) {
+  const HexNumbering numbering = number_parts(mesh);
+  for (const NumberedEdge& edge : numbering.edges) {
     const std::vector<int> nodes = edge_nodes(mesh, edge);
     EXPECT_LT(edge.vertices[0], edge.vertices[1]);
     EXPECT_EQ(nodes.front(), numbering.vertices[edge.vertices[0]]);
@@ -57,12 +57,12 @@ TEST(HexNumbering, CornersOfFacesAreThoseOfTheirNodes) {
 
 TEST(HexNumbering, EdgesThatJoinTheSameVerticesAreRefused) {
   HexMesh mesh = two_hexes({.order = 2});
-  EXPECT_NO_THROW(require_known_by_vertices(mesh, number_hexes(mesh), "MFEM"));
+  EXPECT_NO_THROW(require_known_by_vertices(mesh, number_parts(mesh), "MFEM"));
   // The second element ends where the first one begins: a ring whose elements have the same eight corners.
   for (int& node : mesh.elem_nodes)
     if (node % 5 == 4) node -= 4;
   try {
-    require_known_by_vertices(mesh, number_hexes(mesh), "MFEM");
+    require_known_by_vertices(mesh, number_parts(mesh), "MFEM");
     FAIL();
   } catch (const ComputeError& e) {
     EXPECT_NE(std::string(e.what()).find("two edges at (0, 0, 0) join the same vertices, and MFEM"), std::string::npos)

@@ -33,11 +33,11 @@ TEST(NektarHex, OnlyWhatIsCurvedIsListed) {
 TEST(NektarHex, ParallelEdgesRunInOneDirectionWhateverTheOrientationOfQuads) {
   for (int corner = 0; corner < 4; ++corner) {
     const HexMesh turned = turned_along_chords(two_hexes({.order = 3, .layers = 2, .first_corner = corner}));
-    const HexNumbering numbering = number_directed_hexes(turned);
+    const HexNumbering numbering = number_directed_parts(turned);
     for (int elem = 0; elem < turned.num_elems(); ++elem)
       for (int edge = 0; edge < 12; ++edge) {
         const auto [from, to] = hex_edge_corners[edge];
-        const NumberedHexEdge& numbered = numbering.edges[numbering.elem2edges[12 * elem + edge]];
+        const NumberedEdge& numbered = numbering.edges[numbering.elem2edges[12 * elem + edge]];
         EXPECT_EQ(numbered.vertices, (std::array<int, 2>{numbering.vertex(elem, from), numbering.vertex(elem, to)}));
         EXPECT_EQ(edge_nodes(turned, elem, edge), edge_nodes(turned, numbered));
       }

@@ -11,7 +11,7 @@ namespace quadrille::exports {
 namespace {
 
 PeriodicVertices vertices_of(const QuadMesh& mesh) {
-  return periodic_vertices(mesh, number_edges(mesh), Motions::all, "the reader");
+  return periodic_vertices(mesh, number_parts(mesh), Motions::all, "the reader");
 }
 
 TEST(PeriodicVertices, BothEndsOfARowAreOne) {
@@ -41,7 +41,7 @@ TEST(PeriodicVertices, TheFourCornersOfADoublyPeriodicBoxAreOne) {
   for (int k = 0; k < 3; ++k) mesh.boundary_edges.push_back({3 * k + 2, 1, 1});
   for (int k = 2; k >= 0; --k) mesh.boundary_edges.push_back({6 + k, 2, 2});
   for (int k = 2; k >= 0; --k) mesh.boundary_edges.push_back({3 * k, 3, 3});
-  const EdgeNumbering numbering = number_edges(mesh);
+  const EdgeNumbering numbering = number_parts(mesh);
   const PeriodicVertices vertices = periodic_vertices(mesh, numbering, Motions::all, "the reader");
   for (int v = 0; v < 16; ++v) {
     const Vec2 x = mesh.nodes[numbering.vertices[v]], same = mesh.nodes[numbering.vertices[vertices(v)]];
@@ -53,7 +53,7 @@ TEST(PeriodicVertices, TheFourCornersOfADoublyPeriodicBoxAreOne) {
 TEST(PeriodicVertices, SidesThatAreTurnedMayBeLeftOut) {
   QuadMesh mesh = periodic_row(3);
   mesh.face.periodic_pairs = {{{3, 1}, 2 * pi, {3, 0}}};
-  const EdgeNumbering numbering = number_edges(mesh);
+  const EdgeNumbering numbering = number_parts(mesh);
   EXPECT_TRUE(periodic_vertices(mesh, numbering, Motions::all, "the reader").are_identified());
   EXPECT_FALSE(periodic_vertices(mesh, numbering, Motions::translations, "the reader").are_identified());
 }

@@ -257,7 +257,7 @@ TEST(SideBlend, ElementsOfABlendedBlockAreBlends) {
 
 TEST(SideBlend, AnArcAndUnevenSpeedAreNotStraight) {
   QuadMesh mesh = two_quads();
-  const EdgeNumbering numbering = number_edges(mesh);
+  const EdgeNumbering numbering = number_parts(mesh);
   EXPECT_FALSE(is_straight_edge(mesh, edge_nodes(mesh, numbering.edges[6])));
   EXPECT_TRUE(is_straight_edge(mesh, edge_nodes(mesh, numbering.edges[0])));
   mesh.nodes[1].x = 1.25;

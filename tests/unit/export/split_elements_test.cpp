@@ -42,7 +42,7 @@ TEST(SplitElements, PiecesConformAndInterpolateTheElements) {
     for (const QuadMesh& pieces : {split_at_nodes(mesh), split_to_quadratic(mesh)}) {
       const int m = pieces.order == 1 ? order : (order + 1) / 2;
       ASSERT_EQ(pieces.num_elems(), m * m * mesh.num_elems());
-      const EdgeNumbering edges = number_edges(pieces);
+      const EdgeNumbering edges = number_parts(pieces);
       EXPECT_EQ(edges.num_vertices() - edges.num_edges() + pieces.num_elems(), 1);  // Euler: a disc
       EXPECT_EQ(2 * edges.num_edges() - 4 * pieces.num_elems(), static_cast<int>(pieces.boundary_edges.size()));
       if (pieces.order == 1) continue;
