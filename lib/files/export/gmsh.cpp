@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cctype>
 
 #include "export/gmsh_model.hpp"
 #include "export/writers.hpp"
@@ -10,160 +10,171 @@ namespace quadrille::exports {
 
 namespace {
 
-template <class... Args>
-void print(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+/// Double quotes in a name become single ones.
+std::string gmsh_quoted(std::string name) {
+  std::replace(name.begin(), name.end(), '"', '\'');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return '"' + name + '"';
 }
 
-/// The boundary of each block: the signed tags of its curves, and the box around them.
-struct BlockBounds {
-  std::vector<std::vector<int>> curves;
-  std::vector<GmshBox> boxes;
+/// Positions have the shortest digits that read back to the same bits.
+class GmshWriter : TextWriter {
+ public:
+  GmshWriter(const GmshModel& model, bool is_41)
+      : model_(model), is_41_(is_41), tags_before_(is_41 ? 0 : model.num_groups()) {}
+
+  std::string text() {
+    print("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", is_41_ ? "4.1" : "2.2");
+    write_names();
+    if (is_41_) write_entities();
+    write_nodes();
+    write_elements();
+    if (!model_.links.empty()) write_links();
+    return std::move(out_);
+  }
+
+ private:
+  int entity_tag(std::size_t entity) const { return static_cast<int>(entity) + 1 + tags_before_; }
+
+  void print_position(const std::array<double, 3>& x) { print("{} {} {}", x[0], x[1], x[2]); }
+
+  void print_tag(int tag) {
+    const fmt::format_int digits(tag);
+    out_ += ' ';
+    out_.append(digits.data(), digits.size());
+  }
+
+  /// Calls `act` with the dimension, the number of the entity and the entity.
+  template <typename Act>
+  void for_entities(int first_dim, const Act& act) const {
+    for (int dim = first_dim; dim <= model_.dimension; ++dim)
+      for (std::size_t e = 0; e < model_.entities[dim].size(); ++e) act(dim, e, model_.entities[dim][e]);
+  }
+
+  void write_names() {
+    print("$PhysicalNames\n{}\n", model_.num_groups());
+    int tag = 0;
+    for (const std::string& name : boundary_and_interface_names(model_.groups))
+      print("{} {} {}\n", model_.dimension - 1, ++tag, gmsh_quoted(name));
+    for (const std::string& name : model_.groups.region_names)
+      print("{} {} {}\n", model_.dimension, ++tag, gmsh_quoted(name));
+    print("$EndPhysicalNames\n");
+  }
+
+  void write_entities() {
+    const auto& [points, curves, surfaces, volumes] = model_.entities;
+    print("$Entities\n{} {} {} {}\n", points.size(), curves.size(), surfaces.size(), volumes.size());
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      print("{} ", p + 1);
+      print_position(model_.positions[points[p].own_nodes[0]]);
+      print(" 0\n");
+    }
+    for_entities(1, [&](int, std::size_t e, const GmshEntity& entity) {
+      print("{} ", entity_tag(e));
+      print_box(entity);
+      if (entity.group > 0)
+        print(" 1 {} {}", entity.group, entity.bounds.size());
+      else
+        print(" 0 {}", entity.bounds.size());
+      for (const int bound : entity.bounds) print(" {}", bound);
+      print("\n");
+    });
+    print("$EndEntities\n");
+  }
+
+  /// The corners of the box around an entity: "x y z x y z".
+  void print_box(const GmshEntity& entity) {
+    std::array<double, 3> lower{1e300, 1e300, 1e300}, upper{-1e300, -1e300, -1e300};
+    for (const int node : entity.elem_nodes)
+      for (int c = 0; c < 3; ++c) {
+        lower[c] = std::min(lower[c], model_.positions[node][c]);
+        upper[c] = std::max(upper[c], model_.positions[node][c]);
+      }
+    print_position(lower);
+    out_ += ' ';
+    print_position(upper);
+  }
+
+  void write_nodes() {
+    const std::size_t count = model_.positions.size();
+    std::size_t num_entities = 0;
+    for_entities(0, [&](int, std::size_t, const GmshEntity& entity) { num_entities += !entity.own_nodes.empty(); });
+    if (is_41_)
+      print("$Nodes\n{} {} 1 {}\n", num_entities, count, count);
+    else
+      print("$Nodes\n{}\n", count);
+    for_entities(0, [&](int dim, std::size_t e, const GmshEntity& entity) {
+      const std::vector<int>& nodes = entity.own_nodes;
+      if (is_41_ && !nodes.empty()) {
+        print("{} {} 0 {}\n", dim, e + 1, nodes.size());
+        for (const int node : nodes) print("{}\n", model_.node_tags[node]);
+      }
+      for (const int node : nodes) {
+        if (!is_41_) print("{} ", model_.node_tags[node]);
+        print_position(model_.positions[node]);
+        out_ += '\n';
+      }
+    });
+    print("$EndNodes\n");
+  }
+
+  std::size_t num_elements(int dim, const GmshEntity& entity) const {
+    return entity.group > 0 ? entity.elem_nodes.size() / model_.node_orders[dim].size() : 0;
+  }
+
+  /// In 4.1 elements follow the line of their entity, in 2.2 each lists its groups itself.
+  void write_elements() {
+    std::size_t count = 0, num_entities = 0;
+    for_entities(1, [&](int dim, std::size_t, const GmshEntity& entity) {
+      count += num_elements(dim, entity), num_entities += num_elements(dim, entity) > 0;
+    });
+    if (is_41_)
+      print("$Elements\n{} {} 1 {}\n", num_entities, count, count);
+    else
+      print("$Elements\n{}\n", count);
+    int tag = 0;
+    for_entities(1, [&](int dim, std::size_t e, const GmshEntity& entity) {
+      const std::size_t size = model_.node_orders[dim].size(), num = num_elements(dim, entity);
+      if (is_41_ && num > 0) print("{} {} {} {}\n", dim, entity_tag(e), model_.types[dim], num);
+      for (std::size_t k = 0; k < num; ++k) {
+        print("{}", ++tag);
+        if (!is_41_) print(" {} 2 {} {}", model_.types[dim], entity.group, entity_tag(e));
+        for (const int local : model_.node_orders[dim])
+          print_tag(model_.node_tags[entity.elem_nodes[k * size + local]]);
+        out_ += '\n';
+      }
+    });
+    print("$EndElements\n");
+  }
+
+  void write_links() {
+    print("$Periodic\n{}\n", model_.links.size());
+    for (const GmshPeriodicLink& link : model_.links) {
+      print("{} {} {}\n{}", link.dim, entity_tag(link.entity), entity_tag(link.master), is_41_ ? "16" : "Affine");
+      for (const double number : link.motion) print(" {}", number);
+      print("\n{}\n", link.nodes.size());
+      for (const auto& [node, master] : link.nodes) print("{} {}\n", model_.node_tags[node], model_.node_tags[master]);
+    }
+    print("$EndPeriodic\n");
+  }
+
+  const GmshModel& model_;
+  bool is_41_;
+  int tags_before_;  ///< that of the first entity of each dimension
 };
 
-GmshBox box_of_curve(const GmshModel& model, int c) {
-  const SkeletonCurve& curve = model.skeleton.curves[c];
-  GmshBox box;
-  for (const int node : model.entity_nodes[1][c]) box.add(model.positions[node]);
-  for (const int point : {curve.from, curve.to}) box.add(model.positions[model.skeleton.points[point]]);
-  return box;
-}
-
-BlockBounds block_bounds(const GmshModel& model) {
-  BlockBounds bounds{std::vector<std::vector<int>>(model.block_elems.size()),
-                     std::vector<GmshBox>(model.block_elems.size())};
-  for (int c = 0; c < static_cast<int>(model.skeleton.curves.size()); ++c) {
-    const GmshBox box = box_of_curve(model, c);
-    for (int side = 0; side < 2; ++side) {
-      const int block = model.skeleton.curves[c].blocks[side];
-      if (block < 0) continue;
-      bounds.curves[block].push_back(side == 0 ? c + 1 : -(c + 1));
-      bounds.boxes[block].add(box.lower);
-      bounds.boxes[block].add(box.upper);
-    }
-  }
-  return bounds;
-}
-
-void append_curve_entity(const GmshModel& model, int c, std::string& text) {
-  const SkeletonCurve& curve = model.skeleton.curves[c];
-  print(text, "{} ", c + 1);
-  box_of_curve(model, c).append(text);
-  if (curve.cad_curve >= 0)
-    print(text, " 1 {}", model.boundary_group(curve.cad_curve));
-  else
-    text += " 0";
-  print(text, " 2 {} {}\n", curve.from + 1, -(curve.to + 1));
-}
-
-void append_surface_entity(const GmshModel& model, int block, const std::vector<int>& curves, GmshBox box,
-                           std::string& text) {
-  for (const int node : model.entity_nodes[2][block]) box.add(model.positions[node]);
-  print(text, "{} ", block + 1);
-  box.append(text);
-  print(text, " 1 {} {}", model.region_group(block), curves.size());
-  for (const int curve : curves) print(text, " {}", curve);
-  text += '\n';
-}
-
-void append_entities(const GmshModel& model, std::string& text) {
-  const Skeleton& skeleton = model.skeleton;
-  const BlockBounds bounds = block_bounds(model);
-  print(text, "$Entities\n{} {} {} 0\n", skeleton.points.size(), skeleton.curves.size(), model.block_elems.size());
-  for (std::size_t p = 0; p < skeleton.points.size(); ++p) {
-    print(text, "{} ", p + 1);
-    append_position(model.positions[skeleton.points[p]], text);
-    text += " 0\n";
-  }
-  for (std::size_t c = 0; c < skeleton.curves.size(); ++c) append_curve_entity(model, static_cast<int>(c), text);
-  for (std::size_t b = 0; b < model.block_elems.size(); ++b)
-    append_surface_entity(model, static_cast<int>(b), bounds.curves[b], bounds.boxes[b], text);
-  text += "$EndEntities\n";
-}
-
-/// `tag`: the tag of the last element written.
-void append_lines(const GmshModel& model, const QuadMesh& mesh, int c, int& tag, std::string& text) {
-  const SkeletonCurve& curve = model.skeleton.curves[c];
-  if (curve.cad_curve < 0) return;
-  print(text, "1 {} {} {}\n", c + 1, model.line_type, curve.edges.size());
-  for (const SkeletonEdge& e : curve.edges) {
-    print(text, "{}", ++tag);
-    append_gmsh_line(model, mesh, e, text);
-  }
-}
-
-void append_quads(const GmshModel& model, const QuadMesh& mesh, int block, int& tag, std::string& text) {
-  const std::vector<int>& elems = model.block_elems[block];
-  if (elems.empty()) return;
-  print(text, "2 {} {} {}\n", block + 1, model.quad_type, elems.size());
-  for (const int elem : elems) {
-    print(text, "{}", ++tag);
-    append_gmsh_quad(model, mesh, elem, text);
-  }
-}
-
-void append_elements(const GmshModel& model, const QuadMesh& mesh, std::string& text) {
-  std::size_t num_lines = 0, num_entities = 0;
-  for (const SkeletonCurve& curve : model.skeleton.curves)
-    if (curve.cad_curve >= 0) num_lines += curve.edges.size(), ++num_entities;
-  for (const auto& elems : model.block_elems) num_entities += !elems.empty();
-  const std::size_t count = num_lines + mesh.num_elems();
-  print(text, "$Elements\n{} {} 1 {}\n", num_entities, count, count);
-  int tag = 0;
-  for (std::size_t c = 0; c < model.skeleton.curves.size(); ++c)
-    append_lines(model, mesh, static_cast<int>(c), tag, text);
-  for (std::size_t b = 0; b < model.block_elems.size(); ++b) append_quads(model, mesh, static_cast<int>(b), tag, text);
-  text += "$EndElements\n";
-}
-
-/// "tag type 2 physical elementary nodes": in this version each element lists its groups itself.
-std::string elements_section(const GmshModel& model, const QuadMesh& mesh) {
-  std::string text = fmt::format(
-      "$Elements\n{}\n", mesh.boundary_edges.size() + interface_edges_once(mesh).size() + mesh.elem_block.size());
-  int tag = 0;
-  const auto begin = [&](int type, int group, std::size_t entity) {
-    fmt::format_to(std::back_inserter(text), "{} {} 2 {} {}", ++tag, type, group, model.entity_tag(entity));
-  };
-  for (std::size_t c = 0; c < model.skeleton.curves.size(); ++c) {
-    const SkeletonCurve& curve = model.skeleton.curves[c];
-    if (curve.cad_curve < 0) continue;
-    for (const SkeletonEdge& e : curve.edges) {
-      begin(model.line_type, model.boundary_group(curve.cad_curve), c);
-      append_gmsh_line(model, mesh, e, text);
-    }
-  }
-  for (std::size_t block = 0; block < model.block_elems.size(); ++block)
-    for (const int elem : model.block_elems[block]) {
-      begin(model.quad_type, model.region_group(static_cast<int>(block)), block);
-      append_gmsh_quad(model, mesh, elem, text);
-    }
-  text += "$EndElements\n";
-  return text;
-}
+Exported gmsh22(const GmshModel& model) { return {GmshWriter(model, false).text(), false, {}, {}}; }
 
 }  // namespace
 
-std::string gmsh41_text(const GmshModel& model, const QuadMesh& mesh, const Frame& frame) {
-  std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + gmsh_names(model.groups);
-  append_entities(model, text);
-  text += gmsh_nodes41(model);
-  append_elements(model, mesh, text);
-  text += gmsh_periodic(model, periodic_links(model, mesh, frame), "16");
-  return text;
-}
+std::string gmsh41_text(const GmshModel& model) { return GmshWriter(model, true).text(); }
 
 Exported gmsh_msh41(const QuadMesh& mesh, const Frame& frame) {
-  return {gmsh41_text(gmsh_model(mesh, frame), mesh, frame), false, {}, {}};
+  return {gmsh41_text(gmsh_model(mesh, frame)), false, {}, {}};
 }
-
-Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame) {
-  GmshModel model = gmsh_model(mesh, frame);
-  model.tags_before = model.num_groups();
-  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + gmsh_names(model.groups);
-  text += gmsh_nodes22(model);
-  text += elements_section(model, mesh);
-  text += gmsh_periodic(model, periodic_links(model, mesh, frame), "Affine");
-  return {std::move(text), false, {}, {}};
-}
+Exported gmsh_msh41(const HexMesh& mesh) { return {gmsh41_text(gmsh_model(mesh)), false, {}, {}}; }
+Exported gmsh_msh22(const QuadMesh& mesh, const Frame& frame) { return gmsh22(gmsh_model(mesh, frame)); }
+Exported gmsh_msh22(const HexMesh& mesh) { return gmsh22(gmsh_model(mesh)); }
 
 }  // namespace quadrille::exports

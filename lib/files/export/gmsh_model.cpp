@@ -1,65 +1,34 @@
 #include "export/gmsh_model.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
+#include "export/cells.hpp"
+#include "export/hex_periodic.hpp"
 #include "export/periodic_edges.hpp"
 #include "export/renode.hpp"
+#include "export/skeleton.hpp"
 
 namespace quadrille::exports {
 
 namespace {
 
-constexpr int max_order = 10;
-constexpr std::array<int, max_order + 1> line_types{0, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66};
-constexpr std::array<int, max_order + 1> quad_types{0, 3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
+/// Gmsh's types of lines, quads and hexahedra by their order.
+constexpr std::array<int, 11> line_types{0, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66};
+constexpr std::array<int, 11> quad_types{0, 3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
+constexpr std::array<int, 10> hex_types{0, 5, 12, 92, 93, 94, 95, 96, 97, 98};
 
-void classify_nodes(const QuadMesh& mesh, GmshModel& model) {
-  auto& entity_nodes = model.entity_nodes;
-  entity_nodes[0].resize(model.skeleton.points.size());
-  entity_nodes[1].resize(model.skeleton.curves.size());
-  entity_nodes[2].resize(mesh.block_names.size());
-  std::vector<bool> taken(mesh.nodes.size(), false);
-  const auto take = [&](int dim, std::size_t entity, int node) {
-    if (!taken[node]) entity_nodes[dim][entity].push_back(node);
-    taken[node] = true;
-  };
-  for (std::size_t p = 0; p < entity_nodes[0].size(); ++p) take(0, p, model.skeleton.points[p]);
-  for (std::size_t c = 0; c < entity_nodes[1].size(); ++c)
-    for (const SkeletonEdge& e : model.skeleton.curves[c].edges)
-      for (const int node : side_nodes(mesh, e.elem, e.side)) take(1, c, node);
-  const int count = mesh.nodes_per_elem();
-  for (int elem = 0; elem < mesh.num_elems(); ++elem)
-    for (int k = 0; k < count; ++k) take(2, mesh.elem_block[elem], mesh.elem_nodes[elem * count + k]);
+/// Gmsh's order of the local nodes of a line: the ends, then the others.
+std::vector<int> gmsh_line_order(int order) {
+  std::vector<int> nodes{0, order};
+  for (int k = 1; k < order; ++k) nodes.push_back(k);
+  return nodes;
 }
 
-std::string quoted(std::string name) {
-  std::replace(name.begin(), name.end(), '"', '\'');
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  return '"' + name + '"';
-}
-
-// The links of curves by the side of an element.
-using SideTable = std::map<std::pair<int, int>, int>;
-
-SideTable curves_by_side(const GmshModel& model) {
-  SideTable table;
-  for (std::size_t c = 0; c < model.skeleton.curves.size(); ++c)
-    if (model.skeleton.curves[c].is_boundary())
-      for (const SkeletonEdge& e : model.skeleton.curves[c].edges) table[{e.elem, e.side}] = static_cast<int>(c);
-  return table;
-}
-
-}  // namespace
-
+/// Of a quad of any order from 0, xi1 fastest: corners, then sides counter-clockwise, then the same recursively for the
+/// inner nodes.
 std::vector<int> gmsh_quad_order(int order) {
   std::vector<int> node_order;
   const auto add = [&](int i, int j) { node_order.push_back(j * (order + 1) + i); };
@@ -77,110 +46,89 @@ std::vector<int> gmsh_quad_order(int order) {
   return node_order;
 }
 
-int gmsh_quad_type(int order) { return quad_types[order]; }
+// Gmsh's edges, and its faces by their corners: those of the local quad (0, 0), (N, 0), (N, N), (0, N).
+constexpr std::array<std::array<int, 2>, 12> gmsh_edges{
+    {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3}, {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}}};
+constexpr std::array<std::array<int, 4>, 6> gmsh_faces{
+    {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}}};
 
-void GmshNodes::number_nodes() {
-  node_tags.assign(positions.size(), 0);
-  int tag = 0;
-  for (const auto& entities : entity_nodes)
-    for (const auto& nodes : entities)
-      for (const int node : nodes) node_tags[node] = ++tag;
-}
+/// Gmsh's order of the local nodes of a hexahedron: corners, edges, faces (each as a quad), then the same recursively
+/// for the inner nodes.
+class HexOrder {
+ public:
+  explicit HexOrder(int order) : order_(order) {
+    for (low_ = 0, high_ = order; low_ < high_; ++low_, --high_) add_shell();
+    if (low_ == high_) node_order_.push_back(low_ * (1 + (order + 1) * (order + 2)));
+  }
+  std::vector<int> take() { return std::move(node_order_); }
 
-GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
-  GmshModel model;
-  model.skeleton = mesh_skeleton(mesh);
-  model.groups = mesh_groups(mesh);
-  model.positions = positions(mesh, frame, ElementPoints::equispaced);
-  classify_nodes(mesh, model);
-  model.number_nodes();
-  model.block_elems.resize(mesh.block_names.size());
-  for (int elem = 0; elem < mesh.num_elems(); ++elem) model.block_elems[mesh.elem_block[elem]].push_back(elem);
-  model.quad_node_order = gmsh_quad_order(mesh.order);
-  model.line_type = line_types[mesh.order], model.quad_type = gmsh_quad_type(mesh.order);
-  return model;
-}
+ private:
+  int stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? order_ + 1 : (order_ + 1) * (order_ + 1); }
 
-std::string gmsh_names(const Groups& groups, int dim) {
-  std::string text =
-      fmt::format("$PhysicalNames\n{}\n", groups.num_boundaries() + groups.num_interfaces() + groups.num_regions());
-  int tag = 0;
-  for (const std::string& name : boundary_and_interface_names(groups))
-    text += fmt::format("{} {} {}\n", dim, ++tag, quoted(name));
-  for (const std::string& name : groups.region_names) text += fmt::format("{} {} {}\n", dim + 1, ++tag, quoted(name));
-  return text + "$EndPhysicalNames\n";
-}
+  int corner(int c) const {
+    int node = 0;
+    for (int axis = 0; axis < 3; ++axis) node += stride(axis) * (hex_corner_indices[c][axis] == 0 ? low_ : high_);
+    return node;
+  }
 
-void append_gmsh_line(const GmshModel& model, const QuadMesh& mesh, const SkeletonEdge& edge, std::string& text) {
-  const std::vector<int> nodes = side_nodes(mesh, edge.elem, edge.side);
-  append_tag(model.node_tags[nodes.front()], text);
-  append_tag(model.node_tags[nodes.back()], text);
-  for (int k = 1; k < mesh.order; ++k) append_tag(model.node_tags[nodes[k]], text);
-  text += '\n';
-}
+  int step(int from, int to) const { return (corner(to) - corner(from)) / (high_ - low_); }
 
-void append_gmsh_quad(const GmshModel& model, const QuadMesh& mesh, int elem, std::string& text) {
-  const int* nodes = &mesh.elem_nodes[elem * mesh.nodes_per_elem()];
-  for (const int local : model.quad_node_order) append_tag(model.node_tags[nodes[local]], text);
-  text += '\n';
-}
-
-void append_tag(int tag, std::string& text) {
-  const fmt::format_int digits(tag);
-  text += ' ';
-  text.append(digits.data(), digits.size());
-}
-
-void GmshBox::add(const std::array<double, 3>& x) {
-  for (int k = 0; k < 3; ++k) lower[k] = std::min(lower[k], x[k]), upper[k] = std::max(upper[k], x[k]);
-}
-
-void GmshBox::append(std::string& text) const {
-  append_position(lower, text);
-  text += ' ';
-  append_position(upper, text);
-}
-
-void append_position(const std::array<double, 3>& x, std::string& text) {
-  fmt::format_to(std::back_inserter(text), "{} {} {}", x[0], x[1], x[2]);
-}
-
-std::string gmsh_nodes41(const GmshNodes& model) {
-  std::size_t num_entities = 0;
-  for (const auto& entities : model.entity_nodes)
-    for (const auto& nodes : entities) num_entities += !nodes.empty();
-  const std::size_t count = model.positions.size();
-  std::string text = fmt::format("$Nodes\n{} {} 1 {}\n", num_entities, count, count);
-  for (std::size_t dim = 0; dim < model.entity_nodes.size(); ++dim)
-    for (std::size_t e = 0; e < model.entity_nodes[dim].size(); ++e) {
-      const std::vector<int>& nodes = model.entity_nodes[dim][e];
-      if (nodes.empty()) continue;
-      fmt::format_to(std::back_inserter(text), "{} {} 0 {}\n", dim, e + 1, nodes.size());
-      for (const int node : nodes) fmt::format_to(std::back_inserter(text), "{}\n", model.node_tags[node]);
-      for (const int node : nodes) append_position(model.positions[node], text), text += '\n';
+  void add_shell() {
+    for (int c = 0; c < 8; ++c) node_order_.push_back(corner(c));
+    for (const auto& [from, to] : gmsh_edges)
+      for (int k = 1; k < high_ - low_; ++k) node_order_.push_back(corner(from) + k * step(from, to));
+    const int inner = high_ - low_ - 1;  // nodes of a face inside, in each direction
+    for (const auto& c : gmsh_faces) {
+      const int along = step(c[0], c[1]), across = step(c[0], c[3]);
+      for (const int local : gmsh_quad_order(inner - 1))
+        node_order_.push_back(corner(c[0]) + (1 + local % inner) * along + (1 + local / inner) * across);
     }
-  return text + "$EndNodes\n";
+  }
+
+  int order_, low_ = 0, high_ = 0;
+  std::vector<int> node_order_;
+};
+
+void append(const std::vector<int>& nodes, std::vector<int>& list) {
+  list.insert(list.end(), nodes.begin(), nodes.end());
 }
 
-std::string gmsh_nodes22(const GmshNodes& model) {
-  std::string text = fmt::format("$Nodes\n{}\n", model.positions.size());
-  for (const auto& entities : model.entity_nodes)
-    for (const auto& nodes : entities)
-      for (const int node : nodes) {
-        fmt::format_to(std::back_inserter(text), "{} ", model.node_tags[node]);
-        append_position(model.positions[node], text);
-        text += '\n';
-      }
-  return text + "$EndNodes\n";
+template <typename Mesh>
+void append_element(const Mesh& mesh, int elem, GmshEntity& entity) {
+  const int* const nodes = element_nodes(mesh, elem);
+  entity.elem_nodes.insert(entity.elem_nodes.end(), nodes, nodes + mesh.nodes_per_elem());
 }
 
-// A point that is the image of several has one link.
-std::vector<GmshPeriodicLink> periodic_links(const GmshModel& model, const QuadMesh& mesh, const Frame& frame) {
-  const SideTable curves = curves_by_side(model);
+/// The tag of the first group of elements.
+int first_region(const Groups& groups) { return 1 + groups.num_boundaries() + groups.num_interfaces(); }
+
+/// Fills own_nodes and node_tags.
+void number_nodes(GmshModel& model) {
+  model.node_tags.assign(model.positions.size(), 0);
+  int tag = 0;
+  for (auto& entities : model.entities)
+    for (GmshEntity& entity : entities)
+      for (const int node : entity.elem_nodes)
+        if (model.node_tags[node] == 0) entity.own_nodes.push_back(node), model.node_tags[node] = ++tag;
+}
+
+// The links of curves by the side of an element.
+using SideTable = std::map<std::pair<int, int>, int>;
+
+SideTable curves_by_side(const Skeleton& skeleton) {
+  SideTable table;
+  for (std::size_t c = 0; c < skeleton.curves.size(); ++c)
+    if (skeleton.curves[c].is_boundary())
+      for (const SkeletonEdge& e : skeleton.curves[c].edges) table[{e.elem, e.side}] = static_cast<int>(c);
+  return table;
+}
+
+/// A point that is the image of several has one link.
+std::vector<GmshPeriodicLink> periodic_links(const Skeleton& skeleton, const QuadMesh& mesh, const Frame& frame) {
+  const SideTable curves = curves_by_side(skeleton);
   std::map<int, GmshPeriodicLink> points, links;  // by the entity
   std::map<int, int> point_of_node;
-  for (std::size_t p = 0; p < model.skeleton.points.size(); ++p)
-    point_of_node[model.skeleton.points[p]] = static_cast<int>(p);
+  for (std::size_t p = 0; p < skeleton.points.size(); ++p) point_of_node[skeleton.points[p]] = static_cast<int>(p);
   std::set<std::pair<int, int>> known;  // the curve and the node
   for (const PeriodicEdges& edges : periodic_edges(mesh)) {
     const QuadBoundaryEdge &first = mesh.boundary_edges[edges.first], &second = mesh.boundary_edges[edges.second];
@@ -204,18 +152,73 @@ std::vector<GmshPeriodicLink> periodic_links(const GmshModel& model, const QuadM
   return all;
 }
 
-std::string gmsh_periodic(const GmshNodes& model, const std::vector<GmshPeriodicLink>& links, const char* motion) {
-  if (links.empty()) return {};
-  std::string text = fmt::format("$Periodic\n{}\n", links.size());
-  const auto out = std::back_inserter(text);
-  for (const GmshPeriodicLink& link : links) {
-    fmt::format_to(out, "{} {} {}\n{}", link.dim, model.entity_tag(link.entity), model.entity_tag(link.master), motion);
-    for (const double number : link.motion) fmt::format_to(out, " {}", number);
-    fmt::format_to(out, "\n{}\n", link.nodes.size());
-    for (const auto& [node, master] : link.nodes)
-      fmt::format_to(out, "{} {}\n", model.node_tags[node], model.node_tags[master]);
+/// One for each group that has an image.
+std::vector<GmshPeriodicLink> periodic_links(const HexMesh& mesh) {
+  std::vector<GmshPeriodicLink> all;
+  std::vector<bool> is_known;  // of the nodes of the last link
+  int group = -1;
+  for (const PeriodicFaces& faces : periodic_faces(mesh)) {
+    if (faces.group != group) {
+      group = faces.group;
+      const HexFaceGroup& first = mesh.face_groups[group];
+      all.push_back({2, first.periodic_with, group, affine_motion(first.motion), {}});
+      is_known.assign(mesh.nodes.size(), false);
+    }
+    for (const auto& [node, image] : faces.nodes) {
+      if (!is_known[image]) all.back().nodes.push_back({image, node});
+      is_known[image] = true;
+    }
   }
-  return text + "$EndPeriodic\n";
+  return all;
+}
+
+}  // namespace
+
+GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
+  const Skeleton skeleton = mesh_skeleton(mesh);
+  GmshModel model;
+  model.groups = mesh_groups(mesh);
+  model.positions = positions(mesh, frame, ElementPoints::equispaced);
+  model.types = {0, line_types[mesh.order], quad_types[mesh.order], 0};
+  model.node_orders = {{{}, gmsh_line_order(mesh.order), gmsh_quad_order(mesh.order), {}}};
+  auto& [points, curves, surfaces, volumes] = model.entities;
+  for (const int node : skeleton.points) points.push_back({0, {}, {node}});
+  for (const int region : model.groups.block2region) surfaces.push_back({first_region(model.groups) + region});
+  for (const SkeletonCurve& curve : skeleton.curves) {
+    curves.push_back({curve.cad_curve < 0 ? 0 : 1 + model.groups.curve2boundary[curve.cad_curve],
+                      {curve.from + 1, -(curve.to + 1)}});
+    for (const SkeletonEdge& e : curve.edges) append(side_nodes(mesh, e.elem, e.side), curves.back().elem_nodes);
+    const int tag = static_cast<int>(curves.size());
+    surfaces[curve.blocks[0]].bounds.push_back(tag);
+    if (!curve.is_boundary()) surfaces[curve.blocks[1]].bounds.push_back(-tag);
+  }
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) append_element(mesh, elem, surfaces[mesh.elem_block[elem]]);
+  number_nodes(model);
+  model.links = periodic_links(skeleton, mesh, frame);
+  return model;
+}
+
+GmshModel gmsh_model(const HexMesh& mesh) {
+  GmshModel model;
+  model.dimension = 3;
+  model.groups = mesh_groups(mesh);
+  model.positions = positions(mesh, ElementPoints::equispaced);
+  model.types = {0, 0, quad_types[mesh.order], hex_types[mesh.order]};
+  model.node_orders = {{{}, {}, gmsh_quad_order(mesh.order), HexOrder(mesh.order).take()}};
+  const HexNumbering numbering = number_parts(mesh);
+  for (std::size_t g = 0; g < mesh.face_groups.size(); ++g) {
+    GmshEntity& surface = model.entities[2].emplace_back(GmshEntity{1 + model.groups.curve2boundary[g]});
+    for (const GroupFace at : faces_once(mesh.face_groups[g], numbering))
+      append(face_nodes(mesh, at.elem, at.face), surface.elem_nodes);
+  }
+  for (const std::vector<int>& elems : elements_by_region(mesh, model.groups)) {
+    GmshEntity& volume = model.entities[3].emplace_back();
+    volume.group = first_region(model.groups) + static_cast<int>(model.entities[3].size()) - 1;
+    for (const int elem : elems) append_element(mesh, elem, volume);
+  }
+  number_nodes(model);
+  model.links = periodic_links(mesh);
+  return model;
 }
 
 }  // namespace quadrille::exports

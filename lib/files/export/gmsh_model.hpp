@@ -1,10 +1,12 @@
 #pragma once
-// The common parts of both versions of Gmsh's MSH: entities, numbers, types and orders of nodes. Private to gmsh*.
+// What both versions of Gmsh's MSH have in common, of quads and of hexahedra: entities, groups, types and orders of
+// nodes. Private to gmsh*.
 //
-// Points, curves and surfaces are taken from the skeleton; a node belongs to the entity of lowest dimension that
-// contains it. Every tag is positive: physical groups count from 1 through both dimensions (some readers require them
-// to be unique), the boundaries first, then interfaces, then regions; entity e has tag e + 1, in version 2.2 above the
-// tags of all groups, because PETSc looks for both in one list there.
+// Points, curves and surfaces of quads are taken from the skeleton; surfaces and volumes of hexahedra are the groups of
+// faces and the regions. A node belongs to the first entity of lowest dimension that contains it. Every tag is
+// positive: physical groups count from 1 through both dimensions (some readers require them to be unique), the
+// boundaries first, then interfaces, then regions; entity e has tag e + 1, in version 2.2 above the tags of all groups,
+// because PETSc looks for both in one list there.
 
 #include <array>
 #include <string>
@@ -12,63 +14,16 @@
 
 #include "export/exported.hpp"
 #include "export/groups.hpp"
-#include "export/skeleton.hpp"
+#include "model/hex_mesh.hpp"
 
 namespace quadrille::exports {
 
-/// What quads and hexahedra have in common.
-struct GmshNodes {
-  Groups groups;
-  std::vector<std::array<double, 3>> positions;               ///< by mesh node, equispaced in each element
-  std::array<std::vector<std::vector<int>>, 4> entity_nodes;  ///< mesh nodes by dimension and entity
-  std::vector<int> node_tags;                                 ///< by mesh node: its position in entity_nodes, from 1
-  int tags_before = 0;                                        ///< tags below that of the first entity of each dimension
-
-  int entity_tag(std::size_t entity) const { return static_cast<int>(entity) + 1 + tags_before; }
-  int num_groups() const { return groups.num_boundaries() + groups.num_interfaces() + groups.num_regions(); }
-
-  /// Fills node_tags from entity_nodes.
-  void number_nodes();
+struct GmshEntity {
+  int group = 0;                     ///< its physical group, from 1; 0: none, its elements are not written
+  std::vector<int> bounds = {};      ///< tags of what bounds it, with signs; of hexahedra readers do not need them
+  std::vector<int> elem_nodes = {};  ///< mesh nodes of its elements, each in the order of the mesh
+  std::vector<int> own_nodes = {};   ///< those that no entity before it has
 };
-
-struct GmshModel : GmshNodes {
-  Skeleton skeleton;
-  std::vector<std::vector<int>> block_elems;  ///< elements of each block
-  std::vector<int> quad_node_order;           ///< gmsh_quad_order
-  int line_type = 0, quad_type = 0;
-
-  int boundary_group(int cad_curve) const { return 1 + groups.curve2boundary[cad_curve]; }
-  int region_group(int block) const {
-    return 1 + groups.num_boundaries() + groups.num_interfaces() + groups.block2region[block];
-  }
-};
-
-/// For orders 1 to 10.
-GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame);
-
-/// A whole file of version 4.1.
-std::string gmsh41_text(const GmshModel& model, const QuadMesh& mesh, const Frame& frame);
-
-/// Gmsh's order of the local nodes of a quad of any order from 0, xi1 fastest: corners, then sides counter-clockwise,
-/// then the same recursively for the inner nodes.
-std::vector<int> gmsh_quad_order(int order);
-
-/// Gmsh's type of quads of orders 1 to 10.
-int gmsh_quad_type(int order);
-
-/// The section $PhysicalNames; double quotes in a name become single ones. `dim`: of the boundaries.
-std::string gmsh_names(const Groups& groups, int dim = 1);
-
-/// The section $Nodes of versions 4.1 and 2.2.
-std::string gmsh_nodes41(const GmshNodes& model);
-std::string gmsh_nodes22(const GmshNodes& model);
-
-/// " tag"
-void append_tag(int tag, std::string& text);
-
-/// Tags of the nodes of an edge, or of a quad, in Gmsh's order, each after a blank; then the end of the line.
-void append_gmsh_line(const GmshModel& model, const QuadMesh& mesh, const SkeletonEdge& edge, std::string& text);
-void append_gmsh_quad(const GmshModel& model, const QuadMesh& mesh, int elem, std::string& text);
 
 /// An entity of a second periodic side, and the one of the first that it is the image of.
 struct GmshPeriodicLink {
@@ -77,22 +32,24 @@ struct GmshPeriodicLink {
   std::vector<std::array<int, 2>> nodes;  ///< mesh nodes, each with that of the master
 };
 
-/// Points, then curves.
-std::vector<GmshPeriodicLink> periodic_links(const GmshModel& model, const QuadMesh& mesh, const Frame& frame);
+struct GmshModel {
+  int dimension = 2;
+  Groups groups;
+  std::vector<std::array<double, 3>> positions;     ///< by mesh node, equispaced in each element
+  std::array<std::vector<GmshEntity>, 4> entities;  ///< by dimension
+  std::vector<int> node_tags;                       ///< by mesh node: its position among own_nodes, from 1
+  std::array<int, 4> types{};                       ///< Gmsh's types of elements by dimension
+  std::array<std::vector<int>, 4> node_orders;      ///< Gmsh's order of the local nodes by dimension
+  std::vector<GmshPeriodicLink> links;              ///< points, then curves, or surfaces
 
-/// The section $Periodic; empty without links. `motion`: the word or number before the motion, which formats differ in.
-std::string gmsh_periodic(const GmshNodes& model, const std::vector<GmshPeriodicLink>& links, const char* motion);
-
-/// "x y z", the shortest digits that read back to the same bits.
-void append_position(const std::array<double, 3>& x, std::string& text);
-
-/// The corners of a box along the axes.
-struct GmshBox {
-  std::array<double, 3> lower{1e300, 1e300, 1e300}, upper{-1e300, -1e300, -1e300};
-
-  void add(const std::array<double, 3>& x);
-  /// "x y z x y z"
-  void append(std::string& text) const;
+  int num_groups() const { return groups.num_boundaries() + groups.num_interfaces() + groups.num_regions(); }
 };
+
+/// For orders 1 to 10, of hexahedra to 9.
+GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame);
+GmshModel gmsh_model(const HexMesh& mesh);
+
+/// A whole file of version 4.1.
+std::string gmsh41_text(const GmshModel& model);
 
 }  // namespace quadrille::exports

@@ -61,9 +61,10 @@ void set_pyfr_groups(const NameList& words, GmshModel& model) {
   model.groups.boundary_names = words;
   model.groups.interface_names.clear();
   model.groups.region_names = {all_elements};
-  std::fill(model.groups.block2region.begin(), model.groups.block2region.end(), 0);
-  for (SkeletonCurve& curve : model.skeleton.curves)
-    if (!curve.is_boundary()) curve.cad_curve = -1;
+  const int num_boundaries = static_cast<int>(words.size());
+  for (GmshEntity& curve : model.entities[1])
+    if (curve.group > num_boundaries) curve.group = 0;
+  for (GmshEntity& surface : model.entities[2]) surface.group = 1 + num_boundaries;
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ Exported gmsh_pyfr(const QuadMesh& mesh, const Frame& frame) {
       cyclic_loss(mesh.face, groups, patches, "PyFR couples two sides of one name each that are moved, not turned"));
   if (words != groups.boundary_names) exported.side_files.push_back(names_table(groups, words, {}));
   set_pyfr_groups(words, model);
-  exported.bytes = gmsh41_text(model, mesh, frame);
+  exported.bytes = gmsh41_text(model);
   return exported;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "two_quads.hpp"
@@ -11,20 +12,23 @@ namespace quadrille::exports {
 
 namespace {
 
-using TwoQuadsModel = TwoQuadsTest<gmsh_model>;
+GmshModel model_of_quads(const QuadMesh& mesh, const Frame& frame) { return gmsh_model(mesh, frame); }
+
+using TwoQuadsModel = TwoQuadsTest<model_of_quads>;
 
 TEST_F(TwoQuadsModel, ANodeBelongsToTheEntityOfLowestDimension) {
   // Curves meet at six points and have one node between each two; each quad has one node inside.
-  EXPECT_EQ(model.entity_nodes[0].size(), 6u);
-  EXPECT_EQ(model.entity_nodes[1].size(), 7u);
-  for (const auto& nodes : model.entity_nodes[0]) EXPECT_EQ(nodes.size(), 1u);
-  for (const auto& nodes : model.entity_nodes[1]) EXPECT_EQ(nodes.size(), 1u);
-  EXPECT_EQ(model.entity_nodes[2], (std::vector<std::vector<int>>{{6}, {8}}));
+  EXPECT_EQ(model.entities[0].size(), 6u);
+  EXPECT_EQ(model.entities[1].size(), 7u);
+  for (const GmshEntity& point : model.entities[0]) EXPECT_EQ(point.own_nodes.size(), 1u);
+  for (const GmshEntity& curve : model.entities[1]) EXPECT_EQ(curve.own_nodes.size(), 1u);
+  EXPECT_EQ(model.entities[2][0].own_nodes, std::vector<int>{6});
+  EXPECT_EQ(model.entities[2][1].own_nodes, std::vector<int>{8});
 }
 
 TEST_F(TwoQuadsModel, TagsCountThroughTheEntitiesFromOne) {
   std::vector<int> tags = model.node_tags;
-  EXPECT_EQ(tags[model.entity_nodes[0][0][0]], 1);
+  EXPECT_EQ(tags[model.entities[0][0].own_nodes[0]], 1);
   EXPECT_EQ(tags[6], 14);
   EXPECT_EQ(tags[8], 15);
   std::sort(tags.begin(), tags.end());
@@ -32,26 +36,17 @@ TEST_F(TwoQuadsModel, TagsCountThroughTheEntitiesFromOne) {
 }
 
 TEST_F(TwoQuadsModel, GroupsCountTheBoundariesFirst) {
-  EXPECT_EQ(model.boundary_group(0), 1);
-  EXPECT_EQ(model.boundary_group(1), 2);
-  EXPECT_EQ(model.boundary_group(2), 1) << "of the same name as curve 0";
-  EXPECT_EQ(model.boundary_group(3), 3);
-  EXPECT_EQ(model.region_group(0), 4);
-  EXPECT_EQ(model.region_group(1), 5);
-  EXPECT_EQ(model.block_elems, (std::vector<std::vector<int>>{{0}, {1}}));
+  std::map<int, int> num_curves;  // by group; curves 0 and 2 have the same name
+  for (const GmshEntity& curve : model.entities[1]) ++num_curves[curve.group];
+  EXPECT_EQ(num_curves, (std::map<int, int>{{0, 1}, {1, 4}, {2, 1}, {3, 1}}));
+  EXPECT_EQ(model.entities[2][0].group, 4);
+  EXPECT_EQ(model.entities[2][1].group, 5);
 }
 
 TEST_F(TwoQuadsModel, LinesAndQuadsHaveTheirCornersFirst) {
-  std::string line, quad;
-  append_gmsh_line(model, mesh, {1, 2}, line);
-  append_gmsh_quad(model, mesh, 1, quad);
-  const auto tags = [&](const std::vector<int>& nodes) {
-    std::string text;
-    for (const int node : nodes) text.append(" ").append(std::to_string(model.node_tags[node]));
-    return text.append("\n");
-  };
-  EXPECT_EQ(line, tags({14, 12, 13}));
-  EXPECT_EQ(quad, tags({2, 4, 14, 12, 3, 9, 13, 7, 8}));
+  EXPECT_EQ(model.node_orders[1], (std::vector<int>{0, 2, 1}));
+  EXPECT_EQ(model.node_orders[2], (std::vector<int>{0, 2, 8, 6, 1, 5, 7, 3, 4}));
+  EXPECT_EQ(model.entities[2][1].elem_nodes, (std::vector<int>{2, 3, 4, 7, 8, 9, 12, 13, 14}));
 }
 
 TEST(GmshModel, TheSequenceOfEachOrderIsAPermutationFromOutsideToInside) {
@@ -69,7 +64,7 @@ TEST(GmshModel, TheSequenceOfEachOrderIsAPermutationFromOutsideToInside) {
       mesh.block_names = {"left"};
       mesh.boundary_edges = {{0, 0, 0}, {0, 1, 1}, {0, 2, 2}, {0, 3, 3}};
     }
-    const std::vector<int> sequence = gmsh_model(mesh, plane_frame(mesh.face)).quad_node_order;
+    const std::vector<int> sequence = gmsh_model(mesh, plane_frame(mesh.face)).node_orders[2];
     const int width = order + 1;
     ASSERT_EQ(static_cast<int>(sequence.size()), width * width);
     EXPECT_EQ(std::set<int>(sequence.begin(), sequence.end()).size(), sequence.size());
@@ -83,16 +78,19 @@ TEST(GmshModel, TheSequenceOfEachOrderIsAPermutationFromOutsideToInside) {
 }
 
 TEST(GmshModel, NamesAreQuotedAndCountedThrough) {
-  Groups groups;
-  groups.boundary_names = {"wall", "a \"b\"\n"};
-  groups.region_names = {"fluid"};
-  EXPECT_EQ(gmsh_names(groups), "$PhysicalNames\n3\n1 1 \"wall\"\n1 2 \"a 'b' \"\n2 3 \"fluid\"\n$EndPhysicalNames\n");
+  GmshModel model;
+  model.groups.boundary_names = {"wall", "a \"b\"\n"};
+  model.groups.region_names = {"fluid"};
+  const std::string names = "$PhysicalNames\n3\n1 1 \"wall\"\n1 2 \"a 'b' \"\n2 3 \"fluid\"\n$EndPhysicalNames\n";
+  EXPECT_NE(gmsh41_text(model).find(names), std::string::npos);
 }
 
 TEST(GmshModel, PositionsReadBackToTheSameBits) {
-  std::string text;
-  append_position({0.1, 1.0 / 3, -2}, text);
-  EXPECT_EQ(text, "0.1 0.3333333333333333 -2");
+  GmshModel model;
+  model.positions = {{0.1, 1.0 / 3, -2}};
+  model.node_tags = {1};
+  model.entities[0] = {{0, {}, {0}, {0}}};
+  EXPECT_NE(gmsh41_text(model).find("\n1 0.1 0.3333333333333333 -2 0\n"), std::string::npos);
 }
 
 TEST(GmshModel, PositionsLieInTheFrame) {
