@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "export/cells.hpp"
 #include "export/split_elements.hpp"
 #include "export/split_hexes.hpp"
 #include "spectral/quadrature.hpp"
@@ -52,11 +53,8 @@ void blend_inside(int order, int dimension, int known, const std::vector<int>& e
   for (std::size_t first = 0; first < elem_nodes.size(); first += count) {
     for (int k = 0; k < count; ++k) own[k] = nodes[elem_nodes[first + k]];
     for (int level = known + 1; level <= dimension; ++level)
-      for (int k = 0; k < count; ++k) {
-        int num_inner = 0;
-        for (const int stride : strides) num_inner += k / stride % width % order != 0 ? 1 : 0;
-        if (num_inner == level) own[k] = blend_at(points, strides, k, own);
-      }
+      for (int k = 0; k < count; ++k)
+        if (inner_coordinates(order, dimension, k) == level) own[k] = blend_at(points, strides, k, own);
     for (int k = 0; k < count; ++k) nodes[elem_nodes[first + k]] = own[k];
   }
 }

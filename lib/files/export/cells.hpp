@@ -4,7 +4,6 @@
 
 #include <array>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "export/groups.hpp"
@@ -46,6 +45,13 @@ inline int inner_coordinates(int order, int dimension, int local) {
     count += index > 0 && index < order ? 1 : 0;
   }
   return count;
+}
+
+/// The nodes of a line as most formats have them: the ends, then the others.
+inline std::vector<int> ends_first(int order) {
+  std::vector<int> nodes{0, order};
+  for (int k = 1; k < order; ++k) nodes.push_back(k);
+  return nodes;
 }
 
 /// A side of an element with a name: its boundary or, after those, its interface.

@@ -25,13 +25,6 @@ constexpr std::array<std::array<int, 2>, 12> cgns_hex_edges{
 constexpr std::array<std::array<int, 4>, 6> cgns_hex_faces{
     {{0, 1, 2, 3}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}}};
 
-/// The nodes of a line: its ends, then the others.
-std::vector<int> cgns_bar_order(int order) {
-  std::vector<int> nodes{0, order};
-  for (int k = 1; k < order; ++k) nodes.push_back(k);
-  return nodes;
-}
-
 /// The nodes of a quad: corners, then sides counter-clockwise, then the rings inside in the same way, corner first.
 std::vector<int> cgns_quad_order(int order) {
   std::vector<int> nodes;
@@ -93,7 +86,7 @@ class ZoneMaker {
       end(false);
     }
     const std::vector<std::vector<GroupSide>> sides = sides_by_group(mesh_, groups_);
-    const std::vector<int> side_order = are_quads ? cgns_bar_order(mesh_.order) : cgns_quad_order(mesh_.order);
+    const std::vector<int> side_order = are_quads ? ends_first(mesh_.order) : cgns_quad_order(mesh_.order);
     for (int b = 0; b < groups_.num_boundaries(); ++b) {
       begin(words_.boundaries[b], (are_quads ? cgns_bar_types : cgns_quad_types)[mesh_.order]);
       for (const GroupSide& at : sides[b]) add_element(side_nodes(mesh_, at.elem, at.side).data(), side_order);

@@ -5,7 +5,6 @@
 #include "export/cgns_request.hpp"
 #include "export/cgns_words.hpp"
 #include "export/groups.hpp"
-#include "export/hex_grids.hpp"
 #include "export/hex_periodic.hpp"
 #include "export/multi_block.hpp"
 #include "export/renode.hpp"

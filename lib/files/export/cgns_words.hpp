@@ -1,7 +1,6 @@
 #pragma once
 // The names of families in a CGNS file, and their types.
 
-#include <string>
 #include <vector>
 
 #include "export/cgns_request.hpp"

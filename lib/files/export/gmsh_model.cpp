@@ -1,7 +1,6 @@
 #include "export/gmsh_model.hpp"
 
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -19,13 +18,6 @@ namespace {
 constexpr std::array<int, 11> line_types{0, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66};
 constexpr std::array<int, 11> quad_types{0, 3, 10, 36, 37, 38, 47, 48, 49, 50, 51};
 constexpr std::array<int, 10> hex_types{0, 5, 12, 92, 93, 94, 95, 96, 97, 98};
-
-/// Gmsh's order of the local nodes of a line: the ends, then the others.
-std::vector<int> gmsh_line_order(int order) {
-  std::vector<int> nodes{0, order};
-  for (int k = 1; k < order; ++k) nodes.push_back(k);
-  return nodes;
-}
 
 /// Of a quad of any order from 0, xi1 fastest: corners, then sides counter-clockwise, then the same recursively for the
 /// inner nodes.
@@ -180,7 +172,7 @@ GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
   model.groups = mesh_groups(mesh);
   model.positions = positions(mesh, frame, ElementPoints::equispaced);
   model.types = {0, line_types[mesh.order], quad_types[mesh.order], 0};
-  model.node_orders = {{{}, gmsh_line_order(mesh.order), gmsh_quad_order(mesh.order), {}}};
+  model.node_orders = {{{}, ends_first(mesh.order), gmsh_quad_order(mesh.order), {}}};
   auto& [points, curves, surfaces, volumes] = model.entities;
   for (const int node : skeleton.points) points.push_back({0, {}, {node}});
   for (const int region : model.groups.block2region) surfaces.push_back({first_region(model.groups) + region});

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
-#include "export/hex_numbering.hpp"
+#include "export/cells.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -122,14 +122,11 @@ Vec3 edge_middle(const HexMesh& mesh, const std::vector<int>& nodes) {
 QuadraticEdgeLoss quadratic_edge_loss(const HexMesh& mesh, const char* reader) {
   QuadraticEdgeLoss loss;
   QuadraticEdges edges(mesh);
-  const int n = mesh.order, width = n + 1;
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const std::vector<Vec3>& rebuilt = edges.rebuild(elem);
-    const int* nodes = &mesh.elem_nodes[static_cast<std::size_t>(elem) * mesh.nodes_per_elem()];
+    const int* nodes = element_nodes(mesh, elem);
     for (int local = 0; local < mesh.nodes_per_elem(); ++local) {
-      const int num_inner =
-          (local % width % n != 0) + (local / width % width % n != 0) + (local / (width * width) % n != 0);
-      double& largest = num_inner <= 1 ? loss.edges : loss.others;
+      double& largest = inner_coordinates(mesh.order, 3, local) <= 1 ? loss.edges : loss.others;
       largest = std::max(largest, distance(rebuilt[local], mesh.nodes[nodes[local]]));
     }
     if (!(edges.least_det() > 0))

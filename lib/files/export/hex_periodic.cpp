@@ -10,14 +10,11 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/tolerance.hpp"
+#include "surface/periodic_motion.hpp"
 
 namespace quadrille::exports {
 
 namespace {
-
-Vec3 image_of(const SpaceMotion& motion, Vec3 x) {
-  return motion.shift + Vec3{dot(motion.matrix[0], x), dot(motion.matrix[1], x), dot(motion.matrix[2], x)};
-}
 
 /// Groups that are the first ones of a pair.
 std::vector<int> first_groups(const HexMesh& mesh) {
@@ -127,7 +124,7 @@ class FacePair {
   bool are_images(const std::vector<std::array<int, 2>>& pairs) const {
     const double same = tolerance::round_off * mesh_.diameter;
     for (const auto& [node, image] : pairs)
-      if (distance(image_of(motion_, mesh_.nodes[node]), mesh_.nodes[image]) > same) return false;
+      if (distance(surface::image(motion_, mesh_.nodes[node]), mesh_.nodes[image]) > same) return false;
     return true;
   }
 
@@ -152,12 +149,6 @@ std::vector<PeriodicFaces> periodic_faces(const HexMesh& mesh) {
 }
 
 bool is_translation(const SpaceMotion& motion) { return motion.matrix == SpaceMotion().matrix; }
-
-std::array<double, 16> affine_motion(const SpaceMotion& motion) {
-  const auto& [x, y, z] = motion.matrix;
-  const Vec3 s = motion.shift;
-  return {x.x, x.y, x.z, s.x, y.x, y.y, y.z, s.y, z.x, z.y, z.z, s.z, 0, 0, 0, 1};
-}
 
 std::string periodic_loss(const HexMesh& mesh, std::string_view why) {
   std::string list;

@@ -26,9 +26,6 @@ std::vector<PeriodicFaces> periodic_faces(const HexMesh& mesh);
 /// Whether the motion of a group is a translation.
 bool is_translation(const SpaceMotion& motion);
 
-/// The motion row by row: it maps (x, y, z, 1) of the first face onto the second.
-std::array<double, 16> affine_motion(const SpaceMotion& motion);
-
 /// A sentence that the format does not store that faces are periodic, with their names, and why, if that is not empty.
 /// Empty without periodic faces.
 std::string periodic_loss(const HexMesh& mesh, std::string_view why = {});

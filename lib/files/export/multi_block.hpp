@@ -7,11 +7,11 @@
 // rising j, 2 is j = num_j with falling i, 3 is i = 0 with falling j.
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "export/block_grid.hpp"
 #include "export/groups.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -39,7 +39,7 @@ struct MultiBlock {
   std::vector<BoundaryRange> boundaries;    ///< grid by grid, side by side, counter-clockwise
   std::vector<GridConnection> connections;  ///< each once, sorted by the first range
 
-  // Of hexahedra (hex_grids.hpp):
+  // Of hexahedra:
   int num_levels = 1;                    ///< of points
   std::vector<int> columns;              ///< [node of quads, level]: the mesh node
   std::vector<std::array<int, 2>> ends;  ///< by grid: the boundary of the first and of the last level; -1: they are one
@@ -55,7 +55,10 @@ struct MultiBlock {
 /// boundaries or neighbours has several ranges. Throws ComputeError with the position if a cell is not convex.
 MultiBlock multi_block(const QuadMesh& mesh, const Groups& groups);
 
-/// The same of quads of order 1, whose positions do not matter.
-MultiBlock multi_block_of_cells(QuadMesh quads, const Groups& groups);
+/// A swept mesh as structured solvers know it: the grids of its quads, times the layers. Everything about sides follows
+/// from the quads of one layer (layer_quads.hpp); the third index runs with the sweep, so that a grid is right-handed.
+/// `cells`: hexahedra of order 1 (split_at_nodes of a mesh). Throws ComputeError if a side, the bottom or the top of a
+/// grid has two names.
+MultiBlock multi_block(const HexMesh& cells, const Groups& groups);
 
 }  // namespace quadrille::exports

@@ -122,7 +122,7 @@ std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh) {
   return result;
 }
 
-std::array<double, 16> rows_of(const SpaceMotion& motion) {
+std::array<double, 16> affine_motion(const SpaceMotion& motion) {
   const auto& [x, y, z] = motion.matrix;
   const Vec3 s = motion.shift;
   return {x.x, x.y, x.z, s.x, y.x, y.y, y.z, s.y, z.x, z.y, z.z, s.z, 0, 0, 0, 1};
@@ -130,7 +130,7 @@ std::array<double, 16> rows_of(const SpaceMotion& motion) {
 
 // The frame's axes have one length and are normal to each other; what is normal to both stays.
 std::array<double, 16> affine_motion(const CadFace& face, int pair, const Frame& frame) {
-  if (face.chart) return rows_of(surface::periodic_motion(face, face.periodic_pairs[pair]));
+  if (face.chart) return affine_motion(surface::periodic_motion(face, face.periodic_pairs[pair]));
   const PeriodicMotion motion(face.periodic_pairs[pair], face.origin);
   const Triple& x = frame.x_axis;
   const Triple& y = frame.y_axis;

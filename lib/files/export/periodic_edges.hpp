@@ -10,6 +10,7 @@
 
 #include "export/edge_numbering.hpp"
 #include "export/exported.hpp"
+#include "model/hex_mesh.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::exports {
@@ -22,6 +23,9 @@ struct PeriodicEdges {
 
 /// Throws ComputeError, with the place, for an edge on a periodic curve that has no image within 1e-9 diameters.
 std::vector<PeriodicEdges> periodic_edges(const QuadMesh& mesh);
+
+/// A motion row by row: it maps (x, y, z, 1) of a point to its image.
+std::array<double, 16> affine_motion(const SpaceMotion& motion);
 
 /// The motion of a pair in a frame, row by row: it maps (x, y, z, 1) of the first curve onto the second. Of a curved
 /// face the motion in space.

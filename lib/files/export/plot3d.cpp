@@ -1,9 +1,7 @@
-#include <algorithm>
 #include <functional>
 #include <utility>
 
 #include "export/groups.hpp"
-#include "export/hex_grids.hpp"
 #include "export/hex_periodic.hpp"
 #include "export/multi_block.hpp"
 #include "export/renode.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
-#include "export/groups.hpp"
+#include "export/cells.hpp"
 #include "export/hex_blend.hpp"
 #include "export/hex_periodic.hpp"
 #include "export/poly_faces.hpp"
@@ -21,8 +21,8 @@ void require_convex_corners(const HexMesh& mesh) {
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     for (int c = 0; c < 8; ++c) {
       const auto corner = [&](int i, int j, int k) {
-        const int n = mesh.order, local = n * ((k * (n + 1) + j) * (n + 1) + i);
-        return mesh.nodes[mesh.elem_nodes[static_cast<std::size_t>(elem) * mesh.nodes_per_elem() + local]];
+        const int n = mesh.order;
+        return mesh.nodes[element_nodes(mesh, elem)[n * ((k * (n + 1) + j) * (n + 1) + i)]];
       };
       const auto [i, j, k] = hex_corner_indices[c];
       const Vec3 along = corner(1, j, k) - corner(0, j, k), across = corner(i, 1, k) - corner(i, 0, k);
@@ -124,9 +124,7 @@ class PolyMeshWriter {
   }
 
   std::string zones_file(const std::vector<std::string>& names) const {
-    std::vector<std::vector<int>> cells(faces_.groups.num_regions());
-    for (int elem = 0; elem < mesh_.num_elems(); ++elem)
-      cells[faces_.groups.block2region[mesh_.quad_block[elem % mesh_.num_quads]]].push_back(elem);
+    const std::vector<std::vector<int>> cells = elements_by_region(mesh_, faces_.groups);
     std::string text = header("regIOobject", "cellZones") + fmt::format("{}\n(\n", cells.size());
     for (std::size_t r = 0; r < cells.size(); ++r) {
       text += fmt::format("    {}\n    {{\n        type cellZone;\n        cellLabels List<label> {}\n        (\n",

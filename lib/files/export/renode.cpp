@@ -123,12 +123,6 @@ std::array<double, 3> coordinates(Vec3 x) { return {x.x, x.y, x.z}; }
 
 }  // namespace
 
-std::vector<Vec2> bezier_points(const QuadMesh& mesh) { return points_of(mesh, mesh.nodes, ElementPoints::bezier); }
-
-std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh) {
-  return points_of(mesh, mesh.nodes, ElementPoints::equispaced);
-}
-
 std::vector<std::array<double, 3>> positions(const QuadMesh& mesh, const Frame& frame, ElementPoints points) {
   std::vector<std::array<double, 3>> result;
   result.reserve(mesh.nodes.size());

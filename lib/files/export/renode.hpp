@@ -23,23 +23,17 @@ namespace quadrille::exports {
 /// and shared.
 std::vector<Vec2> renoded(const QuadMesh& mesh, const Eigen::MatrixXd& from_gll);
 
-/// One control point for each of mesh.nodes: the node at Gauss-Lobatto-Legendre point (i, j) of an element becomes
-/// control point (i, j). Vertices keep their position bit for bit; an edge's control points are computed once and
-/// shared. The change of basis loses about a digit for every three orders.
-std::vector<Vec2> bezier_points(const QuadMesh& mesh);
-
-/// One position for each of mesh.nodes: the node at Gauss-Lobatto-Legendre point (i, j) of an element moves to the
-/// equispaced point (i, j). Vertices keep their position bit for bit; an edge's nodes are evaluated once and shared.
-std::vector<Vec2> equispaced_nodes(const QuadMesh& mesh);
-
-/// By which points a format defines an element: those of the mesh, or others.
+/// By which points a format defines an element: those of the mesh, equispaced nodes, or Bernstein control points (the
+/// change of basis loses about a digit for every three orders). Point (i, j) takes the place of the node at
+/// Gauss-Lobatto-Legendre point (i, j). Vertices keep their position bit for bit; an edge's points are computed once
+/// and shared.
 enum class ElementPoints { nodes, equispaced, bezier };
 
-/// One position in space for each of mesh.nodes: itself, bezier_points or equispaced_nodes, of a planar face in the
-/// frame, of a curved one those of the elements in space.
+/// One position in space for each of mesh.nodes: of a planar face in the frame, of a curved one those of the elements
+/// in space.
 std::vector<std::array<double, 3>> positions(const QuadMesh& mesh, const Frame& frame, ElementPoints points);
 
-/// Of hexahedra: nodes of edges and faces are evaluated once and shared, vertices keep their position bit for bit.
+/// Of hexahedra: nodes of faces too are evaluated once and shared.
 std::vector<std::array<double, 3>> positions(const HexMesh& mesh, ElementPoints points);
 
 /// The same by any matrix that renoded accepts.

@@ -12,13 +12,6 @@ namespace quadrille::exports {
 
 namespace {
 
-/// VTK's order of the local nodes of a line: the ends, then the inner nodes.
-std::vector<int> vtk_line_order(int order) {
-  std::vector<int> nodes{0, order};
-  for (int k = 1; k < order; ++k) nodes.push_back(k);
-  return nodes;
-}
-
 /// VTK's order of the local nodes of a hexahedron since its file version 2.2: corners, edges as in hex_edge_corners,
 /// the faces -x, +x, -y, +y, -z, +z and the inner ones with the first coordinate fastest.
 std::vector<int> vtk_hex_order(int order) {
@@ -91,7 +84,7 @@ class VtuWriter {
     PointNumbers numbers(positions_.size(), -1);
     for (const SkeletonCurve& curve : mesh_skeleton(mesh_).curves)
       for (const SkeletonEdge& edge : curve.edges) {
-        add_cell(side_nodes(mesh_, edge.elem, edge.side), vtk_line_order(mesh_.order), numbers, grid);
+        add_cell(side_nodes(mesh_, edge.elem, edge.side), ends_first(mesh_.order), numbers, grid);
         curve_ids.values.push_back(curve.cad_curve);
         names.values.push_back(curve.cad_curve < 0 ? -1 : groups_.curve2boundary[curve.cad_curve]);
         insides.values.push_back(!curve.is_boundary());

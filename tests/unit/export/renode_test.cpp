@@ -97,10 +97,16 @@ Vec2 on_curve(const Vec2* points, int order, int stride, double t) {
   return p[0];
 }
 
+std::vector<Vec2> in_plane(const QuadMesh& mesh, ElementPoints points) {
+  std::vector<Vec2> result;
+  for (const auto& [x, y, z] : positions(mesh, Frame(), points)) result.push_back({x, y});
+  return result;
+}
+
 TEST(Bezier, ControlPointsGiveTheSameMap) {
   for (const int order : {1, 2, 3, 5, 8, 10}) {
     const QuadMesh mesh = refined(hand_made::s_bend(), {1, order, 5e-7});
-    const std::vector<Vec2> control = bezier_points(mesh);
+    const std::vector<Vec2> control = in_plane(mesh, ElementPoints::bezier);
     ASSERT_EQ(control.size(), mesh.nodes.size());
     const int count = mesh.nodes_per_elem();
     for (int elem = 0; elem < mesh.num_elems(); elem += 5) {
@@ -122,7 +128,7 @@ TEST(Bezier, ControlPointsGiveTheSameMap) {
 TEST(Bezier, QuadraticArcHasItsPoleWhereTheTangentsMeet) {
   // A parabola through the arc's nodes at -1, 0, 1 has the middle pole 2 x(0) - (x(-1) + x(1)) / 2.
   const QuadMesh mesh = refined(hand_made::quarter_annulus(), {1, 2, 5e-7});
-  const std::vector<Vec2> control = bezier_points(mesh);
+  const std::vector<Vec2> control = in_plane(mesh, ElementPoints::bezier);
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const int* ids = &mesh.elem_nodes[elem * 9];
     const Vec2 pole = 2 * mesh.nodes[ids[1]] - (mesh.nodes[ids[0]] + mesh.nodes[ids[2]]) / 2;
@@ -135,7 +141,7 @@ TEST(Bezier, QuadraticArcHasItsPoleWhereTheTangentsMeet) {
 TEST(Equispaced, NodesLieOnTheSamePolynomial) {
   for (const int order : {1, 2, 3, 4, 7, 10}) {
     const QuadMesh mesh = refined(hand_made::s_bend(), {1, order, 5e-7});
-    const std::vector<Vec2> moved = equispaced_nodes(mesh);
+    const std::vector<Vec2> moved = in_plane(mesh, ElementPoints::equispaced);
     ASSERT_EQ(moved.size(), mesh.nodes.size());
     const int count = mesh.nodes_per_elem();
     for (int elem = 0; elem < mesh.num_elems(); elem += 7) {
@@ -153,7 +159,7 @@ TEST(Equispaced, NodesLieOnTheSamePolynomial) {
 
 TEST(Equispaced, VerticesStayBitForBit) {
   const QuadMesh mesh = refined(hand_made::quarter_annulus(), {0.5, 5, 5e-7});
-  const std::vector<Vec2> moved = equispaced_nodes(mesh);
+  const std::vector<Vec2> moved = in_plane(mesh, ElementPoints::equispaced);
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     for (const int corner : {0, 5, 30, 35}) {
       const int node = mesh.elem_nodes[elem * 36 + corner];

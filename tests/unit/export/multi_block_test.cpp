@@ -1,4 +1,4 @@
-#include "export/hex_grids.hpp"
+#include "export/multi_block.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace quadrille::exports {
 namespace {
 
-TEST(HexGrids, Plot3dOfTwoGridsInFull) {
+TEST(MultiBlock, Plot3dOfTwoGridsInFull) {
   const Exported exported = plot3d(two_hexes({.layers = 2}));
   EXPECT_TRUE(exported.bytes.starts_with(R"(2
 2 2 3
@@ -48,12 +48,12 @@ ONE_TO_ONE 1 4 1 2 1 3 2 3 1 2 1 3 FALSE
 )");
 }
 
-TEST(HexGrids, TheExampleOfThePage) {
+TEST(MultiBlock, TheExampleOfThePage) {
   const std::string map = plot3d(two_hexes_of_the_pages()).side_files.at(0).bytes;
   EXPECT_NE(page("plot3d.md").find("```\n" + map + "```\n"), std::string::npos) << map;
 }
 
-TEST(HexGrids, CgnsHasFamiliesAndConnectionsInSpace) {
+TEST(MultiBlock, CgnsHasFamiliesAndConnectionsInSpace) {
   const CgnsRequest request = cgns_request(cgns_structured(two_hexes({.order = 2, .map = bent})).bytes);
   EXPECT_TRUE(request.is_structured);
   EXPECT_EQ(request.cell_dimension, 3);
@@ -72,7 +72,7 @@ TEST(HexGrids, CgnsHasFamiliesAndConnectionsInSpace) {
 }
 
 /// The last level of a full turn is the first.
-TEST(HexGrids, AFullTurnIsItsOwnNeighbour) {
+TEST(MultiBlock, AFullTurnIsItsOwnNeighbour) {
   HexMesh mesh = two_hexes({.layers = 3, .map = [](Vec3 x) {
                               const double turn = 2 * std::acos(-1.0) * x.z / 3;
                               return Vec3{(x.x + 3) * std::cos(turn), (x.x + 3) * std::sin(turn), -x.y};
@@ -91,7 +91,7 @@ TEST(HexGrids, AFullTurnIsItsOwnNeighbour) {
   EXPECT_NE(plot3d(mesh).side_files.at(0).bytes.find("ONE_TO_ONE 1 1 1 2 1 2 1 2 1 2 1 2 FALSE\n"), std::string::npos);
 }
 
-TEST(HexGrids, BlocksOfOneRegionAreMerged) {
+TEST(MultiBlock, BlocksOfOneRegionAreMerged) {
   HexMesh mesh = two_hexes({.order = 2, .layers = 2});
   EXPECT_EQ(merge_blocks(mesh).block_region.size(), 2u) << "an interface stays";
   mesh.block_region = {1, 1};
@@ -104,7 +104,7 @@ TEST(HexGrids, BlocksOfOneRegionAreMerged) {
   EXPECT_EQ(request.zones[0].size, (std::vector<std::int64_t>{5, 3, 5}));
 }
 
-TEST(HexGrids, NamesThatChangeFromLayerToLayerAreRefused) {
+TEST(MultiBlock, NamesThatChangeFromLayerToLayerAreRefused) {
   HexMesh mesh = two_hexes({.layers = 2});
   for (std::size_t k = 0; k < mesh.face_groups[1].elems.size(); ++k)  // "outlet", in the upper layer "wall"
     if (mesh.face_groups[1].elems[k] >= 2) {
