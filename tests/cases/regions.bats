@@ -176,11 +176,3 @@ names() { jq -r '[.face.curve_names | to_entries | unique_by(.value) | sort_by(.
   run -2 separatrix --layout traced t.tri.h5 -o no.sep.json
   assert_output --partial "needs a field"
 }
-
-@test "the same bytes with any number of threads" {
-  mesh_of pins
-  mv work one
-  mesh_of pins --threads 2
-  cmp one/pins.sep.json work/pins.sep.json
-  cmp one/pins.quad.h5 work/pins.quad.h5
-}
