@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include "base/stopwatch.hpp"
 
 namespace quadrille {
 
@@ -21,12 +22,6 @@ namespace {
 constexpr double seconds_per_start = 5e-4;
 
 double least_cpu_seconds = -1;  // of start_threads_after; negative: it was not called
-
-double seconds(clockid_t clock) {
-  timespec t{};
-  clock_gettime(clock, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // Chunks of indices, handed out in ascending order: when f(i) throws, all lower indices have been handed out already.
 class Loop {
@@ -87,9 +82,9 @@ class Helpers {
  private:
   bool can_start() const { return static_cast<int>(threads_.size()) < greatest_number_; }
   bool is_due() const {
-    const double lasted = seconds(CLOCK_MONOTONIC) - begin_;
+    const double lasted = seconds_of(CLOCK_MONOTONIC) - begin_;
     return lasted > seconds_per_start * static_cast<double>(threads_.size() + 1) &&
-           seconds(CLOCK_PROCESS_CPUTIME_ID) > least_cpu_seconds;
+           seconds_of(CLOCK_PROCESS_CPUTIME_ID) > least_cpu_seconds;
   }
   void start() {
     try {
@@ -101,7 +96,7 @@ class Helpers {
 
   Loop* loop_;
   int greatest_number_;
-  double begin_ = seconds(CLOCK_MONOTONIC);
+  double begin_ = seconds_of(CLOCK_MONOTONIC);
   std::vector<std::jthread> threads_;
 };
 

@@ -7,6 +7,13 @@
 
 namespace quadrille {
 
+/// What a clock shows.
+inline double seconds_of(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
 /// Seconds of one phase: CPU time of all threads of the process, and wall-clock time.
 struct Lap {
   std::string phase;
@@ -17,7 +24,7 @@ class Stopwatch {
  public:
   /// Ends the phase that began at the last call, or at the construction of the stopwatch.
   void lap(const std::string& phase) {
-    const double cpu = now(CLOCK_PROCESS_CPUTIME_ID), wall = now(CLOCK_MONOTONIC);
+    const double cpu = seconds_of(CLOCK_PROCESS_CPUTIME_ID), wall = seconds_of(CLOCK_MONOTONIC);
     laps_.push_back({phase, cpu - cpu_, wall - wall_});
     cpu_ = cpu;
     wall_ = wall;
@@ -25,12 +32,7 @@ class Stopwatch {
   const std::vector<Lap>& laps() const { return laps_; }
 
  private:
-  static double now(clockid_t clock) {
-    timespec t{};
-    clock_gettime(clock, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  }
-  double cpu_ = now(CLOCK_PROCESS_CPUTIME_ID), wall_ = now(CLOCK_MONOTONIC);
+  double cpu_ = seconds_of(CLOCK_PROCESS_CPUTIME_ID), wall_ = seconds_of(CLOCK_MONOTONIC);
   std::vector<Lap> laps_;
 };
 

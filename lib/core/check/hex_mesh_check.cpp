@@ -5,6 +5,7 @@
 #include "check/rules.hpp"
 #include "model/hex_faces.hpp"
 #include "spectral/hex_map.hpp"
+#include "surface/periodic_motion.hpp"
 
 namespace quadrille::check {
 
@@ -190,11 +191,6 @@ void hex_jacobians_are_as_stored(const HexMesh& mesh, Findings& findings) {
   }
 }
 
-Vec3 moved(const SpaceMotion& motion, Vec3 x) {
-  const auto& m = motion.matrix;
-  return Vec3{dot(m[0], x), dot(m[1], x), dot(m[2], x)} + motion.shift;
-}
-
 /// The corners of each face are moved to those of its image.
 void hex_groups_are_periodic(const HexMesh& mesh, Findings& findings) {
   const int n = mesh.order, w = n + 1;
@@ -208,7 +204,7 @@ void hex_groups_are_periodic(const HexMesh& mesh, Findings& findings) {
         return mesh.nodes[mesh.elem_nodes[of.elems[f] * nodes_per_hex(mesh) + local[at[k]]]];
       };
       for (int k = 0; k < 4; ++k) {
-        const Vec3 image = moved(group.motion, corner(group, k));
+        const Vec3 image = surface::image(group.motion, corner(group, k));
         const bool is_there = std::ranges::any_of(std::array{0, 1, 2, 3}, [&](int i) {
           return distance(image, corner(other, i)) <= periodic_tol * mesh.diameter;
         });

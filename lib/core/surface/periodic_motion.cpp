@@ -79,12 +79,17 @@ std::array<Columns, 2> frames(const SideShape& a, const SideShape& b) {
   return {frame(a.chord(), a.last.normal), frame(b.chord(), b.last.normal)};
 }
 
-std::array<Vec3, 3> rotation_between(const std::array<Columns, 2>& frames) {
+Vec3 without_rounding(Vec3 direction) {
+  for (double* const x : {&direction.x, &direction.y, &direction.z})
+    if (std::abs(*x) < rounding) *x = 0;
+  return normalized(direction);
+}
+
+}  // namespace
+
+std::array<Vec3, 3> rotation_between(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to) {
   std::array<Vec3, 3> rows{};
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 from = frames[0][k], to = frames[1][k];
-    rows[0] += to.x * from, rows[1] += to.y * from, rows[2] += to.z * from;
-  }
+  for (int k = 0; k < 3; ++k) rows[0] += to[k].x * from[k], rows[1] += to[k].y * from[k], rows[2] += to[k].z * from[k];
   return rows;
 }
 
@@ -95,14 +100,6 @@ std::array<Vec3, 3> rotation_about(const RotationAxis& axis) {
           Vec3{r * d.y * d.x + s * d.z, c + r * d.y * d.y, r * d.y * d.z - s * d.x},
           Vec3{r * d.z * d.x - s * d.y, r * d.z * d.y + s * d.x, c + r * d.z * d.z}};
 }
-
-Vec3 without_rounding(Vec3 direction) {
-  for (double* const x : {&direction.x, &direction.y, &direction.z})
-    if (std::abs(*x) < rounding) *x = 0;
-  return normalized(direction);
-}
-
-}  // namespace
 
 Vec3 image(const SpaceMotion& motion, Vec3 x) {
   const auto& m = motion.matrix;
@@ -140,7 +137,8 @@ RotationAxis rotation_axis(const SpaceMotion& motion) {
 SpaceMotion motion_between(const Chart& chart, const CurvesInSpace& first, const CurvesInSpace& second) {
   const SideShape from = shape_of(chart, first), to = shape_of(chart, second).reversed();
   SpaceMotion motion;
-  motion.matrix = rotation_between(frames(from, to));
+  const auto [frame, image_of_frame] = frames(from, to);
+  motion.matrix = rotation_between(frame, image_of_frame);
   RotationAxis axis = rotation_axis(motion);
   axis.angle = snapped_to_fraction(axis.angle);
   motion.matrix = SpaceMotion().matrix;

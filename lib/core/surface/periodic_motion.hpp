@@ -2,6 +2,7 @@
 // The motions in space of periodic sides of a curved face. They follow from the curves and the surface, so that no file
 // has them.
 
+#include <array>
 #include <vector>
 
 #include "model/cad_face.hpp"
@@ -34,5 +35,9 @@ struct RotationAxis {
   double angle = 0;
 };
 RotationAxis rotation_axis(const SpaceMotion& motion);
+std::array<Vec3, 3> rotation_about(const RotationAxis& axis);
+
+/// The rotation that maps one orthonormal frame, by columns, onto another.
+std::array<Vec3, 3> rotation_between(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to);
 
 }  // namespace quadrille::surface

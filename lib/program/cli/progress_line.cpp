@@ -10,9 +10,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
-#include <ctime>
 #include <system_error>
 #include <utility>
+
+#include "base/stopwatch.hpp"
 
 namespace quadrille::cli {
 
@@ -23,12 +24,6 @@ constexpr std::size_t max_columns = 240;
 // For erase_progress_line, which can read nothing else: columns of the terminal's line that are not blank.
 std::atomic<std::size_t> columns_on_terminal = 0;
 std::atomic<bool> is_interrupted = false;
-
-double wall_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A longer line would continue on the next row, which \r does not lead back from.
 std::size_t columns_of_terminal() {
@@ -66,7 +61,7 @@ void ProgressLine::begin_phase(const std::string& name) {
   const std::vector<std::string>& hidden = style_.hidden_phases;
   phase_ = std::find(hidden.begin(), hidden.end(), name) == hidden.end() ? name : "";
   if (phase_.empty()) return erase();
-  if (work_begin_ < 0) work_begin_ = wall_seconds();
+  if (work_begin_ < 0) work_begin_ = seconds_of(CLOCK_MONOTONIC);
   if (!is_due()) return;
   if (style_.is_terminal)
     draw();
@@ -92,7 +87,7 @@ void ProgressLine::print(const std::string& text) {
   if (style_.is_terminal && is_due()) draw();
 }
 
-double ProgressLine::seconds() const { return style_.seconds_before + wall_seconds() - work_begin_; }
+double ProgressLine::seconds() const { return style_.seconds_before + seconds_of(CLOCK_MONOTONIC) - work_begin_; }
 
 bool ProgressLine::is_due() const { return !phase_.empty() && seconds() >= style_.delay; }
 

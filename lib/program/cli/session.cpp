@@ -3,22 +3,15 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <ctime>
-
 #include "base/name_text.hpp"
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "base/version.hpp"
 #include "cli/messages.hpp"
 
 namespace quadrille::cli {
 
 namespace {
-
-double wall_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// User and system time of this process and of the children that it waited for.
 double cpu_seconds() {
@@ -38,7 +31,7 @@ Session::Session(std::string tool, std::string options_json, int verbosity, int 
       options_json_(std::move(options_json)),
       verbosity_(verbosity),
       threads_(threads),
-      start_(wall_seconds()) {}
+      start_(seconds_of(CLOCK_MONOTONIC)) {}
 
 void Session::info(const std::string& text, int level) const {
   if (verbosity_ < level) return;
@@ -64,7 +57,7 @@ Provenance Session::provenance(const Provenance& before, const std::vector<Input
 
 void Session::begin_phase(const std::string& name) {
   end_phase();
-  phase_ = {name, cpu_seconds(), wall_seconds()};
+  phase_ = {name, cpu_seconds(), seconds_of(CLOCK_MONOTONIC)};
   if (display_.line) display_.line->begin_phase(name);
 }
 
@@ -75,14 +68,14 @@ void Session::finish() {
   display_.ticker.reset();
   display_.line.reset();
   report_.set("timings.total.cpu_seconds", cpu_seconds() - cpu_start_);
-  report_.set("timings.total.wall_seconds", wall_seconds() - start_);
+  report_.set("timings.total.wall_seconds", seconds_of(CLOCK_MONOTONIC) - start_);
 }
 
 void Session::end_phase() {
   if (phase_.name.empty()) return;
   if (display_.line) display_.line->end_phase();
   const double cpu = cpu_seconds() - phase_.cpu;
-  const double wall = wall_seconds() - phase_.wall;
+  const double wall = seconds_of(CLOCK_MONOTONIC) - phase_.wall;
   report_.set("timings." + phase_.name + ".cpu_seconds", cpu);
   report_.set("timings." + phase_.name + ".wall_seconds", wall);
   info(fmt::format("{}: {:.1f} ms", phase_.name, 1e3 * wall), 2);

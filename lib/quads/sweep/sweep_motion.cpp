@@ -52,23 +52,7 @@ std::array<Vec3, 3> frame(const SpaceSpline& spline, double u, Vec3 normal) {
   return {normal, cross(tangent, normal), tangent};
 }
 
-/// The rotation that maps one orthonormal frame, by columns, onto another.
-std::array<Vec3, 3> between(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to) {
-  std::array<Vec3, 3> rows{};
-  for (int k = 0; k < 3; ++k) {
-    rows[0] += to[k].x * from[k];
-    rows[1] += to[k].y * from[k];
-    rows[2] += to[k].z * from[k];
-  }
-  return rows;
-}
-
 }  // namespace
-
-Vec3 image(const SpaceMotion& motion, Vec3 x) {
-  const auto& m = motion.matrix;
-  return Vec3{dot(m[0], x), dot(m[1], x), dot(m[2], x)} + motion.shift;
-}
 
 SpaceMotion combined(const SpaceMotion& first, const SpaceMotion& second) {
   SpaceMotion both;
@@ -81,12 +65,7 @@ SpaceMotion combined(const SpaceMotion& first, const SpaceMotion& second) {
 }
 
 SpaceMotion rotation(const Axis& axis, double angle) {
-  const Vec3 d = axis.direction;
-  const double c = std::cos(angle), s = std::sin(angle), r = 1 - c;
-  return about({Vec3{c + r * d.x * d.x, r * d.x * d.y - s * d.z, r * d.x * d.z + s * d.y},
-                Vec3{r * d.y * d.x + s * d.z, c + r * d.y * d.y, r * d.y * d.z - s * d.x},
-                Vec3{r * d.z * d.x - s * d.y, r * d.z * d.y + s * d.x, c + r * d.z * d.z}},
-               axis.point);
+  return about(surface::rotation_about({axis.direction, angle}), axis.point);
 }
 
 SweepMotion::SweepMotion(SweepShape shape) : shape_(std::move(shape)) {
@@ -126,7 +105,7 @@ SpaceMotion SweepMotion::along_curve(double s) const {
   for (int width = static_cast<int>(normals_.size()); width > 0; width /= 2)
     while (step + width < static_cast<int>(normals_.size()) && above(step + width)) step += width;
   const Vec3 normal = transported(*spline_, step_end(*spline_, step), s, normals_[step]);
-  SpaceMotion motion{between(frame(*spline_, 0, normals_[0]), frame(*spline_, s, normal)), {}};
+  SpaceMotion motion{surface::rotation_between(frame(*spline_, 0, normals_[0]), frame(*spline_, s, normal)), {}};
   motion.shift = spline_->at(s) - image(motion, spline_->at(0));
   return motion;
 }

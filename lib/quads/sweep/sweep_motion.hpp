@@ -11,6 +11,7 @@
 
 #include "base/vec3.hpp"
 #include "model/hex_mesh.hpp"
+#include "surface/periodic_motion.hpp"
 #include "sweep/space_spline.hpp"
 
 namespace quadrille::sweep {
@@ -32,7 +33,7 @@ struct SweepShape {
 
 /// x -> matrix x + shift: the second of the two motions after the first.
 SpaceMotion combined(const SpaceMotion& first, const SpaceMotion& second);
-Vec3 image(const SpaceMotion& motion, Vec3 x);
+using surface::image;
 /// A rotation about an axis.
 SpaceMotion rotation(const Axis& axis, double angle);
 
