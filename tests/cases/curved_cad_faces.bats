@@ -40,6 +40,15 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
   done
 }
 
+@test "elements at the tip of a cone are small enough to be within the tolerance of the surface" {
+  "$quadmesh" -q "$curved/cone_tip.step" --face 0 --workdir stages -o fine.msh
+  quadrefine stages/cone_tip.blocks.h5 -o a.quad.h5 --report fine.json
+  run -0 jq -e '.surface.distance <= .surface.tolerance and .least_scaled_jacobian > 0.75 and .warnings == []' fine.json
+  quadrefine stages/cone_tip.blocks.h5 --geometry-tol 0.01 -o a.quad.h5 --report coarse.json
+  # Rings of elements around the tip alone.
+  (( $(jq .quads fine.json) < $(jq .quads coarse.json) + 120 ))
+}
+
 # Across the seam of the surface, and with its pole inside a block.
 @test "blocks of a STEP model are faces that can be meshed, wherever seams and poles are" {
   for shape in tube sphere_cap; do

@@ -10,6 +10,7 @@
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/element_sizes.hpp"
+#include "refine/tip_rings.hpp"
 #include "refine/validity.hpp"
 #include "sizing/chart_scale.hpp"
 #include "surface/positions.hpp"
@@ -57,6 +58,24 @@ std::vector<bool> elements_at(const std::vector<Vec3>& tips, const QuadMesh& mes
   std::vector<bool> result(mesh.num_elems());
   for (int elem = 0; elem < mesh.num_elems(); ++elem) result[elem] = is_near_any(tips, mesh, elem);
   return result;
+}
+
+/// The greatest distance from the surface of elements at a tip.
+double distance_at(Vec3 tip, const LiftedMesh& lifted) {
+  const std::vector<bool> is_at = elements_at({tip}, lifted.mesh);
+  double most = 0;
+  for (int elem = 0; elem < lifted.mesh.num_elems(); ++elem)
+    if (is_at[elem]) most = std::max(most, lifted.distance.elem[elem]);
+  return most;
+}
+
+/// The vertex at a tip; -1: there is none.
+int vertex_at(Vec3 tip, const LiftedMesh& lifted) {
+  const double near = tolerance::round_off * sizing::diameter_in_space(lifted.mesh.face);
+  for (int elem = 0; elem < lifted.mesh.num_elems(); ++elem)
+    for (int side = 0; side < 4; ++side)
+      if (distance(corner(lifted.mesh, elem, side), tip) <= near) return side_start(lifted.mesh, elem, side);
+  return -1;
 }
 
 }  // namespace
@@ -111,6 +130,27 @@ bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double toleranc
   return after > std::pow(factor, slow_power) * before;
 }
 
+void add_tip_rings(const mesh::ChartMap& map, const SurfaceTraits& surface, double tolerance, int max_elements,
+                   QuadMesh& mesh, LiftedMesh& there, Progress* progress) {
+  for (const Vec3 tip : surface.tips) {
+    const int vertex = vertex_at(tip, there);
+    const double before = distance_at(tip, there);
+    if (vertex < 0 || before <= tolerance * (1 + tolerance::tied)) continue;
+    const QuadMesh without = mesh;
+    TipRings rings{0, static_cast<int>(std::ceil(std::log2(before / (aim * tolerance))))};
+    for (double least = before; least > aim * tolerance;) {
+      ++rings.width;
+      std::optional<QuadMesh> next = with_tip_rings(without, vertex, rings);
+      if (!next || next->num_elems() > max_elements) break;
+      LiftedMesh next_there = lifted(map, *next, surface, progress);
+      const double distance = distance_at(tip, next_there);
+      if (num_unproved(next_there) > num_unproved(there) || distance >= least) break;
+      least = distance;
+      mesh = std::move(*next), there = std::move(next_there);
+    }
+  }
+}
+
 void report_surface(const LiftedMesh& lifted, double tolerance, Report& report) {
   if (!std::isfinite(tolerance)) return;
   const mesh::SurfaceDistance& distance = lifted.distance;
@@ -127,8 +167,8 @@ void report_surface(const LiftedMesh& lifted, double tolerance, Report& report) 
       elsewhere <= tolerance * (1 + tolerance::tied)
           ? fmt::format(
                 "elements at a tip of the surface deviate from it by up to {}, all others by up to {:.2g}: no "
-                "element follows a tip; prescribe shorter ones there, to whose length the distance is "
-                "proportional (--size-field), or round the tip or cut it off in the CAD system",
+                "element follows a tip, and smaller ones around it have no room there: lower --size, or round the "
+                "tip or cut it off in the CAD system",
                 excess, elsewhere / diameter)
           : fmt::format("elements deviate from the surface by up to {}: {}", excess,
                         lifted.is_smooth ? "raise --order or lower --size"

@@ -2,7 +2,7 @@
 // From the mesh of a chart to the mesh on the surface (lib/method.md §12). All of refine works in the chart; what
 // exists in space alone is measured here: the proof of elements and their distance from the surface. Where one fails,
 // shorter edges are prescribed and the mesh is made again; but not for the distance of elements at a tip, which only
-// falls with their length (refine/surface_tips).
+// falls with their length (refine/surface_tips): at last, they become so small by rings of elements around them.
 
 #include <memory>
 #include <optional>
@@ -55,6 +55,13 @@ bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double toleranc
 /// The power to expect in a round: N + 1 of a smooth surface. Elements that are too far after a round are where
 /// curvatures jump, as at the knots of a cubic surface: then 2.
 inline int expected_power(int round, int order) { return round == 0 ? order + 1 : 2; }
+
+/// Adds rings around tips at which elements of `mesh`, in the chart, lifted `there`, are farther than the tolerance
+/// from the surface (refine/tip_rings): as many as lower that of elements at the tip to it, and of the least width with
+/// which their own distance is below it, too. None that make more elements unproved, or elements more than
+/// `max_elements`.
+void add_tip_rings(const mesh::ChartMap& map, const SurfaceTraits& surface, double tolerance, int max_elements,
+                   QuadMesh& mesh, LiftedMesh& there, Progress* progress);
 
 /// Reports the distance (surface.*), and warns if it is above the tolerance, a length; neither if that is infinite.
 void report_surface(const LiftedMesh& lifted, double tolerance, Report& report);

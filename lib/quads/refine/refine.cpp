@@ -147,6 +147,7 @@ SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const Surfac
     if (is_nearer(next_there, there)) best = std::move(*next), there = next_there;
     last = std::move(next_there);
   }
+  add_tip_rings(map, surface, tolerance, request.options.max_elements, best.mesh, there, request.report.progress());
   there.is_smooth = num_slow == 0;
   return best;
 }

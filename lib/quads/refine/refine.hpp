@@ -22,7 +22,8 @@
 //      with vertices nearly in place until counts are settled (refine/lower_error).
 //   7. On a curved face, lift the nodes from the chart to the surface, symmetric where a reflection exchanges outline
 //      and hole (refine/swapped_ends); where elements are too far from it, or not proved in space, prescribe shorter
-//      edges and begin again at 3 (refine/lifted_split).
+//      edges and begin again at 3 (refine/lifted_split); at tips of the surface, add rings of elements
+//      (refine/tip_rings).
 //   8. Split every element into equal parts of its own map (mesh/nested_quads), and lift those.
 //   9. Report, and refuse a mesh that is not valid or misses a prescribed quality (refine/validity).
 
