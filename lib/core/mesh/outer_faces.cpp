@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <utility>
-#include <vector>
 
 namespace quadrille::mesh {
 
@@ -28,20 +27,19 @@ class UsedNodes {
   std::vector<int> numbers_;
 };
 
-/// Sides between faces of two groups, from both of them.
-void add_borders(const std::vector<int>& quad_group, QuadMesh& outer) {
-  std::map<std::pair<int, int>, std::pair<int, int>> open;
-  for (int e = 0; e < outer.num_elems(); ++e)
-    for (int side = 0; side < 4; ++side) {
-      const int a = side_start(outer, e, side), b = side_node(outer, e, side, outer.order);
-      const auto [known, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::pair{e, side});
-      if (is_new || quad_group[known->second.first] == quad_group[e]) continue;
-      outer.boundary_edges.push_back({e, side, quad_group[e]});
-      outer.boundary_edges.push_back({known->second.first, known->second.second, quad_group[known->second.first]});
-    }
-}
-
 }  // namespace
+
+std::vector<Border> borders(const QuadMesh& mesh, const std::vector<int>& elem_group) {
+  std::map<std::pair<int, int>, ElementSide> seen;  // by the ends
+  std::vector<Border> result;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    for (int side = 0; side < 4; ++side) {
+      const int a = side_start(mesh, e, side), b = side_node(mesh, e, side, mesh.order);
+      const auto [known, is_new] = seen.try_emplace({std::min(a, b), std::max(a, b)}, ElementSide{e, side});
+      if (!is_new && elem_group[known->second.elem] != elem_group[e]) result.push_back({known->second, {e, side}});
+    }
+  return result;
+}
 
 QuadMesh outer_faces(const HexMesh& mesh) {
   QuadMesh outer;
@@ -67,7 +65,9 @@ QuadMesh outer_faces(const HexMesh& mesh) {
   for (std::size_t block = 0; block < mesh.block_region.size(); ++block)
     outer.block_names.push_back(mesh.region_names[mesh.block_region[block]]);
   outer.nodes.resize(outer.space_nodes.size());
-  add_borders(quad_group, outer);
+  for (const auto& [first, second] : borders(outer, quad_group))
+    for (const ElementSide& at : {second, first})
+      outer.boundary_edges.push_back({at.elem, at.side, quad_group[at.elem]});
   return outer;
 }
 

@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <numeric>
 #include <vector>
 
 #include "draw/embedded.hpp"
 #include "draw/figures.hpp"
 #include "draw/marks.hpp"
+#include "mesh/outer_faces.hpp"
 #include "model/length_scale.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
@@ -73,15 +73,9 @@ class SpacePicture {
  private:
   /// Sides that bound the face (1) or a block (2), by element and side.
   void note_borders() {
-    std::map<std::array<int, 2>, std::array<int, 2>> open;
     is_border_.assign(4 * static_cast<std::size_t>(mesh_.num_elems()), 0);
-    for (int e = 0; e < mesh_.num_elems(); ++e)
-      for (int side = 0; side < 4; ++side) {
-        const int a = side_start(mesh_, e, side), b = side_node(mesh_, e, side, mesh_.order);
-        const auto [known, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::array{e, side});
-        if (!is_new && mesh_.elem_block[known->second[0]] != mesh_.elem_block[e])
-          is_border_[4 * e + side] = is_border_[4 * known->second[0] + known->second[1]] = 2;
-      }
+    for (const auto& [a, b] : mesh::borders(mesh_, mesh_.elem_block))
+      is_border_[4 * a.elem + a.side] = is_border_[4 * b.elem + b.side] = 2;
     for (const auto* edges : {&mesh_.boundary_edges, &mesh_.interface_edges})
       for (const QuadBoundaryEdge& edge : *edges) is_border_[4 * edge.elem + edge.side] = 1;
   }

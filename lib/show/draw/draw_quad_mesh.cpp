@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "base/error.hpp"
 #include "base/symmetric_tensor.hpp"
@@ -13,24 +12,12 @@
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
 #include "draw/palette.hpp"
+#include "mesh/outer_faces.hpp"
 #include "model/quad_mesh.hpp"
 
 namespace quadrille::draw {
 
 namespace {
-
-/// Sides between two blocks: sorted ends -> element and side seen first.
-std::vector<std::pair<int, int>> block_borders(const QuadMesh& mesh) {
-  std::map<std::pair<int, int>, std::pair<int, int>> open;
-  std::vector<std::pair<int, int>> borders;
-  for (int e = 0; e < mesh.num_elems(); ++e)
-    for (int side = 0; side < 4; ++side) {
-      const int a = side_start(mesh, e, side), b = side_node(mesh, e, side, mesh.order);
-      const auto [known, is_new] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::pair{e, side});
-      if (!is_new && mesh.elem_block[known->second.first] != mesh.elem_block[e]) borders.push_back(known->second);
-    }
-  return borders;
-}
 
 Vec2 centre(const QuadMesh& mesh, int elem) {
   const int n = mesh.nodes_per_elem();
@@ -118,9 +105,9 @@ std::string draw_plane(const QuadMesh& mesh, const DrawOptions& options) {
   }
   picture.close_group();
   PathData borders;
-  for (const auto& [elem, side] : block_borders(mesh)) {
-    borders.move_to(picture.at(mesh.nodes[side_start(mesh, elem, side)]));
-    append_curve(borders, quad_side(picture, mesh, elem, side), 0, 1);
+  for (const auto& [at, other] : mesh::borders(mesh, mesh.elem_block)) {
+    borders.move_to(picture.at(mesh.nodes[side_start(mesh, at.elem, at.side)]));
+    append_curve(borders, quad_side(picture, mesh, at.elem, at.side), 0, 1);
   }
   if (!borders.empty()) picture.add(path_element("edge", borders.str()));
   draw_prescribed_directions(picture, mesh);
