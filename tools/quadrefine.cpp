@@ -3,7 +3,6 @@
 #include "stage/quadrefine.hpp"
 
 #include <optional>
-#include <vector>
 
 #include "cli/tool_main.hpp"
 #include "io/alignment_io.hpp"

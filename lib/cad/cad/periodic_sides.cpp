@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "base/angle.hpp"
 #include "base/message_text.hpp"
 #include "cad/periodic_in_space.hpp"

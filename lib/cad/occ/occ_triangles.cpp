@@ -14,7 +14,6 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <string>
 #include <utility>

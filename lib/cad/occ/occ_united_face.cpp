@@ -16,7 +16,6 @@
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"

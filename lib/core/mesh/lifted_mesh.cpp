@@ -1,7 +1,6 @@
 #include "mesh/lifted_mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "curve/nearest_along.hpp"

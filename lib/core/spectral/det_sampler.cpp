@@ -1,6 +1,5 @@
 #include "spectral/det_sampler.hpp"
 
-#include <array>
 #include <cstddef>
 
 #include "spectral/lagrange.hpp"

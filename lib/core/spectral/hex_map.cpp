@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "spectral/bernstein_cube.hpp"
 #include "spectral/bernstein_tables.hpp"

@@ -1,7 +1,6 @@
 #include "surface/positions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/message_text.hpp"

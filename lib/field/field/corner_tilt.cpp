@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "base/angle.hpp"
 #include "curve/chain.hpp"

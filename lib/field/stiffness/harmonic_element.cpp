@@ -1,6 +1,5 @@
 #include "stiffness/harmonic_element.hpp"
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <utility>

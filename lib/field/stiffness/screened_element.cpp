@@ -1,7 +1,5 @@
 #include "stiffness/screened_element.hpp"
 
-#include <utility>
-
 #include "base/error.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/per_order.hpp"

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "base/error.hpp"
 #include "io/describe.hpp"

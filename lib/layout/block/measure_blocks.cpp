@@ -1,7 +1,6 @@
 #include "block/measure_blocks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/tolerance.hpp"

@@ -1,6 +1,5 @@
 #include "couple/couple_layouts.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include "simplify/chord_collapse.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/error.hpp"

@@ -1,6 +1,5 @@
 #include "simplify/spiral_shortcut.hpp"
 
-#include <algorithm>
 #include <set>
 #include <utility>
 

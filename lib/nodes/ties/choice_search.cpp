@@ -1,7 +1,6 @@
 #include "ties/choice_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/tolerance.hpp"

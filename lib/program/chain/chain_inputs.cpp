@@ -1,7 +1,5 @@
 #include "chain/chain_inputs.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
 #include <variant>
 

@@ -1,7 +1,6 @@
 #include "layers/propagate_spacing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "base/tolerance.hpp"

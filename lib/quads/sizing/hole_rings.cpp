@@ -1,7 +1,6 @@
 #include "sizing/hole_rings.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>

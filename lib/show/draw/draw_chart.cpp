@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "draw/labels.hpp"
 #include "draw/marks.hpp"
