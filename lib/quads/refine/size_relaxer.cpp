@@ -52,6 +52,7 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
       lengths_(options.keeps_lengths ? element_lengths(shaped) : options.greatest_lengths),
       shorter_(shaped.num_elems(), {1, 1}),
       counts_(shorter_),
+      known_sizes_(shaped.num_elems()),
       inverse_(problem) {
   if (options.keeps_lengths)
     for (auto* weights : {&energy.shape_weights, &energy.skew_weights})
@@ -71,10 +72,9 @@ void SizeRelaxer::set_sizes() {
   std::vector<Vec2> sizes;
   size_.clear(), energy.stretches.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
-    const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
     const sizing::DirectedSize of = options_.keeps_lengths
                                         ? sizing::DirectedSize{std::max(lengths_[elem].x, lengths_[elem].y)}
-                                        : options_.sizes.directed(middles[elem], region);
+                                        : prescribed_size(elem, middles[elem]);
     const Vec2 own = lengths_.empty() ? Vec2{of.size, of.size}
                                       : Vec2{std::min(of.size, lengths_[elem].x), std::min(of.size, lengths_[elem].y)};
     const Vec2 shorter = shorter_[elem], count = counts_[elem];
@@ -84,6 +84,16 @@ void SizeRelaxer::set_sizes() {
   }
   if (options_.directions) set_directions();
   energy.set_sizes(sizes);
+}
+
+/// Runs that begin at the same vertices (refine/count_relaxer) have the same sizes at first.
+const sizing::DirectedSize& SizeRelaxer::prescribed_size(int elem, Vec2 middle) {
+  const QuadMesh& mesh = problem_.start;
+  KnownSize& known = known_sizes_[elem];
+  if (known.size.size > 0 && known.at == middle) return known.size;
+  const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
+  known = {middle, options_.sizes.directed(middle, region)};
+  return known.size;
 }
 
 /// Means over elements, which may be larger than the features that prescribe directions.
@@ -109,15 +119,17 @@ void SizeRelaxer::set_counts(std::vector<Vec2> counts) {
 
 /// Of this direction, at most 1.
 double SizeRelaxer::longest_step(const VertexMoves& direction) const {
-  const auto move = [&](int v) {
-    return problem_.follow.on_boundary(v) < 0 ? direction[v] : direction[v].x * energy.curve_tangents()[v];
-  };
+  VertexMoves shifts = direction;
+  for (int v = 0; v < problem_.num_vertices(); ++v)
+    if (problem_.follow.on_boundary(v) >= 0) shifts[v] = direction[v].x * energy.curve_tangents()[v];
   double length = 1;
   for (int elem = 0; elem < problem_.start.num_elems(); ++elem) {
     const auto& vertices = problem_.follow.elem_vertices()[elem];
-    for (int c = 0; c < 4; ++c)
-      length = std::min(
-          length, step_constants.longest_step * size_[elem] / distance(move(vertices[c]), move(vertices[(c + 1) % 4])));
+    const double longest = step_constants.longest_step * size_[elem];
+    for (int c = 0; c < 4; ++c) {
+      const Vec2 apart = shifts[vertices[c]] - shifts[vertices[(c + 1) % 4]];
+      if (length * length * norm2(apart) > longest * longest) length = longest / norm(apart);
+    }
   }
   return length;
 }

@@ -71,7 +71,14 @@ class SizeRelaxer {
   int num_sweeps = 0;
 
  private:
+  /// Of an element, and where its middle was then.
+  struct KnownSize {
+    Vec2 at;
+    sizing::DirectedSize size = {};
+  };
+
   void set_sizes();
+  const sizing::DirectedSize& prescribed_size(int elem, Vec2 middle);
   void set_directions();
   EnergyDerivatives begin(bool is_first);
   double longest_step(const VertexMoves& direction) const;
@@ -86,6 +93,7 @@ class SizeRelaxer {
   std::vector<double> size_;   ///< by element: the least
   std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
   std::vector<Vec2> counts_;   ///< by element: of those along s and t for which it stands
+  std::vector<KnownSize> known_sizes_;  ///< by element: the last ones
   std::optional<VertexSymmetry> symmetry_;
   InverseHessian inverse_;
   double work_ = 0;  ///< elements, each as often as it was moved
