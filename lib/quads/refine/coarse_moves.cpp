@@ -58,7 +58,7 @@ CoarseMoves::CoarseMoves(const RelaxProblem& problem) : problem_(problem) {
     grids.push_back({std::move(of.vertices), of.columns + 1, all_lines(of.columns + 1), all_lines(of.rows + 1)});
   do {
     add_level(grids);
-  } while (!levels_.back().followers.empty());
+  } while (!levels_.back().links.empty());
 }
 
 void CoarseMoves::add_level(std::vector<BlockGrid>& grids) {
@@ -74,10 +74,13 @@ void CoarseMoves::add_level(std::vector<BlockGrid>& grids) {
         is_done[vertex] = true;
         level.vertices.push_back(vertex);
         if (s.is_kept() && t.is_kept()) continue;
-        level.followers.push_back({vertex,
-                                   {at(s.low, t.low), at(s.high, t.low), at(s.low, t.high), at(s.high, t.high)},
-                                   {(1 - s.weight) * (1 - t.weight), s.weight * (1 - t.weight),
-                                    (1 - s.weight) * t.weight, s.weight * t.weight}});
+        const auto link = [&](int column, int row, double weight) {
+          if (weight > 0) level.links.push_back({vertex, at(column, row), weight});
+        };
+        link(s.low, t.low, (1 - s.weight) * (1 - t.weight));
+        link(s.high, t.low, s.weight * (1 - t.weight));
+        link(s.low, t.high, (1 - s.weight) * t.weight);
+        link(s.high, t.high, s.weight * t.weight);
       }
     grid.columns = columns, grid.rows = rows;
   }
@@ -106,14 +109,12 @@ VertexMoves CoarseMoves::operator()(const VertexMoves& gradient) const {
   for (const Level& level : levels_) {
     VertexMoves& part = parts.emplace_back(level.vertices.size());
     for (std::size_t k = 0; k < part.size(); ++k) part[k] = times(inverse_[level.vertices[k]], rest[level.vertices[k]]);
-    for (const Follower& f : level.followers)
-      for (int k = 0; k < 4; ++k) rest[f.leaders[k]] += f.weights[k] * rest[f.vertex];
+    for (const Link& link : level.links) rest[link.leader] += link.weight * rest[link.vertex];
   }
   VertexMoves moves(gradient.size());
   for (std::size_t l = levels_.size(); l-- > 0;) {
     const Level& level = levels_[l];
-    for (const Follower& f : level.followers)
-      for (int k = 0; k < 4; ++k) moves[f.vertex] += f.weights[k] * moves[f.leaders[k]];
+    for (const Link& link : level.links) moves[link.vertex] += link.weight * moves[link.leader];
     for (std::size_t k = 0; k < level.vertices.size(); ++k) moves[level.vertices[k]] += parts[l][k];
   }
   for (std::size_t v = 0; v < moves.size(); ++v) {

@@ -28,14 +28,14 @@ class CoarseMoves {
   VertexMoves operator()(const VertexMoves& gradient) const;
 
  private:
-  struct Follower {
-    int vertex = 0;
-    std::array<int, 4> leaders{};  ///< on the next level
-    std::array<double, 4> weights{};
+  /// Of a vertex that the next level does not have to one that it has.
+  struct Link {
+    int vertex = 0, leader = 0;
+    double weight = 0;
   };
   struct Level {
     std::vector<int> vertices;
-    std::vector<Follower> followers;  ///< vertices that the next level does not have
+    std::vector<Link> links;  ///< vertex by vertex
   };
   struct BlockGrid {
     std::vector<int> vertices;  ///< along side 0 fastest

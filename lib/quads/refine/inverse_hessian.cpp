@@ -24,25 +24,24 @@ void add_multiple(double factor, const VertexMoves& other, VertexMoves& to) {
 void InverseHessian::set_blocks(const DiagonalBlocks& blocks, const std::vector<Vec2>& tangents) {
   coarse_.set_blocks(blocks, tangents);
   is_factored_ = false;
-  if (!pairs_.empty()) set_factor();
 }
 
 void InverseHessian::factorise(const SizeEnergy& energy) {
   factored_.set(energy.hessians(), energy);
   is_factored_ = true;
-  if (!pairs_.empty()) set_factor();
 }
 
-void InverseHessian::set_factor() {
+/// Of the first matrix: so that the last step follows from its change.
+double InverseHessian::factor() const {
+  if (pairs_.empty()) return 1;
   const Pair& last = pairs_.back();
-  factor_ = last.curvature / inner_product(last.change, first(last.change));
+  return last.curvature / inner_product(last.change, first(last.change));
 }
 
 void InverseHessian::add_step(VertexMoves step, VertexMoves change) {
   const double curvature = inner_product(step, change);
   if (!(curvature > least_curvature * std::sqrt(inner_product(step, step) * inner_product(change, change)))) return;
   pairs_.push_back({std::move(step), std::move(change), curvature});
-  set_factor();
   if (static_cast<int>(pairs_.size()) > memory) pairs_.pop_front();
 }
 
@@ -54,7 +53,8 @@ VertexMoves InverseHessian::descent(const VertexMoves& gradient) const {
     add_multiple(-parts.back(), pair->change, d);
   }
   d = first(d);
-  for (Vec2& x : d) x *= factor_;
+  const double by = factor();
+  for (Vec2& x : d) x *= by;
   for (const Pair& pair : pairs_) {
     add_multiple(parts.back() - inner_product(pair.change, d) / pair.curvature, pair.step, d);
     parts.pop_back();

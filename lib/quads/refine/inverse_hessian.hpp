@@ -22,7 +22,7 @@ class InverseHessian {
   void set_blocks(const DiagonalBlocks& blocks, const std::vector<Vec2>& tangents);
   /// Of where the energy was computed last. Steps so far are not forgotten.
   void factorise(const SizeEnergy& energy);
-  void forget() { pairs_.clear(), factor_ = 1; }
+  void forget() { pairs_.clear(); }
   bool is_factored() const { return is_factored_; }
   /// Whether it knows no step.
   bool is_plain() const { return pairs_.empty(); }
@@ -37,7 +37,7 @@ class InverseHessian {
     VertexMoves step, change;
     double curvature = 0;
   };
-  void set_factor();
+  double factor() const;
 
   VertexMoves first(const VertexMoves& gradient) const {
     return is_factored_ ? factored_(gradient) : coarse_(gradient);
@@ -46,7 +46,6 @@ class InverseHessian {
   CoarseMoves coarse_;
   FactoredHessian factored_;
   bool is_factored_ = false;
-  double factor_ = 1;  ///< of the first matrix
   std::deque<Pair> pairs_;
 };
 
