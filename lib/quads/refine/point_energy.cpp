@@ -15,25 +15,6 @@ Matrix2d size_bend(const Vector2d& a) {
 
 }  // namespace
 
-PointBends::PointBends(Vec2 a, Vec2 b, double weight) : a_(a), b_(b) {
-  const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
-  mu_slope_ = 3 * weight * mu * mu / det;
-  mu_bend_ = 6 * weight * mu;
-  mu_a_ = (a - mu * Vec2{b.y, -b.x}) / det, mu_b_ = (b - mu * Vec2{-a.y, a.x}) / det;
-  size_a_ = 3 * aa * aa * det, size_b_ = 3 * bb * bb * det;
-  turn_a_ = 12 * aa * det, turn_b_ = 12 * bb * det;
-}
-
-std::array<double, 3> PointBends::block(double along_s, double along_t) const {
-  const double ss = along_s * along_s, tt = along_t * along_t;
-  const Vec2 g = along_s * mu_a_ + along_t * mu_b_;
-  const double round = mu_slope_ * (ss + tt) + size_a_ * ss + size_b_ * tt, turn_a = turn_a_ * ss,
-               turn_b = turn_b_ * tt;
-  return {round + mu_bend_ * g.x * g.x + turn_a * a_.x * a_.x + turn_b * b_.x * b_.x,
-          mu_bend_ * g.x * g.y + turn_a * a_.x * a_.y + turn_b * b_.x * b_.y,
-          round + mu_bend_ * g.y * g.y + turn_a * a_.y * a_.y + turn_b * b_.y * b_.y};
-}
-
 Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, const Matrix4d& more) {
   const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
   const double size = (aa * aa * aa + bb * bb * bb) / 2;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <type_traits>
 
 #include "base/vec2.hpp"
 
@@ -41,6 +42,25 @@ class PointBends {
   Vec2 mu_a_, mu_b_;
 };
 
+inline PointBends::PointBends(Vec2 a, Vec2 b, double weight) : a_(a), b_(b) {
+  const double det = cross(a, b), aa = norm2(a), bb = norm2(b), mu = (aa + bb) / (2 * det);
+  mu_slope_ = 3 * weight * mu * mu / det;
+  mu_bend_ = 6 * weight * mu;
+  mu_a_ = (a - mu * Vec2{b.y, -b.x}) / det, mu_b_ = (b - mu * Vec2{-a.y, a.x}) / det;
+  size_a_ = 3 * aa * aa * det, size_b_ = 3 * bb * bb * det;
+  turn_a_ = 12 * aa * det, turn_b_ = 12 * bb * det;
+}
+
+inline std::array<double, 3> PointBends::block(double along_s, double along_t) const {
+  const double ss = along_s * along_s, tt = along_t * along_t;
+  const Vec2 g = along_s * mu_a_ + along_t * mu_b_;
+  const double round = mu_slope_ * (ss + tt) + size_a_ * ss + size_b_ * tt, turn_a = turn_a_ * ss,
+               turn_b = turn_b_ * tt;
+  return {round + mu_bend_ * g.x * g.x + turn_a * a_.x * a_.x + turn_b * b_.x * b_.x,
+          mu_bend_ * g.x * g.y + turn_a * a_.x * a_.y + turn_b * b_.x * b_.y,
+          round + mu_bend_ * g.y * g.y + turn_a * a_.y * a_.y + turn_b * b_.y * b_.y};
+}
+
 /// The second derivatives by (a, b) and `more`, those of other terms, with the absolute values of their curvatures:
 /// positive semidefinite.
 Eigen::Matrix4d point_hessian(Vec2 a, Vec2 b, double weight, const Eigen::Matrix4d& more);
@@ -54,7 +74,7 @@ struct SideFrame {
 };
 
 /// Of n x n points, s fastest.
-inline SideFrame side_frame(int side, int n) {
+constexpr SideFrame side_frame(int side, int n) {
   switch (side) {
     case 0:
       return {0, 1, n, 1, 1};
@@ -65,6 +85,13 @@ inline SideFrame side_frame(int side, int n) {
     default:
       return {n * (n - 1), -n, 1, -1, 1};
   }
+}
+
+/// visit(std::integral_constant<int, side>): loops over the points of a known side are fast.
+template <int first = 0, class Visit>
+void with_side(int side, const Visit& visit) {
+  if constexpr (first < 4)
+    side == first ? visit(std::integral_constant<int, first>{}) : with_side<first + 1>(side, visit);
 }
 
 /// Derivatives by s and t of the bilinear functions of the corners.

@@ -43,7 +43,7 @@ SampledLoops::SampledLoops(const QuadMesh& mesh) {
 /// Hermite's cubic between two samples.
 LoopPoint SampledLoops::at(int loop, double length) const {
   const auto& [total, curves] = loops_[loop];
-  length -= total * std::floor(length / total);
+  if (!(length >= 0 && length < total)) length -= total * std::floor(length / total);
   const auto after = std::upper_bound(curves.begin(), curves.end(), length,
                                       [](double x, const Curve& curve) { return x < curve.start; });
   const Curve& curve = after == curves.begin() ? curves.front() : *std::prev(after);

@@ -47,8 +47,7 @@ SizeEnergy::SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped)
     is_free_.push_back(!std::ranges::all_of(vertices, [&](int v) { return problem.is_fixed[v]; }));
   }
   position_ = start_;
-  tangent_.resize(start_.size());
-  bend_.resize(start_.size());
+  tangent_.resize(start_.size()), bend_.resize(start_.size());
   lighten_sharp_corners();
   weigh_angles(shaped);
   add_curved_sides(shaped);
@@ -136,9 +135,7 @@ void SizeEnergy::place(const VertexMoves& moves) {
     }
     const SlidingVertex& on_curve = problem_.boundary.vertices()[b];
     const LoopPoint at = loops_.at(on_curve.loop, on_curve.length + moves[v].x);
-    position_[v] = at.position;
-    tangent_[v] = at.tangent;
-    bend_[v] = at.bend;
+    position_[v] = at.position, tangent_[v] = at.tangent, bend_[v] = at.bend;
   }
   for (CurvedSide& side : sides_)
     if (side.edge >= 0) place_side(side, moves);
@@ -207,15 +204,17 @@ void SizeEnergy::add_shifts(int elem, Tangents& at) const {
     if (sides.side[side] < 0) continue;
     const CurvedSide& curved = sides_[sides.side[side]];
     const Blend& blended = blend(sides, side);
-    const SideFrame frame = side_frame(side, points);
-    const bool is_along_a = side % 2 == 0;
-    const double along = frame.along * (is_along_a ? inverse_size_[elem].x : inverse_size_[elem].y);
-    const double across = frame.across * (is_along_a ? inverse_size_[elem].y : inverse_size_[elem].x);
-    for (int r = 0; r < points; ++r)
-      for (int p = 0; p < points; ++p) {
-        (is_along_a ? at.a : at.b).add(frame.point(p, r), along * blended.value[r] * curved.slope[p]);
-        (is_along_a ? at.b : at.a).add(frame.point(p, r), across * blended.slope[r] * curved.shift[p]);
-      }
+    with_side(side, [&](auto known) {
+      constexpr SideFrame frame = side_frame(known, points);
+      constexpr bool is_along_a = known % 2 == 0;
+      const double along = frame.along * (is_along_a ? inverse_size_[elem].x : inverse_size_[elem].y);
+      const double across = frame.across * (is_along_a ? inverse_size_[elem].y : inverse_size_[elem].x);
+      for (int r = 0; r < points; ++r)
+        for (int p = 0; p < points; ++p) {
+          (is_along_a ? at.a : at.b).add(frame.point(p, r), along * blended.value[r] * curved.slope[p]);
+          (is_along_a ? at.b : at.a).add(frame.point(p, r), across * blended.slope[r] * curved.shift[p]);
+        }
+    });
   }
 }
 
@@ -288,18 +287,19 @@ std::array<Vec2, 4> SizeEnergy::by_corners(int elem, const Tangents& by) const {
 /// The derivatives by the shifts of the points of a side.
 SizeEnergy::SidePoints SizeEnergy::by_shifts(const Sides& sides, int side, const Tangents& by) const {
   const Blend& blended = blend(sides, side);
-  const SideFrame frame = side_frame(side, points);
-  const bool is_along_a = side % 2 == 0;
-  const Vectors &by_along = is_along_a ? by.a : by.b, &by_across = is_along_a ? by.b : by.a;
   SidePoints by_shift{};
-  for (int p = 0; p < points; ++p) {
-    Vec2 by_slope;
-    for (int r = 0; r < points; ++r) {
-      by_slope += frame.along * blended.value[r] * by_along[frame.point(p, r)];
-      by_shift[p] += frame.across * blended.slope[r] * by_across[frame.point(p, r)];
+  with_side(side, [&](auto known) {
+    constexpr SideFrame frame = side_frame(known, points);
+    const Vectors &by_along = known % 2 == 0 ? by.a : by.b, &by_across = known % 2 == 0 ? by.b : by.a;
+    for (int p = 0; p < points; ++p) {
+      Vec2 by_slope;
+      for (int r = 0; r < points; ++r) {
+        by_slope += frame.along * blended.value[r] * by_along[frame.point(p, r)];
+        by_shift[p] += frame.across * blended.slope[r] * by_across[frame.point(p, r)];
+      }
+      for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * by_slope;
     }
-    for (int q = 0; q < points; ++q) by_shift[q] += slope_[p][q] * by_slope;
-  }
+  });
   return by_shift;
 }
 

@@ -26,31 +26,51 @@ Eigen::Matrix4d of_both(const SymmetricTensor& s) {
   return both;
 }
 
+/// At four corners the parts xx, xy, yy: of the vertex there, and of those at the other ends of its sides.
+using CornerBlocks = std::array<std::array<std::array<double, 4>, 3>, 3>;
+
+template <class Bends>
+void set_blocks(const Bends& at, double by_s, double own_by_t, double by_t, int corner, CornerBlocks& blocks) {
+  const std::array<std::array<double, 3>, 3> of{at.block(by_s, own_by_t), at.block(by_s, 0), at.block(0, by_t)};
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) blocks[k][i][corner] = of[k][i];
+}
+
 void add_product(Vec2 v, std::array<double, 3>& sum) { sum[0] += v.x * v.x, sum[1] += v.x * v.y, sum[2] += v.y * v.y; }
 
 }  // namespace
 
-/// Adds the diagonal blocks of the Hessian without what may be negative, from the corners alone.
+/// Adds the diagonal blocks of the Hessian without what may be negative, from the corners alone. At a corner the map
+/// depends on the vertex there and on those at the other ends of its sides along s and t.
 void SizeEnergy::add_blocks(int elem, const Tangents& at, EnergyDerivatives& sum) const {
-  const Rule& of = rule(elem);
-  const int last = of.size - 1, along = of.size == 4 ? 1 : points - 1;
+  const int last = rule(elem).size - 1, along = last == 3 ? 1 : points - 1;
+  const std::array<int, 4> point{0, along, last, last - along};
+  const double by_s = inverse_size_[elem].x, by_t = inverse_size_[elem].y;
+  const std::array<double, 4> own_by_t{by_t, -by_t, by_t, -by_t};
+  const double shape = shape_weights[elem], skew = skew_weights[elem];
+  std::array<Vec2, 4> a, b, plane_a, plane_b;
+  for (int c = 0; c < 4; ++c) {
+    a[c] = at.a[point[c]], b[c] = at.b[point[c]];
+    plane_a[c] = in_plane(elem, a[c]), plane_b[c] = in_plane(elem, b[c]);
+  }
+  CornerBlocks bends, skews;
+  for (int c = 0; c < 4; ++c) {  // compiled for several corners at once
+    set_blocks(PointBends(a[c], b[c], shape), by_s, own_by_t[c], by_t, c, bends);
+    set_blocks(SkewBends(plane_a[c], plane_b[c], skew), by_s, own_by_t[c], by_t, c, skews);
+  }
   const auto& v = problem_.follow.elem_vertices()[elem];
   const double weight = multiplicities[elem] / 4;
-  for (const int k : {0, along, last - along, last}) {
-    const PointBends bends(at.a[k], at.b[k], shape_weights[elem]);
-    const Vec2 plane_a = in_plane(elem, at.a[k]), plane_b = in_plane(elem, at.b[k]);
-    const std::array<Vec2, 4> slopes = corner_slopes(of.s[k], of.t[k]);
-    for (int c = 0; c < 4; ++c) {
-      if (slopes[c] == Vec2{}) continue;
-      const double by_s = inverse_size_[elem].x * slopes[c].x, by_t = inverse_size_[elem].y * slopes[c].y;
-      std::array<double, 3> block = bends.block(by_s, by_t);
+  for (const int c : {0, 1, 3, 2}) {
+    const std::array<Vec2, 3> by{{{by_s, own_by_t[c]}, {by_s, 0}, {0, by_t}}};
+    const std::array<int, 3> vertex{v[c], v[c ^ 1], v[3 - c]};
+    for (int k = 0; k < 3; ++k) {
+      std::array<double, 3> block{bends[k][0][c], bends[k][1][c], bends[k][2][c]};
       if (direction(elem) != Vec2{}) {
-        add_product(by_s * root_of_direction_bend(at.a[k], direction(elem)), block);
-        add_product(by_t * root_of_direction_bend(at.b[k], direction(elem)), block);
+        add_product(by[k].x * root_of_direction_bend(a[c], direction(elem)), block);
+        add_product(by[k].y * root_of_direction_bend(b[c], direction(elem)), block);
       }
       if (!stretches.empty()) block = stretched(stretches[elem], block);
-      const std::array<double, 3> skew = skew_block(plane_a, plane_b, skew_weights[elem], by_s, by_t);
-      for (int i = 0; i < 3; ++i) sum.blocks[v[c]][i] += weight * (block[i] + skew[i]);
+      for (int i = 0; i < 3; ++i) sum.blocks[vertex[k]][i] += weight * (block[i] + skews[k][i][c]);
     }
   }
 }

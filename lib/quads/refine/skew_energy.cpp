@@ -2,21 +2,6 @@
 
 namespace quadrille::refine {
 
-/// Of the logarithm of the term, 12 (ln |a| + ln |b| - ln det J), the curvatures along a and b are negative.
-std::array<double, 3> skew_block(Vec2 a, Vec2 b, double weight, double along_s, double along_t) {
-  const double aa = norm2(a), bb = norm2(b), det = cross(a, b), term = skewness(aa, bb, det, weight);
-  const Vec2 by_det = (along_s * Vec2{b.y, -b.x} + along_t * Vec2{-a.y, a.x}) / det;
-  const Vec2 by_log = (along_s / aa) * a + (along_t / bb) * b - by_det;
-  const Vec2 across_a = (along_s / aa) * Vec2{-a.y, a.x}, across_b = (along_t / bb) * Vec2{-b.y, b.x};
-  std::array<double, 3> block{};
-  const auto add = [&](double factor, Vec2 v) {
-    block[0] += factor * v.x * v.x, block[1] += factor * v.x * v.y, block[2] += factor * v.y * v.y;
-  };
-  add(skew_power * skew_power * term, by_log);
-  for (const Vec2 v : {by_det, across_a, across_b}) add(skew_power * term, v);
-  return block;
-}
-
 Eigen::Matrix4d skew_hessian(Vec2 a, Vec2 b, double weight) {
   using Eigen::Matrix4d, Eigen::Vector4d;
   const double aa = norm2(a), bb = norm2(b), det = cross(a, b), term = skewness(aa, bb, det, weight);

@@ -35,8 +35,34 @@ inline void add_skewness(Vec2 a, Vec2 b, double weight, PointEnergy& sum) {
   sum.by_b.x += along_b * b.x - by_det * a.y, sum.by_b.y += along_b * b.y + by_det * a.x;
 }
 
-/// What is positive of the second derivatives, as PointBends::block.
-std::array<double, 3> skew_block(Vec2 a, Vec2 b, double weight, double along_s, double along_t);
+/// What is positive of the second derivatives. Of the logarithm of the term, 12 (ln |a| + ln |b| - ln det J), the
+/// curvatures along a and b are negative.
+class SkewBends {
+ public:
+  SkewBends(Vec2 a, Vec2 b, double weight);
+  /// As PointBends::block.
+  std::array<double, 3> block(double along_s, double along_t) const;
+
+ private:
+  Vec2 a_, b_;
+  double aa_, bb_, det_, term_;
+};
+
+inline SkewBends::SkewBends(Vec2 a, Vec2 b, double weight)
+    : a_(a), b_(b), aa_(norm2(a)), bb_(norm2(b)), det_(cross(a, b)), term_(skewness(aa_, bb_, det_, weight)) {}
+
+inline std::array<double, 3> SkewBends::block(double along_s, double along_t) const {
+  const Vec2 by_det = (along_s * Vec2{b_.y, -b_.x} + along_t * Vec2{-a_.y, a_.x}) / det_;
+  const Vec2 by_log = (along_s / aa_) * a_ + (along_t / bb_) * b_ - by_det;
+  const Vec2 across_a = (along_s / aa_) * Vec2{-a_.y, a_.x}, across_b = (along_t / bb_) * Vec2{-b_.y, b_.x};
+  const double steep = skew_power * skew_power * term_, flat = skew_power * term_;
+  const auto sum = [&](double u, double v, double du, double dv, double au, double av, double bu, double bv) {
+    return steep * u * v + flat * du * dv + flat * au * av + flat * bu * bv;
+  };
+  return {sum(by_log.x, by_log.x, by_det.x, by_det.x, across_a.x, across_a.x, across_b.x, across_b.x),
+          sum(by_log.x, by_log.y, by_det.x, by_det.y, across_a.x, across_a.y, across_b.x, across_b.y),
+          sum(by_log.y, by_log.y, by_det.y, by_det.y, across_a.y, across_a.y, across_b.y, across_b.y)};
+}
 
 /// The second derivatives by (a, b).
 Eigen::Matrix4d skew_hessian(Vec2 a, Vec2 b, double weight);

@@ -58,7 +58,7 @@ TEST(SkewEnergy, DerivativesAreThoseOfDifferences) {
 
 TEST(SkewEnergy, BlocksAreTheHessianWithoutItsNegativeParts) {
   const double along_s = 0.7, along_t = -1.3;
-  const std::array<double, 3> block = skew_block({skew[0], skew[1]}, {skew[2], skew[3]}, 2, along_s, along_t);
+  const std::array<double, 3> block = SkewBends({skew[0], skew[1]}, {skew[2], skew[3]}, 2).block(along_s, along_t);
   Eigen::Matrix<double, 4, 2> moves;
   moves << along_s, 0, 0, along_s, along_t, 0, 0, along_t;
   const Eigen::Matrix2d exact = moves.transpose() * skew_hessian({skew[0], skew[1]}, {skew[2], skew[3]}, 2) * moves;
