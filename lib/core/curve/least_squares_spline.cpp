@@ -165,6 +165,31 @@ std::optional<Nurbs> periodic_least_squares_spline(int degree, const std::vector
   return clamped;
 }
 
+std::optional<SpaceCurve> least_squares_spline(int degree, const std::vector<FitKnot>& knots,
+                                               const std::vector<SpaceFitPoint>& points,
+                                               const std::optional<SpaceFitEnds>& ends) {
+  // Least squares do not mix coordinates: x and y are fitted together, and z.
+  const auto fit = [&](auto&& part) {
+    std::vector<FitPoint> parts;
+    for (const SpaceFitPoint& p : points) parts.push_back({p.parameter, part(p.position)});
+    if (!ends) return periodic_least_squares_spline(degree, knots, parts);
+    return least_squares_spline(
+        degree, knots, parts,
+        {parts.front().position, part(ends->start_derivative), parts.back().position, part(ends->end_derivative)});
+  };
+  const std::optional<Nurbs> xy = fit([](Vec3 a) {
+    return Vec2{a.x, a.y};
+  }),
+                             z = fit([](Vec3 a) {
+                               return Vec2{a.z, 0};
+                             });
+  if (!xy || !z) return std::nullopt;
+  SpaceCurve spline{degree, xy->knots, {}, xy->weights};
+  for (std::size_t i = 0; i < xy->poles.size(); ++i)
+    spline.poles.push_back({xy->poles[i].x, xy->poles[i].y, z->poles[i].x});
+  return spline;
+}
+
 namespace {
 
 class Fit {

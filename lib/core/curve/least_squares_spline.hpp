@@ -38,6 +38,20 @@ std::optional<Nurbs> least_squares_spline(int degree, const std::vector<FitKnot>
 std::optional<Nurbs> periodic_least_squares_spline(int degree, const std::vector<FitKnot>& knots,
                                                    const std::vector<FitPoint>& points);
 
+/// As FitPoint and FitEnds.
+struct SpaceFitPoint {
+  double parameter = 0;
+  Vec3 position;
+};
+struct SpaceFitEnds {
+  Vec3 start_derivative, end_derivative;
+};
+
+/// The same in space, from the first point to the last one. Without `ends`: closed, as the periodic one.
+std::optional<SpaceCurve> least_squares_spline(int degree, const std::vector<FitKnot>& knots,
+                                               const std::vector<SpaceFitPoint>& points,
+                                               const std::optional<SpaceFitEnds>& ends);
+
 /// Position at s in [0, length]; sets the derivative with respect to s.
 using CurveFunction = std::function<Vec2(double s, Vec2& derivative)>;
 

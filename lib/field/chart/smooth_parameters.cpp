@@ -71,17 +71,9 @@ bool has_rough_parameters(const SpaceCurve& curve, double length) {
   return is_rough;
 }
 
-/// Points of the curve by arc length: x and y, and z.
-struct SpacePoints {
-  std::vector<curve::FitPoint> xy, z;
-};
-
-SpacePoints points_in_spans(const SpaceLength& length, const std::vector<curve::FitKnot>& knots) {
-  SpacePoints points;
-  const auto add = [&](double s) {
-    const Vec3 x = surface::point(length.curve(), length.parameter(s));
-    points.xy.push_back({s, {x.x, x.y}}), points.z.push_back({s, {x.z, 0}});
-  };
+std::vector<curve::SpaceFitPoint> points_in_spans(const SpaceLength& length, const std::vector<curve::FitKnot>& knots) {
+  std::vector<curve::SpaceFitPoint> points;
+  const auto add = [&](double s) { points.push_back({s, surface::point(length.curve(), length.parameter(s))}); };
   add(0);
   for (std::size_t k = 1; k < knots.size(); ++k) {
     const double a = knots[k - 1].parameter, b = knots[k].parameter;
@@ -93,25 +85,11 @@ SpacePoints points_in_spans(const SpaceLength& length, const std::vector<curve::
 
 std::optional<SpaceCurve> fitted(const SpaceLength& length, bool is_closed, const std::vector<curve::FitKnot>& knots) {
   const SpaceCurve& curve = length.curve();
-  const SpacePoints points = points_in_spans(length, knots);
-  const auto fit = [&](const std::vector<curve::FitPoint>& p, auto&& part) {
-    if (is_closed) return curve::periodic_least_squares_spline(degree, knots, p);
-    const Vec3 a = normalized(surface::derivatives(curve, curve.begin())[1]),
-               b = normalized(surface::derivatives(curve, curve.end(), true)[1]);
-    return curve::least_squares_spline(degree, knots, p, {p.front().position, part(a), p.back().position, part(b)});
-  };
-  const std::optional<Nurbs> xy = fit(points.xy,
-                                      [](Vec3 a) {
-                                        return Vec2{a.x, a.y};
-                                      }),
-                             z = fit(points.z, [](Vec3 a) {
-                               return Vec2{a.z, 0};
-                             });
-  if (!xy || !z) return std::nullopt;
-  SpaceCurve spline{degree, xy->knots, {}, xy->weights};
-  for (std::size_t i = 0; i < xy->poles.size(); ++i)
-    spline.poles.push_back({xy->poles[i].x, xy->poles[i].y, z->poles[i].x});
-  return spline;
+  std::optional<curve::SpaceFitEnds> ends;
+  if (!is_closed)
+    ends = {normalized(surface::derivatives(curve, curve.begin())[1]),
+            normalized(surface::derivatives(curve, curve.end(), true)[1])};
+  return curve::least_squares_spline(degree, knots, points_in_spans(length, knots), ends);
 }
 
 /// The greatest distance of the spline from the curve in each span.

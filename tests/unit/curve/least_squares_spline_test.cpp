@@ -7,6 +7,7 @@
 
 #include "base/angle.hpp"
 #include "curve/nurbs.hpp"
+#include "surface/nurbs_surface.hpp"
 
 namespace quadrille::curve {
 
@@ -34,6 +35,27 @@ TEST(LeastSquaresSpline, ReproducesASplineOnItsKnots) {
   ASSERT_TRUE(fit);
   EXPECT_EQ(fit->knots, curve.knots);
   for (std::size_t i = 0; i < curve.poles.size(); ++i) EXPECT_LT(distance(fit->poles[i], curve.poles[i]), 1e-12) << i;
+}
+
+TEST(LeastSquaresSpline, InSpaceFollowsAHelixAndATiltedCircle) {
+  const auto helix = [](double t) { return Vec3{std::cos(t), std::sin(t), 0.3 * t}; };
+  const auto circle = [](double t) { return Vec3{std::cos(t), std::sin(t), 0.3 * std::cos(t)}; };
+  std::vector<FitKnot> knots;
+  for (int i = 0; i <= 16; ++i) knots.push_back({2 * pi * i / 16});
+  std::vector<SpaceFitPoint> of_helix, of_circle;
+  for (int i = 0; i <= 200; ++i) {
+    const double t = 2 * pi * i / 200;
+    of_helix.push_back({t, helix(t)}), of_circle.push_back({t, circle(t)});
+  }
+  const auto open = least_squares_spline(7, knots, of_helix, SpaceFitEnds{{0, 1, 0.3}, {0, 1, 0.3}});
+  const auto closed = least_squares_spline(7, knots, of_circle, std::nullopt);
+  ASSERT_TRUE(open && closed);
+  EXPECT_EQ(closed->poles.front(), closed->poles.back());
+  for (int i = 0; i < 100; ++i) {
+    const double t = 2 * pi * (i + 0.37) / 100;
+    EXPECT_LT(distance(surface::point(*open, t), helix(t)), 1e-8);
+    EXPECT_LT(distance(surface::point(*closed, t), circle(t)), 1e-8);
+  }
 }
 
 TEST(LeastSquaresSpline, KeepsEndsAndTheirDerivativesWhateverThePoints) {
