@@ -20,7 +20,6 @@ namespace quadrille::sew {
 namespace {
 
 constexpr double image_accuracy = 1e-7;  // diameters, of curves of one chart to each other
-constexpr double slip = 1e-3;            // diameters: an end as near to a curve was meant to be on it
 constexpr int samples_of_piece = 16;
 
 struct ChartNode {
@@ -35,6 +34,7 @@ struct MeetingCurve {
   bool is_round = false;  ///< closed, and smooth where it closes: the seam is no node
   std::array<int, 2> ends{-1, -1};
   std::vector<Cut> cuts;
+  bool is_twin = false;  ///< the other side of a curve before it
 
   bool has(int node) const {
     return ends[0] == node || ends[1] == node ||
@@ -67,6 +67,7 @@ class Meeting {
     for (const ChartCurve& c : inner)
       curves_.push_back({&c.image, &c.space, c.cad_edge, curve::has_smooth_seam(c.image), {}, {}});
     for (MeetingCurve& c : curves_) c.ends = {-1, -1};
+    for (int c = 0; c < face.num_curves(); ++c) curves_[c].is_twin = face.is_interface(c) && face.partners[c] < c;
   }
 
   std::vector<ChartPiece> pieces() {
@@ -77,9 +78,11 @@ class Meeting {
     for (int a = num_outer(); a < num_curves(); ++a)
       for (int b = num_outer(); b < a; ++b) add_crossings(curves_[b], curves_[a]);
     std::vector<ChartPiece> all;
-    for (int c = 0; c < num_curves(); ++c)
+    for (int c = 0; c < num_curves(); ++c) {
+      if (curves_[c].is_twin) continue;
       for (ChartPiece& piece : pieces_of(c))
         if (c < num_outer() || !is_known(piece, all)) all.push_back(std::move(piece));
+    }
     return all;
   }
 
@@ -93,10 +96,14 @@ class Meeting {
     return static_cast<int>(nodes_.size()) - 1;
   }
 
+  /// Joints of several regions at one place are one node.
   void add_joints() {
-    for (int c = 0; c < num_outer(); ++c)
-      if (!curves_[c].is_round)
-        curves_[c].ends[0] = add_node({face_.curves[c].poles.front(), curves_[c].space->poles.front()});
+    for (int c = 0; c < num_outer(); ++c) {
+      if (curves_[c].is_round) continue;
+      const ChartNode joint{face_.curves[c].poles.front(), curves_[c].space->poles.front()};
+      const auto known = std::ranges::find(nodes_, joint.image, &ChartNode::image);
+      curves_[c].ends[0] = known == nodes_.end() ? add_node(joint) : static_cast<int>(known - nodes_.begin());
+    }
     for (int c = 0; c < num_outer(); ++c) curves_[c].ends[1] = curves_[face_.next_in_loop(c)].ends[0];
     num_joints_ = static_cast<int>(nodes_.size());
   }
@@ -126,10 +133,10 @@ class Meeting {
   void cut_at(int n) {
     bool is_first = true;
     for (MeetingCurve& curve : curves_) {
-      if (curve.has(n)) continue;
+      if (curve.is_twin || curve.has(n)) continue;
       const surface::CurveProjection foot = surface::project(*curve.space, nodes_[n].space);
       if (foot.distance > options_.tolerance) {
-        if (is_first && foot.distance <= slip * size_) refuse_slip(n, curve, foot.distance);
+        if (is_first && foot.distance <= options_.slip * size_) refuse_slip(n, curve, foot.distance);
         continue;
       }
       if (!curve.is_round && is_near_end(curve, foot.position)) continue;

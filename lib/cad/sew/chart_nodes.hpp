@@ -18,7 +18,8 @@ struct ChartCurve {
   std::array<int, 2> faces{};  ///< of the file, on its left and on its right; -1: unknown
 };
 
-/// A part of a curve between two nodes, in the chart and in space.
+/// A part of a curve between two nodes, in the chart and in space. An interface is one curve, that of the partner with
+/// the lower number.
 struct ChartPiece {
   int curve = 0;  ///< of the boundary, or number of curves of the boundary + inner curve
   Nurbs image;
@@ -30,6 +31,7 @@ struct ChartPiece {
 struct MeetOptions {
   std::string file;      ///< for messages
   double tolerance = 0;  ///< a length in space
+  double slip = 1e-3;    ///< diameters: an end as near to a curve was meant to be on it
 };
 
 /// The pieces of all curves, those of the boundary first. Ends of inner curves within the tolerance of a joint, of each

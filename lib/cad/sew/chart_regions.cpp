@@ -36,23 +36,23 @@ ChartSides sides_of(const CadFace& face, const std::vector<ChartCurve>& curves, 
   ChartSides all;
   const auto add = [&](const ChartPiece& p, int twin, bool is_back) {
     const bool is_outer = p.curve < face.num_curves();
-    const int inner = p.curve - face.num_curves();
+    const int inner = p.curve - face.num_curves(), outer = is_outer && is_back ? face.partners[p.curve] : p.curve;
     const std::string name =
-        is_outer ? (face.has_given_name(p.curve) ? face.curve_names[p.curve] : "") : curves[inner].name;
+        is_outer ? (face.has_given_name(outer) ? face.curve_names[outer] : "") : curves[inner].name;
     SideOfCurve side{
-        {p.image, is_outer ? face.curve_cad_edges[p.curve] : curves[inner].cad_edge, name}, p.from, p.to, twin};
+        {p.image, is_outer ? face.curve_cad_edges[outer] : curves[inner].cad_edge, name}, p.from, p.to, twin};
     if (is_back) side.curve.curve = curve::reversed(p.image), std::swap(side.from, side.to);
     all.sides.push_back(std::move(side));
     all.space.push_back(is_back ? surface::reversed(p.space) : p.space);
-    all.faces.push_back(is_outer ? options.curve_faces[p.curve] : curves[inner].faces[is_back ? 1 : 0]);
-    all.starts.push_back(is_outer && p.is_first ? p.curve : -1);
-    all.ends.push_back(is_outer && p.is_last ? p.curve : -1);
+    all.faces.push_back(is_outer ? options.curve_faces[outer] : curves[inner].faces[is_back ? 1 : 0]);
+    all.starts.push_back(is_outer && (is_back ? p.is_last : p.is_first) ? outer : -1);
+    all.ends.push_back(is_outer && (is_back ? p.is_first : p.is_last) ? outer : -1);
   };
   for (const ChartPiece& p : pieces) {
     const int number = static_cast<int>(all.sides.size());
-    const bool is_inner = p.curve >= face.num_curves();
-    add(p, is_inner ? number + 1 : -1, false);
-    if (is_inner) add(p, number, true);
+    const bool has_back = p.curve >= face.num_curves() || face.is_interface(p.curve);
+    add(p, has_back ? number + 1 : -1, false);
+    if (has_back) add(p, number, true);
   }
   return all;
 }
@@ -114,6 +114,7 @@ class Assembler {
   Assembler(const CadFace& face, const ChartSides& all, const ChartRegionOptions& options)
       : old_(face), all_(all), options_(options), face_(face), numbers_(all.sides.size(), -1) {
     face_.curves.clear(), face_.curve_cad_edges.clear(), face_.curve_names.clear(), face_.joints.clear();
+    face_.partners.clear(), face_.region_names.clear();
     face_.loop_offsets = face_.region_loops = {0};
   }
 
@@ -188,7 +189,8 @@ void refuse_cusps_of(const ChartSides& all, const RegionLoops& loops, const std:
 
 CadFace divided_chart(const CadFace& face, const std::vector<ChartCurve>& curves, const ChartRegionOptions& options,
                       Report& report) {
-  const ChartSides all = sides_of(face, curves, options, chart_pieces(face, curves, {options.file, options.tolerance}));
+  const ChartSides all =
+      sides_of(face, curves, options, chart_pieces(face, curves, {options.file, options.tolerance, options.slip}));
   Assembler assembler(face, all, options);
   for (const auto& [file_face, loops] : RegionFaces(all, regions_of_sides(all.sides), options).sorted()) {
     refuse_cusps_of(all, loops, options.file);

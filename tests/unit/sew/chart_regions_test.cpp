@@ -8,6 +8,7 @@
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "model/interfaces.hpp"
 #include "outline/face_of_loops.hpp"
 #include "regions.hpp"
 
@@ -125,6 +126,31 @@ TEST(ChartRegions, a_closed_curve_makes_two_regions_of_one_face) {
 TEST(ChartRegions, a_curve_along_another_one_is_left_out) {
   const CadFace face = divided({line({0.5, 1}, {1.5, 1}), line({1.5, 1}, {0.5, 1}, {-1, -1})});
   EXPECT_EQ(num_sides(face), 2);
+}
+
+TEST(ChartRegions, a_divided_face_is_divided_again) {
+  // The common edge of two faces is cut where a curve of each ends on it.
+  Report report;
+  const CadFace two = divided({line({0, 0}, {2, 2}, {0, 1})}, {1, 1, 0, 0});
+  const ChartRegionOptions options{"x.step", 1e-5, 0.01, {"one", "two"}, curve_regions(two), 0};
+  const CadFace face =
+      divided_chart(two, {line({0, 1}, {1, 1}, {-1, -1}), line({1, 1}, {2, 0.8}, {-1, -1})}, options, report);
+  expect_sound(face);
+  EXPECT_EQ(face.region_names, (std::vector<std::string>{"one", "one", "two", "two"}));
+  EXPECT_EQ(face.num_curves(), 14);
+  EXPECT_EQ(num_sides(face), 8);
+  const CadFace same = divided_chart(two, {}, options, report);
+  expect_sound(same);
+  EXPECT_EQ(same.region_names, two.region_names);
+  EXPECT_EQ(same.loop_offsets, two.loop_offsets);
+  EXPECT_EQ(num_sides(same), 2);
+}
+
+TEST(ChartRegions, an_end_just_before_another_curve_stays_if_that_is_meant) {
+  Report report;
+  const ChartRegionOptions options{"x.step", 1e-5, 0.01, {"one"}, {0, 0, 0, 0}, 0};
+  const CadFace face = divided_chart(charted_square(), {line({1, 1e-3}, {1, 1})}, options, report);
+  EXPECT_EQ(face.num_loops(), 2);
 }
 
 }  // namespace
