@@ -72,6 +72,15 @@ std::vector<double> heights_along(const sizing::MeasuredLayout& measured, const 
   return heights;
 }
 
+double scale_range(const WallLine& wall, const std::vector<Vec2>& points) {
+  double least = HUGE_VAL, greatest = 0;
+  for (const Vec2 x : points) {
+    const double scale = wall.scale_at(x);
+    least = std::min(least, scale), greatest = std::max(greatest, scale);
+  }
+  return greatest / least;
+}
+
 /// Length at which the line first reaches the height, negative if it turns back before.
 double length_at(const std::vector<double>& heights, const std::vector<double>& lengths, double height) {
   for (std::size_t i = 1; i < heights.size(); ++i) {
@@ -143,9 +152,9 @@ bool has_clearance(const FreePart& part) {
   return layer_constants.greatest_change * part.length >= std::max(part.ends.before, part.ends.after);
 }
 
-double growth_between(const std::vector<WallSpec>& specs, const WallPair& walls) {
-  const double front = growth_beyond(specs[walls.first]);
-  return walls.second < 0 ? front : std::min(front, growth_beyond(specs[walls.second]));
+double growth_between(const std::vector<WallSpec>& specs, const WallPair& walls, const NormalLineSample& line) {
+  const auto growth = [&](int spec) { return growth_beyond(specs[spec]) * own_scale_range(specs[spec], line); };
+  return walls.second < 0 ? growth(walls.first) : std::min(growth(walls.first), growth(walls.second));
 }
 
 bool is_crowded(const FreePart& part, int count, double growth) {
@@ -159,7 +168,7 @@ void find_crowded(const std::vector<WallSpec>& specs, const std::map<WallPair, L
                   std::vector<const NormalLineSample*>& misfits) {
   int count = 0;
   double growth = 2;
-  for (const auto& [walls, range] : ranges) growth = std::min(growth, growth_between(specs, walls));
+  for (const auto& [walls, range] : ranges) growth = std::min(growth, growth_between(specs, walls, *range.narrow));
   for (const auto& [walls, range] : ranges) {
     const FreePart& wide = range.widest;
     count = std::max(count, wide.layers + least_graded_count(wide.ends, wide.length, wide.size, growth,
@@ -222,6 +231,10 @@ FittedLayers fit_layers(const std::vector<WallSpec>& specs, const std::vector<No
 
 }  // namespace
 
+double own_scale_range(const WallSpec& spec, const NormalLineSample& line) {
+  return spec.own_blocks ? line.scale_range : 1;
+}
+
 std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& measured, const WallSides& walls,
                                                   const std::vector<double>& arc_sizes) {
   std::vector<NormalLineSample> lines;
@@ -239,6 +252,7 @@ std::vector<NormalLineSample> sample_normal_lines(const sizing::MeasuredLayout& 
       line.size = (1 - x) * arc_sizes[begin] + x * arc_sizes[end];
       line.lengths = lengths_along(points);
       line.far_end = points.back();
+      line.scale_range = scale_range(wall.line, points);
       line.front_heights = heights_along(measured, wall, points, x);
       std::reverse(points.begin(), points.end());
       line.own_intervals[0] = wall.own_intervals;

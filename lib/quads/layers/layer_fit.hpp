@@ -24,7 +24,13 @@ struct NormalLineSample {
   std::vector<double> back_heights;   ///< by sample, counted from the end: distance from the back wall
   Vec2 far_end;
   std::array<int, 2> own_intervals{};  ///< WallSide::own_intervals of the front and the back wall
+  /// Greatest over least scale of the chart at the samples: ratios of lengths in space and in the chart differ by less.
+  double scale_range = 1;
 };
+
+/// By how much more than in space intervals may grow along the line in the chart, where the layers have blocks of their
+/// own: there one interval is left above them, no longer than their growth allows. 1 elsewhere.
+double own_scale_range(const WallSpec& spec, const NormalLineSample& line);
 
 /// LayerConstants::lines_per_block lines across every block with walls, its sides among them; a block between two walls
 /// is crossed once. `arc_sizes`: by arc, the prescribed interval.

@@ -52,6 +52,16 @@ std::vector<double> least_thicknesses(const std::vector<NormalLineSample>& lines
   return least;
 }
 
+/// A growth is a ratio of lengths in space.
+void allow_for_chart(const WallInput& input, const std::vector<NormalLineSample>& lines, WallPlan& plan) {
+  std::vector<double> ranges(input.specs.size(), 1);
+  for (const NormalLineSample& line : lines)
+    for (const int spec : {line.front, line.back})
+      if (spec >= 0) ranges[spec] = std::max(ranges[spec], own_scale_range(input.specs[spec], line));
+  for (const auto& [arc, end, side] : plan.walls.layered_ends())
+    plan.requests.spacings[arc][end].growth *= ranges[plan.walls.sides[side].spec];
+}
+
 /// Pairs of specs with layers on one chord, at whichever ends of its arcs.
 std::vector<std::array<int, 2>> specs_sharing_a_chord(const std::vector<mesh::Chord>& chords, const WallSides& walls) {
   std::set<std::array<int, 2>> pairs;
@@ -71,6 +81,7 @@ void divide_with_layers(const WallInput& input, const std::vector<NormalLineSamp
                         WallPlan& plan, sizing::ArcDivisions& divisions) {
   plan.least_thickness = least_thicknesses(lines, plan.heights);
   plan.requests = request_layers(input, plan.walls, plan.heights);
+  allow_for_chart(input, lines, plan);
   plan.chords = propagate_spacing(input, free_parts(lines, plan.heights, input.measured.chords().size()),
                                   plan.requests.spacings, sizes, divisions);
 }
@@ -208,7 +219,9 @@ void measure_released_layers(const WallInput& input, const sizing::ArcDivisions&
     if (plan.num_fixed[spec] == count) continue;
     const std::vector<double>& ends = divisions[arc].ends;
     const double top = end == 0 ? ends[count] : 1 - ends[ends.size() - 1 - count];
-    plan.least_thickness[spec] = std::min(plan.least_thickness[spec], top * input.measured.length(arc));
+    const Vec2 middle = input.measured.chain(arc).position(end == 0 ? top / 2 : 1 - top / 2);
+    const double thickness = top * input.measured.length(arc) * plan.walls.sides[side].line.scale_at(middle);
+    plan.least_thickness[spec] = std::min(plan.least_thickness[spec], thickness);
   }
 }
 
