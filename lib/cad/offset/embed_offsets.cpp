@@ -8,19 +8,25 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/message_text.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/nurbs.hpp"
+#include "curve/project.hpp"
 #include "curve/symmetry_lines.hpp"
 #include "heal/raw_face.hpp"
+#include "mesh/chart_map.hpp"
 #include "model/interfaces.hpp"
+#include "offset/chart_heights.hpp"
+#include "offset/lifted_curve.hpp"
 #include "offset/offset_chain.hpp"
 #include "offset/offset_profile.hpp"
 #include "offset/wall_chains.hpp"
 #include "outline/outline_checks.hpp"
+#include "sew/chart_regions.hpp"
 #include "sew/embed_curves.hpp"
 #include "sew/sew_regions.hpp"
 #include "sew/sewn_face.hpp"
+#include "surface/positions.hpp"
+#include "surface/space_extent.hpp"
 
 namespace quadrille::offset {
 namespace {
@@ -48,6 +54,7 @@ sew::Region region_of(const CadFace& face, int number) {
 
 void refuse(const CadFace& face, const std::vector<OffsetRequest>& requests) {
   const std::string& where = requests.front().where;
+  const double diameter = face.chart ? surface::diameter(*face.chart) : face.diameter;
   if (!face.periodic_pairs.empty())
     throw UsageError(where + ": curves at a distance from walls are not supported in faces with periodic sides");
   const std::vector<int> region = curve_regions(face);
@@ -58,9 +65,9 @@ void refuse(const CadFace& face, const std::vector<OffsetRequest>& requests) {
                       "curves that end inside, such as {}",
                       where, face.curve_names[c]));
   for (const OffsetRequest& request : requests)
-    if (request.distance < offset_constants.least_distance * face.diameter)
+    if (request.distance < offset_constants.least_distance * diameter)
       throw UsageError(fmt::format("{}: the distance is less than {:g} diameters of the face ({:g})", request.where,
-                                   offset_constants.least_distance, face.diameter));
+                                   offset_constants.least_distance, diameter));
 }
 
 /// None if the face is no part of a whole.
@@ -86,8 +93,9 @@ std::vector<double> wall_distances(const CadFace& face, const std::vector<WallCh
 }
 
 /// Those of the whole, if the face is a part of one: mirror images limit the distance, and no line of symmetry does.
+/// Makes the heights those of the whole.
 std::vector<ChainProfile> chain_profiles(CadFace face, std::vector<WallChain> chains,
-                                         const std::vector<std::string>& symmetry) {
+                                         const std::vector<std::string>& symmetry, ChartHeights& heights) {
   std::vector<double> distances = wall_distances(face, chains);
   for (auto lines = lines_of_symmetry(face, symmetry); !lines.empty(); lines = lines_of_symmetry(face, symmetry)) {
     curve::MirroredFace mirrored = curve::mirrored_face(face, lines.front());
@@ -96,11 +104,12 @@ std::vector<ChainProfile> chain_profiles(CadFace face, std::vector<WallChain> ch
       if (mirrored.copy[c] >= 0) of_whole[mirrored.copy[c]] = of_whole[mirrored.image[c]] = distances[c];
     for (WallChain& chain : chains)
       for (int& c : chain.curves) c = mirrored.copy[c];
+    heights.add_mirror(lines.front());
     face = std::move(mirrored.whole);
     distances = std::move(of_whole);
   }
   std::vector<ChainProfile> profiles;
-  for (const WallChain& chain : chains) profiles.push_back(chain_profile(face, chain, distances));
+  for (const WallChain& chain : chains) profiles.push_back(chain_profile(face, chain, distances, heights));
   return profiles;
 }
 
@@ -116,7 +125,7 @@ void report_chains(const CadFace& face, const std::vector<OffsetRequest>& reques
         fmt::format("{}: the distance is reduced to {:.4g} near {}, where the opposite boundary, or the bend of "
                     "the wall, leaves less room",
                     request.where, request.distance * profiles[i].least_ratio,
-                    position_text(profiles[i].narrowest + face.origin)));
+                    surface::position_text(face, profiles[i].narrowest)));
   }
   for (std::size_t r = 0; r < requests.size(); ++r) {
     const std::string key = fmt::format("offsets.{}.", r);
@@ -152,17 +161,41 @@ void require_no_contact(const CadFace& face, const sew::Region& region, const Re
     throw ComputeError(
         fmt::format("{}: the curve at this distance touches another one, or the boundary, at {}: use a "
                     "smaller distance",
-                    offsets.where, position_text(contact->position)));
+                    offsets.where, surface::position_text(face, contact->position - face.origin)));
+}
+
+/// Curves that end on both sides of an interface, where it meets the wall, end in one place there: extended, or cut at
+/// its own curve, each is a little off the height of the other.
+void meet_on_interfaces(const CadFace& face, const std::vector<WallChain>& chains,
+                        std::vector<std::vector<heal::LoopCurve>>& curves) {
+  for (std::size_t a = 0; a < chains.size(); ++a) {
+    const int wall = chains[a].curves.front(), side = face.previous_in_loop(wall);
+    if (chains[a].is_closed || !face.is_interface(side)) continue;
+    for (std::size_t b = 0; b < chains.size(); ++b) {
+      if (chains[b].is_closed || face.next_in_loop(chains[b].curves.back()) != face.partners[side]) continue;
+      Nurbs &first = curves[a].front().curve, &last = curves[b].back().curve;
+      const Vec2 start = first.poles.front(), end = last.poles.back();
+      const double gap = distance(start, end), height = distance(start, face.joints[wall].position);
+      if (gap <= offset_constants.tolerance * face.diameter || gap > offset_constants.least_ratio * height) continue;
+      const Vec2 both = curve::project(face.curves[side], (start + end) / 2).position;
+      first = curve::with_ends(first, both, first.poles.back());
+      last = curve::with_ends(last, last.poles.front(), both);
+    }
+  }
 }
 
 std::vector<RegionOffsets> offsets_by_region(const CadFace& face, const std::vector<OffsetRequest>& requests,
                                              const std::vector<WallChain>& chains,
-                                             const std::vector<ChainProfile>& profiles) {
+                                             const std::vector<ChainProfile>& profiles, const ChartHeights& heights) {
   const std::vector<int> curve_region = curve_regions(face);
+  std::vector<std::vector<heal::LoopCurve>> of_chains;
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    of_chains.push_back(offset_chain(face, chains[i], profiles[i], heights, requests));
+  meet_on_interfaces(face, chains, of_chains);
   std::vector<RegionOffsets> offsets(face.num_regions());
   for (std::size_t i = 0; i < chains.size(); ++i) {
     RegionOffsets& own = offsets[curve_region[chains[i].curves.front()]];
-    std::vector<heal::LoopCurve> curves = offset_chain(face, chains[i], profiles[i], requests);
+    std::vector<heal::LoopCurve>& curves = of_chains[i];
     for (heal::LoopCurve& c : curves)
       for (Vec2& pole : c.curve.poles) pole += face.origin;
     if (own.where.empty()) own.where = requests[chains[i].requests.front()].where;
@@ -194,6 +227,31 @@ heal::RawFace frame_of(const CadFace& face) {
   return raw;
 }
 
+CadFace embedded_in_plane(const CadFace& face, const std::vector<RegionOffsets>& offsets, double corner_angle) {
+  const double tolerance = offset_constants.tolerance * face.diameter;
+  std::vector<sew::Region> regions;
+  for (int r = 0; r < face.num_regions(); ++r)
+    for (sew::Region& piece : sew::embed_curves(region_of(face, r), offsets[r].curves, tolerance, "--offset"))
+      regions.push_back(std::move(piece));
+  CadFace result = sew::face_of_regions(sew::sew_regions(regions, tolerance), frame_of(face), corner_angle);
+  result.fit_distance = face.fit_distance;
+  return result;
+}
+
+CadFace embedded_in_chart(CadFace face, const std::vector<RegionOffsets>& offsets, double corner_angle) {
+  const mesh::ChartMap map(face);
+  std::vector<sew::ChartCurve> curves;
+  for (const RegionOffsets& own : offsets)
+    for (const heal::LoopCurve& c : own.curves)
+      curves.push_back({c.curve, lifted_curve(map, face, c.curve), c.name, c.cad_edge, {-1, -1}});
+  sew::ChartRegionOptions options{
+      "--offset", offset_constants.fit_tolerance * face.diameter, corner_angle, {}, curve_regions(face), 0};
+  for (int r = 0; r < face.num_regions(); ++r) options.face_names.push_back(name_of(face, r));
+  face.unnamed_curves.clear();  // they keep their names
+  Report of_cad2chart;          // which counts other curves
+  return sew::divided_chart(face, curves, options, of_cad2chart);
+}
+
 }  // namespace
 
 CadFace embed_offsets(const CadFace& face, const std::vector<OffsetRequest>& requests, double corner_angle,
@@ -201,18 +259,12 @@ CadFace embed_offsets(const CadFace& face, const std::vector<OffsetRequest>& req
   if (requests.empty()) return face;
   refuse(face, requests);
   const std::vector<WallChain> chains = wall_chains(face, requests, curves_on_lines(face, symmetry));
-  const std::vector<ChainProfile> profiles = chain_profiles(face, chains, symmetry);
-  const std::vector<RegionOffsets> offsets = offsets_by_region(face, requests, chains, profiles);
-  const double tolerance = offset_constants.tolerance * face.diameter;
-  std::vector<sew::Region> regions;
-  for (int r = 0; r < face.num_regions(); ++r) {
-    const sew::Region region = region_of(face, r);
-    require_no_contact(face, region, offsets[r]);
-    for (sew::Region& piece : sew::embed_curves(region, offsets[r].curves, tolerance, "--offset"))
-      regions.push_back(std::move(piece));
-  }
-  CadFace result = sew::face_of_regions(sew::sew_regions(regions, tolerance), frame_of(face), corner_angle);
-  result.fit_distance = face.fit_distance;
+  ChartHeights heights(face);
+  const std::vector<ChainProfile> profiles = chain_profiles(face, chains, symmetry, heights);
+  const std::vector<RegionOffsets> offsets = offsets_by_region(face, requests, chains, profiles, heights);
+  for (int r = 0; r < face.num_regions(); ++r) require_no_contact(face, region_of(face, r), offsets[r]);
+  CadFace result =
+      face.chart ? embedded_in_chart(face, offsets, corner_angle) : embedded_in_plane(face, offsets, corner_angle);
   result.unnamed_curves = unnamed_curves(face, offsets, result);
   report_chains(face, requests, chains, profiles, report);
   return result;

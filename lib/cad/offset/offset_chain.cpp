@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/message_text.hpp"
 #include "curve/chain.hpp"
 #include "curve/nurbs.hpp"
-#include "curve/pole_box.hpp"
-#include "curve/simplify_spline.hpp"
 #include "model/name_rules.hpp"
+#include "offset/offset_curve.hpp"
 #include "offset/wall_chains.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::offset {
 
@@ -58,100 +57,6 @@ std::optional<ExtendedCrossing> crossing_near(const ExtendedCurve& a, double t_a
 
 namespace {
 
-/// The same weights and knots with poles at the distance: those of an arc are those of the arc of the other radius.
-Nurbs scaled_arc(Nurbs curve, Vec2 centre, double factor) {
-  for (Vec2& pole : curve.poles) pole = centre + factor * (pole - centre);
-  return curve;
-}
-
-class OffsetPoints {
- public:
-  OffsetPoints(const Nurbs& curve, const OffsetProfile& profile) : curve_(curve), profile_(profile), length_(curve) {}
-
-  double total() const { return length_.total(); }
-
-  Vec2 point(double s) const {
-    const double t = length_.parameter(s);
-    return curve::point(curve_, t) + profile_.at(s) * left_of(curve::tangent(curve_, t, is_end(s)));
-  }
-
-  /// By the arc length of the wall.
-  Vec2 derivative(double s) const {
-    const double t = length_.parameter(s);
-    const Vec2 tangent = curve::tangent(curve_, t, is_end(s));
-    return stretch(s) * tangent + profile_.slope(s) * left_of(tangent);
-  }
-
-  /// Length of the offset curve over that of the wall.
-  double stretch(double s) const {
-    return 1 - profile_.at(s) * curve::curvature(curve_, length_.parameter(s), is_end(s));
-  }
-
- private:
-  bool is_end(double s) const { return s >= total(); }
-
-  const Nurbs& curve_;
-  const OffsetProfile& profile_;
-  curve::ArcLength length_;
-};
-
-Nurbs through(const OffsetPoints& points, int count) {
-  std::vector<double> lengths;
-  std::vector<Vec2> positions;
-  for (int i = 0; i <= count; ++i) {
-    lengths.push_back(points.total() * i / count);
-    positions.push_back(points.point(lengths.back()));
-  }
-  return curve::cubic_spline(lengths, positions, points.derivative(0), points.derivative(points.total()));
-}
-
-double greatest_deviation(const Nurbs& spline, const OffsetPoints& points, int count) {
-  double greatest = 0;
-  for (int i = 0; i < count; ++i) {
-    const double s = points.total() * (i + 0.5) / count;
-    greatest = std::max(greatest, distance(curve::point(spline, s), points.point(s)));
-  }
-  return greatest;
-}
-
-void require_no_fold(const Nurbs& curve, const OffsetPoints& points, const std::string& where, Vec2 origin) {
-  const int count = offset_constants.first_fit_intervals;
-  for (int i = 0; i <= count; ++i) {
-    const double s = points.total() * i / count;
-    if (points.stretch(s) > 0) continue;
-    const Vec2 x = curve::point(curve, curve::ArcLength(curve).parameter(s));
-    throw ComputeError(fmt::format("{}: the wall bends at {} with a smaller radius than the distance: use less", where,
-                                   position_text(x + origin)));
-  }
-}
-
-Nurbs fitted(const Nurbs& curve, const OffsetPoints& points, double tolerance) {
-  int count = offset_constants.first_fit_intervals;
-  Nurbs spline = through(points, count);
-  while (count < offset_constants.most_fit_intervals && greatest_deviation(spline, points, count) > tolerance / 2)
-    spline = through(points, count *= 2);
-  if (curve::has_smooth_seam(curve)) spline.poles.back() = spline.poles.front();
-  if (auto simple = curve::simplified_spline(spline, tolerance / 2)) return std::move(simple->curve);
-  return spline;
-}
-
-}  // namespace
-
-Nurbs offset_curve(const Nurbs& curve, const OffsetProfile& profile, double tolerance, const std::string& where,
-                   Vec2 origin) {
-  const OffsetPoints points(curve, profile);
-  require_no_fold(curve, points, where, origin);
-  const curve::Carrier carrier = curve::carrier_of(curve);
-  if (!profile.is_constant || carrier.kind == curve::CurveKind::spline) return fitted(curve, points, tolerance);
-  if (carrier.kind == curve::CurveKind::line) {
-    const Vec2 shift = profile.distance * left_of(carrier.direction);
-    return curve::segment(curve.poles.front() + shift, curve.poles.back() + shift);
-  }
-  return scaled_arc(curve, carrier.point, points.stretch(0));
-}
-
-namespace {
-
 /// The part of an offset curve that remains: its ends by parameter, beyond the curve where it is extended.
 struct Part {
   double begin = 0, end = 0;
@@ -160,15 +65,19 @@ struct Part {
 
 class ChainMaker {
  public:
-  ChainMaker(const CadFace& face, const WallChain& chain, const ChainProfile& profile,
+  ChainMaker(const CadFace& face, const WallChain& chain, const ChainProfile& profile, const ChartHeights& heights,
              const std::vector<OffsetRequest>& requests)
       : face_(face), chain_(chain), requests_(requests) {
     const double tolerance = offset_constants.fit_tolerance * face.diameter;
     for (std::size_t i = 0; i < chain.curves.size(); ++i) {
       const Nurbs& wall = face.curves[chain.curves[i]];
-      curves_.push_back(offset_curve(wall, profile.curves[i], tolerance, where(i), face.origin));
+      curves_.push_back(offset_curve(face, wall, profile.curves[i], heights, tolerance, where(i)));
       const double total = profile.curves[i].is_constant ? 0 : profile.curves[i].by_length.end();
-      ends_.push_back({profile.curves[i].at(0), profile.curves[i].at(total)});
+      const auto end = [&](double t, double length) {
+        const WallFoot foot{curve::point(wall, t), left_of(curve::tangent(wall, t, length > 0))};
+        return heights.in_chart(foot, profile.curves[i].at(length));
+      };
+      ends_.push_back({end(wall.begin(), 0), end(wall.end(), total)});
       const Nurbs& own = curves_.back();
       parts_.push_back({own.begin(), own.end(), own.poles.front(), own.poles.back()});
     }
@@ -194,7 +103,7 @@ class ChainMaker {
 
   [[noreturn]] void fail(std::size_t i, Vec2 x, const char* why) const {
     throw ComputeError(fmt::format("{}: the curve at this distance {} near {}: use a smaller distance", where(i), why,
-                                   position_text(x + face_.origin)));
+                                   surface::position_text(face_, x)));
   }
 
   void join(std::size_t i, std::size_t j) {
@@ -329,7 +238,7 @@ class ChainMaker {
   const WallChain& chain_;
   const std::vector<OffsetRequest>& requests_;
   std::vector<Nurbs> curves_;                    ///< one for each wall of the chain, whole
-  std::vector<std::pair<double, double>> ends_;  ///< distances at both ends of each
+  std::vector<std::pair<double, double>> ends_;  ///< distances at both ends of each, in the plane or the chart
   std::vector<Part> parts_;
   std::vector<bool> caps_;                         ///< a line across the bisector follows
   std::optional<Vec2> cap_at_start_, cap_at_end_;  ///< where half of such a line meets the line of symmetry
@@ -338,8 +247,8 @@ class ChainMaker {
 }  // namespace
 
 std::vector<heal::LoopCurve> offset_chain(const CadFace& face, const WallChain& chain, const ChainProfile& profile,
-                                          const std::vector<OffsetRequest>& requests) {
-  return ChainMaker(face, chain, profile, requests).make();
+                                          const ChartHeights& heights, const std::vector<OffsetRequest>& requests) {
+  return ChainMaker(face, chain, profile, heights, requests).make();
 }
 
 }  // namespace quadrille::offset

@@ -7,6 +7,7 @@
 
 #include "heal/raw_face.hpp"
 #include "model/cad_face.hpp"
+#include "offset/chart_heights.hpp"
 #include "offset/offset_profile.hpp"
 
 namespace quadrille::offset {
@@ -37,14 +38,6 @@ struct ExtendedCrossing {
 std::optional<ExtendedCrossing> crossing_near(const ExtendedCurve& a, double t_a, const ExtendedCurve& b, double t_b,
                                               double tolerance);
 
-// The curve at a distance to the left of another one: p(s) + d(s) n(s), n the unit normal.
-
-/// With a constant distance a line or an arc has a line or an arc, exactly; otherwise a spline fitted within
-/// `tolerance`, a length. Throws ComputeError, beginning with `where`, if a bend is too narrow: the offset curve would
-/// turn back there. `origin`: added to positions in messages.
-Nurbs offset_curve(const Nurbs& curve, const OffsetProfile& profile, double tolerance, const std::string& where,
-                   Vec2 origin);
-
 // The connected curves at a distance from a chain of walls.
 //
 // Both ends of each wall's offset curve are cut, or extended straight, where it crosses the next one. At a corner of
@@ -56,6 +49,6 @@ Nurbs offset_curve(const Nurbs& curve, const OffsetProfile& profile, double tole
 /// those of the walls, with "_offset". Throws ComputeError, with the request and the place, where curves do not cross,
 /// or not between their other ends: the distance is too great. Tolerances in diameters of the face.
 std::vector<heal::LoopCurve> offset_chain(const CadFace& face, const WallChain& chain, const ChainProfile& profile,
-                                          const std::vector<OffsetRequest>& requests);
+                                          const ChartHeights& heights, const std::vector<OffsetRequest>& requests);
 
 }  // namespace quadrille::offset

@@ -114,13 +114,22 @@ SmoothRatios smoothed_ratios(const RatioSamples& samples) {
 
 namespace {
 
-struct BoundarySample {
-  Vec2 position, normal;
+struct BoundarySample : WallFoot {
   int curve = -1;
+  double distance = 0;  ///< the prescribed one, in the plane or the chart; 0: of no wall
 };
 
-/// Equally spaced by arc length, with both ends.
-std::vector<BoundarySample> samples_of(const CadFace& face, int curve, double distance) {
+struct WallDistances {
+  const std::vector<double>& of_curves;  ///< lengths in space of a curved face
+  const ChartHeights& heights;
+
+  BoundarySample sample(const WallFoot& foot, int curve) const {
+    return {foot, curve, of_curves[curve] > 0 ? heights.in_chart(foot, of_curves[curve]) : 0};
+  }
+};
+
+/// Equally spaced by arc length, with both ends; `distance`: the least of the chain.
+std::vector<BoundarySample> samples_of(const CadFace& face, int curve, const WallDistances& walls, double distance) {
   const Nurbs& nurbs = face.curves[curve];
   const curve::ArcLength length(nurbs);
   const double wanted = offset_constants.samples_per_distance * length.total() / distance;
@@ -129,7 +138,7 @@ std::vector<BoundarySample> samples_of(const CadFace& face, int curve, double di
   std::vector<BoundarySample> samples;
   for (int i = 0; i <= count; ++i) {
     const double t = length.parameter(length.total() * i / count);
-    samples.push_back({curve::point(nurbs, t), left_of(curve::tangent(nurbs, t, i == count)), curve});
+    samples.push_back(walls.sample({curve::point(nurbs, t), left_of(curve::tangent(nurbs, t, i == count))}, curve));
   }
   return samples;
 }
@@ -148,12 +157,11 @@ bool faces(const CadFace& face, int wall, int other) {
 
 class Allowance {
  public:
-  Allowance(const CadFace& face, int region, const std::vector<double>& wall_distance, double distance)
-      : face_(face), wall_distance_(wall_distance) {
+  Allowance(const CadFace& face, int region, const WallDistances& walls, double distance) : face_(face), walls_(walls) {
     const std::vector<int> curve_region = curve_regions(face);
     for (int c = 0; c < face.num_curves(); ++c)
       if (curve_region[c] == region)
-        for (const BoundarySample& sample : samples_of(face, c, distance)) boundary_.push_back(sample);
+        for (const BoundarySample& sample : samples_of(face, c, walls, distance)) boundary_.push_back(sample);
   }
 
   /// The distance at the sample of a wall, over the prescribed one; at most 1.
@@ -165,25 +173,24 @@ class Allowance {
     double least = 1;
     for (int k = 0; k <= offset_constants.corner_directions; ++k) {
       const double turn = (joint.interior_angle - pi) * k / offset_constants.corner_directions;
-      least = std::min(
-          least, ratio({joint.position, left_of(unit(joint.tangent_in - turn)), curve}, offset_constants.corner_reach));
+      const BoundarySample towards = walls_.sample({joint.position, left_of(unit(joint.tangent_in - turn))}, curve);
+      least = std::min(least, ratio(towards, offset_constants.corner_reach));
     }
     return least;
   }
 
  private:
   double ratio(const BoundarySample& sample, double reach) const {
-    const double distance = reach * wall_distance_[sample.curve];
+    const double distance = reach * sample.distance;
     double least = distance;
     for (const BoundarySample& other : boundary_) {
       const Vec2 d = other.position - sample.position;
       const double height = dot(sample.normal, d), squared = norm2(d);
       if (height <= 1e-10 * face_.diameter) continue;
       if (!faces(face_, sample.curve, other.curve)) continue;
-      least =
-          std::min(least, share(wall_distance_[sample.curve], wall_distance_[other.curve]) * squared / (2 * height));
+      least = std::min(least, share(sample.distance, other.distance) * squared / (2 * height));
     }
-    return least / distance;
+    return walls_.heights.in_space(sample, least) / walls_.heights.in_space(sample, distance);
   }
 
   static double share(double own, double other) {
@@ -192,13 +199,14 @@ class Allowance {
   }
 
   const CadFace& face_;
-  const std::vector<double>& wall_distance_;
+  const WallDistances& walls_;
   std::vector<BoundarySample> boundary_;
 };
 
 /// Adds those of one curve, and those of its corners.
-void add_ratios(const CadFace& face, int curve, const Allowance& allowance, RatioSamples& samples) {
-  const std::vector<BoundarySample> own = samples_of(face, curve, samples.distance);
+void add_ratios(const CadFace& face, int curve, const WallDistances& walls, const Allowance& allowance,
+                RatioSamples& samples) {
+  const std::vector<BoundarySample> own = samples_of(face, curve, walls, samples.distance);
   const double step = curve::ArcLength(face.curves[curve]).total() / (static_cast<double>(own.size()) - 1);
   const double start = samples.lengths.empty() ? 0 : samples.lengths.back();
   const bool is_first = samples.lengths.empty();
@@ -218,11 +226,21 @@ void add_ratios(const CadFace& face, int curve, const Allowance& allowance, Rati
   samples.first.push_back(static_cast<int>(samples.ratios.size()) - 1);
 }
 
-RatioSamples allowed_ratios(const CadFace& face, const WallChain& chain, const std::vector<double>& wall_distance) {
-  const double least = *std::min_element(chain.distances.begin(), chain.distances.end());
-  const Allowance allowance(face, curve_regions(face)[chain.curves.front()], wall_distance, least);
+/// The least of the chain, where its curves start.
+double least_distance(const CadFace& face, const WallChain& chain, const WallDistances& walls) {
+  double least = HUGE_VAL;
+  for (const int c : chain.curves) {
+    const Joint& joint = face.joints[c];
+    least = std::min(least, walls.sample({joint.position, left_of(unit(joint.tangent_out))}, c).distance);
+  }
+  return least;
+}
+
+RatioSamples allowed_ratios(const CadFace& face, const WallChain& chain, const WallDistances& walls) {
+  const double least = least_distance(face, chain, walls);
+  const Allowance allowance(face, curve_regions(face)[chain.curves.front()], walls, least);
   RatioSamples samples{chain.is_closed, {}, {}, {}, {0}, least};
-  for (const int curve : chain.curves) add_ratios(face, curve, allowance, samples);
+  for (const int curve : chain.curves) add_ratios(face, curve, walls, allowance, samples);
   if (chain.is_closed)
     samples.ratios.front() = samples.ratios.back() = std::min(samples.ratios.front(), samples.ratios.back());
   return samples;
@@ -250,8 +268,9 @@ double OffsetProfile::at(double length) const { return is_constant ? distance : 
 
 double OffsetProfile::slope(double length) const { return is_constant ? 0 : curve::derivative(by_length, length).x; }
 
-ChainProfile chain_profile(const CadFace& face, const WallChain& chain, const std::vector<double>& wall_distance) {
-  const RatioSamples samples = allowed_ratios(face, chain, wall_distance);
+ChainProfile chain_profile(const CadFace& face, const WallChain& chain, const std::vector<double>& wall_distance,
+                           const ChartHeights& heights) {
+  const RatioSamples samples = allowed_ratios(face, chain, {wall_distance, heights});
   const SmoothRatios smooth = smoothed_ratios(samples);
   ChainProfile profile;
   for (std::size_t i = 0; i < chain.curves.size(); ++i)

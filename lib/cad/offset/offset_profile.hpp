@@ -5,6 +5,7 @@
 
 #include "base/vec2.hpp"
 #include "model/cad_face.hpp"
+#include "offset/chart_heights.hpp"
 #include "offset/wall_chains.hpp"
 
 namespace quadrille::offset {
@@ -16,7 +17,7 @@ struct RatioSamples {
   std::vector<double> ratios;   ///< in (0, 1]
   std::vector<Vec2> positions;  ///< on the wall
   std::vector<int> first;       ///< curve i has the samples first[i] to first[i + 1]
-  double distance = 1;          ///< the least prescribed one
+  double distance = 1;          ///< the least prescribed one, on a curved face about its length in the chart
 };
 
 struct SmoothRatios {
@@ -35,6 +36,8 @@ SmoothRatios smoothed_ratios(const RatioSamples& samples);
 // which offset curves of both places would meet. A share of it is allowed; the distance then changes along the wall
 // with a limited slope, and smoothly. Curves that meet the wall in a corner below 180 degrees do not count: there the
 // offset curves are cut at their crossing.
+
+// On a curved face all this is so in its chart; prescribed distances, and those of profiles, are lengths in space.
 
 /// The distance along one curve of a chain.
 struct OffsetProfile {
@@ -55,6 +58,7 @@ struct ChainProfile {
 
 /// `wall_distance`: by curve of the face, its prescribed distance; 0: no wall. Cost: the square of the number of
 /// samples of the region.
-ChainProfile chain_profile(const CadFace& face, const WallChain& chain, const std::vector<double>& wall_distance);
+ChainProfile chain_profile(const CadFace& face, const WallChain& chain, const std::vector<double>& wall_distance,
+                           const ChartHeights& heights);
 
 }  // namespace quadrille::offset

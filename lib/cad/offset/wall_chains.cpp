@@ -7,9 +7,9 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/message_text.hpp"
 #include "base/name_text.hpp"
 #include "curve/named_places.hpp"
+#include "surface/positions.hpp"
 
 namespace quadrille::offset {
 
@@ -70,7 +70,7 @@ void require_equal_distances(const CadFace& face, int joint, int before, int aft
   if (!is_bend || requests[before].distance == requests[after].distance) return;
   throw UsageError(fmt::format("{} and {}: the walls continue each other at {}: give both the same distance",
                                requests[before].where, requests[after].where,
-                               position_text(face.joints[joint].position + face.origin)));
+                               surface::position_text(face, face.joints[joint].position)));
 }
 
 WallChain chain_from(const CadFace& face, int first, const std::vector<int>& curve_requests,

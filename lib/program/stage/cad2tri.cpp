@@ -205,10 +205,10 @@ void declare_names(Options& o, Cad2triOptions& cad2tri) {
       "A=B:rotate=DEGREES[,CX,CY], in file units; on a curved face a rotation or translation in space, always found "
       "from the curves; B is replaced by the exact image of A, from which it may differ by 1e-9 diameters");
   o.texts("--offset", cad2tri.offsets, "NAME=T",
-          "in a planar face, embed a curve at the distance T, in file units, from the boundary NAME (or NAME,NAME):"
-          " blocks end there, so that layers of this thickness have blocks of their own; around corners, and along "
-          "neighbours of NAME that meet it at more than 135 degrees, up to the first that does not; nearer where a "
-          "facing wall or a bend leaves less room; the curve is called NAME_offset",
+          "embed a curve at the distance T, in file units, from the boundary NAME (or NAME,NAME), on a curved face a "
+          "length in space: blocks end there, so that layers of this thickness have blocks of their own; around "
+          "corners, and along neighbours of NAME that meet it at more than 135 degrees, up to the first that does not; "
+          "nearer where a facing wall or a bend leaves less room; the curve is called NAME_offset",
           false);
 }
 
@@ -256,8 +256,6 @@ LoadedShape face_of_chart(const Input<ChartedFace>& chart, const Cad2triOptions&
   };
   refuse(!options.face.empty(), "--face", "give it to cad2chart, which reads the face");
   refuse(!options.section.empty(), "--section", "give it with the CAD file");
-  refuse(!options.offsets.empty(), "--offset",
-         "leave blocks=own out of --wall: layers then lie in the blocks along the wall, at their heights in space");
   refuse(!options.healed_file.empty(), "--write-healed", "cad2chart reports what it moves");
   check::require_sound(chart.model, chart.file.name);
   LoadedShape shape;

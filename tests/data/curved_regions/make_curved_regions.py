@@ -298,6 +298,19 @@ def blade():
     return s
 
 
+def cap_hole():
+    """The unit sphere up to an angle of 1 from its pole, with a round hole whose centre is at 0.35 and radius is 0.2."""
+    s = Surfaces()
+    for name, tilt, angle in ("rim", 0, 1), ("hole", .35, .2):
+        axis, side = (math.sin(tilt), 0, math.cos(tilt)), (math.cos(tilt), 0, -math.sin(tilt))
+        centre = [math.cos(angle) * c for c in axis]
+        start = [c + math.sin(angle) * d for c, d in zip(centre, side)]
+        circle = s.add(f"CIRCLE('',{s.axes(centre, axis, side)},{real(math.sin(angle))})")
+        s.make(name, start, start, circle, name)
+    s.face("cap", s.add(f"SPHERICAL_SURFACE('',{s.axes((0, 0, 0))},1.)"), [["rim"], ["-hole"]])
+    return s
+
+
 def two_surfaces():
     """A cylinder and the plane that continues it."""
     s = Surfaces()
@@ -324,8 +337,8 @@ def two_parts(begin, end):
 SHAPES = {"half_turn": half_turn, "crack": crack, "crack_on_seam": crack_on_seam, "crack_from_rim": crack_from_rim,
           "tube_crack": tube_crack, "cracks_free": cracks_free, "ring_inside": ring_inside, "halves": halves,
           "halves_own": lambda: halves(own=True), "halves_turned": lambda: halves(sense=False), "stack": stack,
-          "window": window, "spline": spline, "blade": blade, "bad_surfaces": two_surfaces,
-          "bad_gap": lambda: two_parts(1.4, 2.4), "bad_overlap": lambda: two_parts(.8, 2.0)}
+          "window": window, "spline": spline, "blade": blade, "cap_hole": cap_hole,
+          "bad_surfaces": two_surfaces, "bad_gap": lambda: two_parts(1.4, 2.4), "bad_overlap": lambda: two_parts(.8, 2.0)}
 
 if __name__ == "__main__":
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))

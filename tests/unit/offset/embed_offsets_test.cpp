@@ -4,12 +4,14 @@
 
 #include <algorithm>
 
+#include "../chart_samples.hpp"
 #include "base/error.hpp"
 #include "curve/project.hpp"
 #include "faces.hpp"
 #include "model/name_rules.hpp"
 #include "offset/wall_chains.hpp"
 #include "outline/extent.hpp"
+#include "surface/nurbs_surface.hpp"
 
 namespace quadrille::offset {
 namespace {
@@ -123,6 +125,54 @@ TEST(EmbedOffsets, FacingWallsShareTheirGap) {
   const CadFace alone = with_offsets(face, {"side_0=0.8"});
   for (const int c : curves_named(alone, "side_0_offset"))
     EXPECT_NEAR(curve::project(alone.curves[c], {5, 0}).distance, 0.7, 1e-6) << "of a boundary that is no wall";
+}
+
+/// Both sides of each offset curve are the same in space, with the parameters of the chart, and on the unit sphere.
+void expect_sound_on_sphere(const CadFace& face) {
+  for (int c = 0; c < face.num_curves(); ++c) {
+    const SpaceCurve &space = face.chart->space_curves[c], &next = face.chart->space_curves[face.next_in_loop(c)];
+    EXPECT_EQ(space.poles.back(), next.poles.front());
+    EXPECT_EQ(space.begin(), face.curves[c].begin());
+    EXPECT_EQ(space.end(), face.curves[c].end());
+    for (int i = 0; i <= 40; ++i) {
+      const double t = space.begin() + (space.end() - space.begin()) * i / 40;
+      const Vec3 x = surface::point(space, t);
+      EXPECT_NEAR(norm(x), 1, 5e-12);
+      EXPECT_NEAR(distance(x, samples::on_sphere(curve::point(face.curves[c], t))), 0, 1e-7);
+    }
+    if (const int other = face.partners[c]; other >= 0) {
+      const SpaceCurve& back = face.chart->space_curves[other];
+      EXPECT_TRUE(std::equal(space.poles.begin(), space.poles.end(), back.poles.rbegin(), back.poles.rend()));
+    }
+  }
+}
+
+TEST(EmbedOffsets, OnACurvedFaceTheDistanceIsThatInSpace) {
+  const CadFace face = with_offsets(samples::cap_face(), {"axis=0.2"});
+  EXPECT_EQ(face.num_regions(), 2);
+  expect_sound_on_sphere(face);
+  for (const int c : curves_named(face, "axis_offset"))
+    for (int i = 0; i <= 40; ++i) {
+      const Nurbs& curve = face.curves[c];
+      const Vec2 x = curve::point(curve, curve.begin() + (curve.end() - curve.begin()) * i / 40);
+      const double r = std::sqrt(1 + x.x * x.x);  // along the straight line of the chart across the axis
+      EXPECT_NEAR(2 / r * std::atan(x.y / r), 0.2, 5e-7);
+    }
+  EXPECT_EQ(curves_named(face, "axis").size(), 1U);
+  EXPECT_EQ(curves_named(face, "rim").size(), 4U) << "cut where the curve ends";
+}
+
+TEST(EmbedOffsets, OfRegionsOfACurvedFaceMeetOnTheirInterface) {
+  const CadFace patch = samples::sphere_face(4, 8);
+  const std::vector<std::string> names = patch.curve_names;
+  const CadFace two = with_offsets(patch, {names[0] + "=0.3"});
+  ASSERT_EQ(two.num_regions(), 2);
+  const CadFace four = with_offsets(two, {names[1] + "=0.2"});
+  EXPECT_EQ(four.num_regions(), 4);
+  expect_sound_on_sphere(four);
+  EXPECT_EQ(curves_named(four, names[1] + "_offset").size(), 6U) << "two curves and, in one region, an extension";
+  EXPECT_EQ(curves_named(four, names[0] + "_offset").size(), 4U) << "cut once, seen from both sides";
+  EXPECT_EQ(four.num_curves(), 18);
 }
 
 TEST(EmbedOffsets, MistakesAreRefused) {

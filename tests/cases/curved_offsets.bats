@@ -1,0 +1,60 @@
+# Layers in blocks of their own along walls of curved faces.
+load ../tools/common
+
+setup() {
+  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  common_setup
+  export PYTHONDONTWRITEBYTECODE=1
+}
+
+shapes=$DATA/curved_regions
+
+# own FILE WALL LAYERS [OPTION ...]: work/*.h5 and report.json, with the layers in blocks of their own, all of the
+# height that was given; nodes on offset curves lie on these in space.
+own() {
+  rm -rf work
+  "$ROOT/pipelines/quadmesh" -q "$1" --wall "$2:$3,blocks=own" --workdir work --report report.json -o x.msh "${@:4}"
+  run -0 jq -c '[.valid, .certificate.method, .walls["0"].least_thickness / .walls["0"].thickness > 0.99999]' report.json
+  assert_output '[true,"traced",true]'
+  stagecheck -q work/*.h5 work/*.json
+  run -0 "$BATS_TEST_DIRNAME/nodes_on_space_curves.py" "$(echo work/*.quad.h5)"
+  run -0 awk '$NF > 1e-12 { print }' <<<"$output"
+  assert_output ''
+}
+
+# heights NAME SURFACE HEIGHT TOLERANCE: of the curve at a distance from the wall NAME.
+heights() {
+  run -0 /usr/bin/python3 "$BATS_TEST_DIRNAME/curved_heights.py" "$(echo work/*.quad.h5)" "$@"
+  assert_output "ok"
+}
+
+@test "an O-grid around a hole in a cylinder, at its height in space" {
+  own "$DATA/curved/half_cylinder_hole.step" curve_4 first=0.005,growth=1.2,layers=6 --size 0.2
+  heights curve_4 cylinder 0.06457952 1e-7
+  run -0 jq -c .blocks report.json
+  assert_output 16
+}
+
+@test "around a hole in a part of a sphere" {
+  own "$shapes/cap_hole.step" hole first=0.004,growth=1.2,layers=6 --size 0.15
+  # Straight lines of the chart are no great circles: their difference is of third order.
+  heights hole sphere 0.0516636 2e-6
+}
+
+@test "around a blade with two sharp ends on a cylinder, and at both ends of a tube" {
+  own "$shapes/blade.step" blade first=0.004,growth=1.2,layers=6 --size 0.25
+  own "$DATA/curved/tube.step" 0,1 first=0.004,growth=1.2,layers=6 --size 0.25
+}
+
+@test "along a wall from corner to corner, in each of two regions" {
+  own "$shapes/halves.step" top first=0.005,growth=1.2,layers=4 --size 0.3
+  own "$ROOT/tests/formats/chart/passed/cap.chart.h5" axis first=0.005,growth=1.2,layers=4
+}
+
+@test "curves that do not fit are refused with the place in space" {
+  run -1 cad2tri -q "$ROOT/tests/formats/chart/passed/cap.chart.h5" --offset rim=0.95 -o no.tri.h5
+  assert_output --regexp '--offset rim=0.95: .* \([-.0-9e]+, [-.0-9e]+, [-.0-9e]+\)'
+  run -2 cad2tri -q "$ROOT/tests/formats/chart/passed/cap.chart.h5" --offset rim=1e-9 -o no.tri.h5
+  assert_output --partial "the distance is less than 1e-06 diameters of the face"
+  assert_file_not_exist no.tri.h5
+}
