@@ -9,7 +9,10 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
+
+#include "occ/occ_space_edges.hpp"
 
 namespace quadrille::occ {
 
@@ -17,8 +20,8 @@ namespace {
 
 constexpr int num_samples = 8;
 
-/// Replaces parts of each face by parts of the faces before it. `replacement`: of a part, as it is oriented forward,
-/// among the parts of the earlier faces; null: none.
+/// Replaces parts of each face by known ones: those of the faces before it and, if they are edges, those of the face
+/// itself. `replacement`: of a part, as it is oriented forward, by a known one; null: none.
 template <class Replacement>
 void replace_parts(std::vector<TopoDS_Face>& faces, TopAbs_ShapeEnum kind, const Replacement& replacement) {
   TopTools_IndexedMapOfShape known;
@@ -29,14 +32,13 @@ void replace_parts(std::vector<TopoDS_Face>& faces, TopAbs_ShapeEnum kind, const
     for (int i = 1; i <= own.Extent(); ++i) {
       const TopoDS_Shape part = own(i).Oriented(TopAbs_FORWARD);
       if (known.Contains(part)) continue;
-      for (int k = 1; k <= known.Extent(); ++k) {
-        if (own.Contains(known(k)) || taken.Contains(known(k))) continue;
-        const TopoDS_Shape other = replacement(part, known(k).Oriented(TopAbs_FORWARD));
-        if (other.IsNull()) continue;
-        reshape->Replace(part, other);
-        taken.Add(known(k));
-        break;
+      TopoDS_Shape other;
+      for (int k = 1; k <= known.Extent() && other.IsNull(); ++k) {
+        if (kind == TopAbs_VERTEX && (own.Contains(known(k)) || taken.Contains(known(k)))) continue;
+        other = replacement(part, known(k).Oriented(TopAbs_FORWARD));
       }
+      if (!other.IsNull()) reshape->Replace(part, other), taken.Add(other);
+      if (other.IsNull() && kind == TopAbs_EDGE) known.Add(part);
     }
     face = TopoDS::Face(reshape->Apply(face));
     TopExp::MapShapes(face, kind, known);
@@ -53,6 +55,7 @@ TopoDS_Shape same_vertex(const TopoDS_Shape& part, const TopoDS_Shape& known, do
 
 /// Whether the first lies along the second, within the tolerance.
 bool lies_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double tolerance) {
+  require_curve(other);
   double begin = 0, end = 0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(other, begin, end);
   if (curve.IsNull()) return false;
@@ -85,7 +88,28 @@ TopoDS_Shape same_edge(const TopoDS_Shape& part, const TopoDS_Shape& known, doub
   return known.Oriented(is_turned ? TopAbs_REVERSED : TopAbs_FORWARD);
 }
 
+std::vector<TopoDS_Edge> edges_in_order(const TopoDS_Shape& wire) {
+  std::vector<TopoDS_Edge> edges;
+  for (TopoDS_Iterator e(wire); e.More(); e.Next())
+    if (e.Value().ShapeType() == TopAbs_EDGE) edges.push_back(TopoDS::Edge(e.Value()));
+  return edges;
+}
+
 }  // namespace
+
+TopoDS_Face with_shared_vertices(const TopoDS_Face& face, double tolerance) {
+  const Handle(BRepTools_ReShape) reshape = new BRepTools_ReShape;
+  for (TopoDS_Iterator wire(face); wire.More(); wire.Next()) {
+    const std::vector<TopoDS_Edge> edges = edges_in_order(wire.Value());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const TopoDS_Vertex end = TopExp::LastVertex(edges[i], true),
+                          start = TopExp::FirstVertex(edges[(i + 1) % edges.size()], true);
+      if (end.IsNull() || start.IsNull() || end.IsSame(start) || same_vertex(start, end, tolerance).IsNull()) continue;
+      reshape->Replace(start.Oriented(TopAbs_FORWARD), end.Oriented(TopAbs_FORWARD));
+    }
+  }
+  return TopoDS::Face(reshape->Apply(face));
+}
 
 std::vector<TopoDS_Face> with_shared_edges(std::vector<TopoDS_Face> faces, double tolerance) {
   replace_parts(faces, TopAbs_VERTEX, [&](const TopoDS_Shape& part, const TopoDS_Shape& known) {

@@ -158,9 +158,10 @@ class Uniter {
     std::vector<TopoDS_Face> faces;
     for (int f = 0; f < num_faces(); ++f) {
       if (f > 0) require_same_surface(f);
-      faces.push_back(TopoDS::Face(choices_[f].face.Oriented(TopAbs_FORWARD)));
+      faces.push_back(with_shared_vertices(TopoDS::Face(choices_[f].face.Oriented(TopAbs_FORWARD)), tolerance_));
     }
-    if (num_faces() > 1) faces = with_shared_edges(std::move(faces), tolerance_);
+    faces = with_shared_edges(std::move(faces), tolerance_);
+    first_ = faces.front();
     EdgeCollector collector(model_);
     for (int f = 0; f < num_faces(); ++f)
       collector.add(faces[f], choices_[f].face, f, f > 0 && has_opposite_normal(faces[f], first_));

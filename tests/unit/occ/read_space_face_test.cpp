@@ -1,15 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <BRepTools.hxx>
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "../support/test_data.hpp"
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/vec3.hpp"
+#include "cad/load_face.hpp"
 #include "cad/loaded_face.hpp"
+#include "occ/occ_model.hpp"
 #include "occ/read_face.hpp"
 #include "surface/nurbs_surface.hpp"
 
@@ -139,6 +143,54 @@ TEST(ReadSpaceFace, faces_of_a_solid_have_their_normal_outside) {
     for (const Vec3& v : face.vertices) middle += v / static_cast<double>(face.vertices.size());
     const Vec3 normal = (face.is_reversed ? -1.0 : 1.0) * cross(p.xu, p.xv);
     EXPECT_GT(dot(normal, middle - Vec3{0.7, 0.7, 0.7}), 0) << number;
+  }
+}
+
+std::string brep_of(const std::string& file) {
+  std::ostringstream stream;
+  BRepTools::Write(occ_load(step_format(), test_bytes(file), file).shape, stream);
+  return stream.str();
+}
+
+void expect_same_face(const SpaceFace& face, const SpaceFace& expected) {
+  expect_valid(face);
+  EXPECT_EQ(face.face.loop_offsets, expected.face.loop_offsets);
+  EXPECT_EQ(face.curve_faces, expected.curve_faces);
+  ASSERT_EQ(face.inner_curves.size(), expected.inner_curves.size());
+  for (std::size_t i = 0; i < face.inner_curves.size(); ++i)
+    EXPECT_EQ(face.inner_curves[i].faces, expected.inner_curves[i].faces);
+  EXPECT_NEAR(area(face), area(expected), 0.01 * area(expected));
+}
+
+TEST(ReadSpaceFace, regions_of_brep_are_those_of_step) {
+  for (const std::string shape : {"spline", "window", "halves"}) {
+    SCOPED_TRACE(shape);
+    const std::string file = "curved_regions/" + shape + ".step";
+    Report report;
+    cad::LoadOptions options;
+    options.face = "0,1";
+    const SpaceFace step = read_space_face(step_format(), test_bytes(file), file, options, report);
+    expect_same_face(read_space_face(brep_format(), brep_of(file), "a.brep", options, report), step);
+  }
+}
+
+// Trimmed surfaces of IGES share no vertices and no edges, not even the two sides of a seam.
+TEST(ReadSpaceFace, seams_and_regions_of_iges_are_those_of_step) {
+  for (const auto& [name, step] : std::vector<std::pair<std::string, std::string>>{
+           {"curved/tube", "curved/tube"},
+           {"curved/half_sphere", "curved/half_sphere"},
+           {"curved/halves", "curved_regions/halves"},
+       }) {
+    SCOPED_TRACE(name);
+    Report report;
+    const auto face_of = [&](const std::string& file) {
+      return cad::load_space_face_guarded(test_bytes(file), file, {}, report);
+    };
+    const SpaceFace face = face_of(name + ".iges"), expected = face_of(step + ".step");
+    expect_valid(face);
+    EXPECT_EQ(face.face.loop_offsets, expected.face.loop_offsets);
+    EXPECT_EQ(face.inner_curves.size(), expected.inner_curves.size());
+    EXPECT_NEAR(area(face), area(expected), 0.01 * area(expected));
   }
 }
 
