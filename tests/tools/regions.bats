@@ -65,9 +65,9 @@ figures() {
   refuse gap "up to 0.0002 apart at .*: give --heal-tolerance 9e-05"
   refuse gap_around "up to 0.0005 apart at .*: give --heal-tolerance 0.00018"
   refuse crevice "up to 0.0004 apart .*; if the gap is meant, give --heal-tolerance 3e-06"
-  refuse disjoint "several faces \(2\) that do not touch: .* are 0.5 apart.*choose one planar face with --face"
+  refuse disjoint "several faces \(2\) that do not touch: .* are 0.5 apart.*choose one face with --face"
   refuse corner_contact "touch at \(1, 1\) in a point only"
-  refuse two_planes "not in one plane: .*choose one planar face with --face"
+  refuse two_planes "not in one plane: .*choose one face with --face"
   refuse dangling "the curve of edge 4 ends at \(1.5, 0.0005\), 0.0005 before edge 0"
   assert_nothing_left
   assert_equal "$(figures .regions.count bad/gap.step --heal-tolerance 9e-5)" '[2]'

@@ -183,6 +183,7 @@ std::vector<FaceChoice> all_faces(const OccModel& model, const std::vector<Place
     FaceChoice& choice = all.emplace_back();
     choice.face = placed.face, choice.part = part_name(faces, placed);
     choice.number = static_cast<int>(all.size()) - 1;
+    choice.piece.face = std::to_string(choice.number);
   }
   return all;
 }
@@ -258,8 +259,10 @@ std::string kind_of(const TopoDS_Face& face) {
   return plane_of(face) ? "plane" : surface_kinds.at(BRepAdaptor_Surface(face, false).GetType());
 }
 
-std::string not_planar_text(const FaceChoice& choice) {
-  const std::string kind = kind_of(choice.face), number = choice.piece.face;
+std::string not_planar_text(const std::vector<FaceChoice>& choices) {
+  const std::string kind = kind_of(choices.front().face);
+  std::string number;
+  for (const FaceChoice& choice : choices) number += (number.empty() ? "" : ",") + choice.piece.face;
   if (kind == "other") return "has no surface that can be used";
   const std::string name = kind == "spline" || kind == "revolution" || kind == "extrusion" || kind == "offset"
                                ? fmt::format("not planar (surface of kind {})", kind)

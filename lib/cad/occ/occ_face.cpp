@@ -307,7 +307,7 @@ std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
 FacesAndEdges occ_faces(const OccModel& model, const std::vector<FaceChoice>& faces, const std::string& file,
                         Report& report) {
   const auto plane = plane_of(faces.front().face);
-  if (!plane) throw FormatError(fmt::format("{}: the face is {}", file, not_planar_text(faces.front())));
+  if (!plane) throw FormatError(fmt::format("{}: the face is {}", file, not_planar_text(faces)));
   const PlaneFrame frame = frame_of(*plane);
   FacesAndEdges result;
   for (const FaceChoice& choice : faces) {

@@ -42,8 +42,8 @@ bool has_face_on_both_sides(const TopoDS_Shape& shape);
 /// The kind of its surface: "plane", "cylinder", ..., "other".
 std::string kind_of(const TopoDS_Face& face);
 
-/// "not planar (a cylinder): ...", with what to do, for messages.
-std::string not_planar_text(const FaceChoice& choice);
+/// "not planar (a cylinder): ...", with what to do, for messages. `choices`: all that were chosen.
+std::string not_planar_text(const std::vector<FaceChoice>& choices);
 
 /// Name, layer, unit and tolerances of the face; no edges, and no plane.
 heal::RawFace labels_of_face(const OccModel& model, const TopoDS_Face& face, const std::string& file);

@@ -56,6 +56,6 @@ void require_one_sheet(const Sewn& sewn, const heal::HealScale& scale, bool is_a
 
 /// The remedy with which messages about several faces end.
 inline constexpr const char* face_choice_text =
-    "choose one planar face with --face NUMBER or --face NAME (cad2tri --list FILE shows numbers and names)";
+    "choose one face with --face NUMBER or --face NAME (cad2tri --list FILE shows numbers and names)";
 
 }  // namespace quadrille::sew

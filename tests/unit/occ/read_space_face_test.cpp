@@ -208,6 +208,19 @@ TEST(ReadFace, a_curved_face_is_named_with_what_to_do) {
   expect_contains(message, "a.step: the face is not planar (a cylinder): cad2chart --face 0 makes a chart of it");
 }
 
+TEST(ReadFace, several_curved_faces_are_named_with_what_to_do) {
+  const std::string bytes = test_bytes("curved_regions/halves.step");
+  for (const std::string choice : {"", "0,1"}) {
+    Report report;
+    cad::LoadOptions options;
+    options.face = choice;
+    const std::string message =
+        message_of<FormatError>([&] { read_face(step_format(), bytes, "a.step", options, report); });
+    expect_contains(message, "a.step: the face is not planar (a cylinder): cad2chart --face 0,1 makes a chart of it");
+    expect_contains(message, "quadmesh --face 0,1 does both");
+  }
+}
+
 TEST(Answer, is_the_kind_of_the_face_or_the_face_in_space) {
   cad::CadRequest request;
   request.task = cad::CadTask::kind;

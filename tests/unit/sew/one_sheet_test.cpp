@@ -116,7 +116,7 @@ TEST(OneSheet, AShortSlotIsMeant) {
 TEST(OneSheet, FacesApartKeepTheMessageOfSeveralFaces) {
   expect_refused({{rectangle({0, 0}, {1, 1})}, {rectangle({1.5, 0}, {2, 1})}},
                  "the file holds several faces (2) that do not touch: face 0 'part0' and face 1 'part1' are 0.5 apart");
-  expect_refused({{rectangle({0, 0}, {1, 1})}, {rectangle({1.5, 0}, {2, 1})}}, "choose one planar face with --face");
+  expect_refused({{rectangle({0, 0}, {1, 1})}, {rectangle({1.5, 0}, {2, 1})}}, "choose one face with --face");
 }
 
 TEST(OneSheet, FacesThatTouchInAPointAreNamed) {
