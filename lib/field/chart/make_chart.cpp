@@ -27,6 +27,7 @@ struct ChartConstants {
   int most_meshes = 8, most_elements = 5000;
   double most_folded = 0.1;      ///< part of the elements
   double least_folded = 1e-3;    ///< diameters, of elements that are divided as they are folded
+  double least_ratio = 0.02;     ///< of areas, of elements that are not folded
   int dear_elements = 1500;      ///< from which meeting the goal is enough
   double aim = 0.03;             ///< of the goal, for which meshes are made as long as they become better
   double turn = 0.5;             ///< of the normal across an element, radians
@@ -197,8 +198,10 @@ class Judge {
       made.fit.closedness, worst_closedness, position_text(at)));
 }
 
-[[noreturn]] void refuse_folded(const SurfaceMesh& mesh, int elem) {
-  const Vec3* const corners = &mesh.nodes[static_cast<std::size_t>(mesh.nodes_per_elem()) * elem];
+/// The message names the element that is folded most.
+[[noreturn]] void refuse_folded(const SurfaceMesh& mesh, const std::vector<double>& ratios) {
+  const auto worst = std::min_element(ratios.begin(), ratios.end()) - ratios.begin();
+  const Vec3* const corners = &mesh.nodes[static_cast<std::size_t>(mesh.nodes_per_elem()) * worst];
   throw ComputeError(
       fmt::format("the face has no chart: its elements turn over near {}, where two edges lie upon each other, or the "
                   "surface bends too sharply or has no normal; remove such edges, or cut the face there, in the CAD "
@@ -206,20 +209,20 @@ class Judge {
                   position_text((corners[0] + corners[1] + corners[2]) / 3)));
 }
 
-/// Where elements have no size or no normal, the chart has no numbers.
+/// Where one element has no size or no normal, no element of the chart has numbers.
 void require_finite(const MadeChart& made) {
-  if (std::isfinite(made.fit.closedness)) return;
-  const auto broken = std::find_if(made.fit.elem_squares.begin(), made.fit.elem_squares.end(),
-                                   [](double part) { return !std::isfinite(part); });
-  refuse_folded(made.mesh, static_cast<int>(broken - made.fit.elem_squares.begin()));
+  if (!std::isfinite(made.fit.closedness)) refuse_folded(made.mesh, least_area_ratios(made.mesh));
 }
 
 /// Smaller sizes where elements are folded and not yet small; returns whether there are any. Throws ComputeError where
 /// many are folded although they are small: then the surface itself turns over.
 bool add_sizes_of_folded(const SurfaceMesh& mesh, std::vector<SizePoint>& sizes) {
-  const std::vector<int> folded = folded_elements(mesh);
+  const std::vector<double> ratios = least_area_ratios(mesh);
+  std::vector<int> folded;
+  for (int e = 0; e < mesh.num_elems(); ++e)
+    if (!(ratios[e] > constants.least_ratio)) folded.push_back(e);
   const bool are_many = static_cast<double>(folded.size()) > constants.most_folded * mesh.num_elems();
-  if (are_many && mesh.num_elems() > constants.most_elements) refuse_folded(mesh, folded.front());
+  if (are_many && mesh.num_elems() > constants.most_elements) refuse_folded(mesh, ratios);
   return add_third_sizes(mesh, folded, constants.least_folded * mesh.plane.face.diameter, sizes);
 }
 

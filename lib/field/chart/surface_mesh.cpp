@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
@@ -232,23 +233,23 @@ SurfaceMesh Lift::lifted(TriMesh plane, int order) const {
 
 }  // namespace
 
-std::vector<int> folded_elements(const SurfaceMesh& mesh) {
-  constexpr double least = 0.02;  // of twice the area of the straight triangle, over that of the reference triangle
+std::vector<double> least_area_ratios(const SurfaceMesh& mesh) {
   const ElementTables& tables = element_tables(mesh.order);
   const int n = mesh.nodes_per_elem();
-  std::vector<int> folded;
+  std::vector<double> ratios;
   for (int e = 0; e < mesh.num_elems(); ++e) {
     const Vec3* const x = &mesh.nodes[static_cast<std::size_t>(n) * e];
     const double area = norm(cross(x[1] - x[0], x[2] - x[0])) / 4;
-    bool is_folded = !(area > 0);
-    for (int i = 0; i < n && !is_folded; ++i) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < n; ++i) {
       Vec3 x1, x2;
       for (int j = 0; j < n; ++j) x1 += tables.at_nodes_xi1(i, j) * x[j], x2 += tables.at_nodes_xi2(i, j) * x[j];
-      is_folded = !(dot(cross(x1, x2), mesh.normals[static_cast<std::size_t>(n) * e + i]) > least * area);
+      const double ratio = dot(cross(x1, x2), mesh.normals[static_cast<std::size_t>(n) * e + i]) / area;
+      least = std::isfinite(ratio) ? std::min(least, ratio) : -std::numeric_limits<double>::infinity();
     }
-    if (is_folded) folded.push_back(e);
+    ratios.push_back(least);
   }
-  return folded;
+  return ratios;
 }
 
 Vec2 image_slope(const SurfaceMesh& mesh, const BoundaryEdge& edge, bool at_end) {

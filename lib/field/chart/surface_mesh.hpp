@@ -27,8 +27,9 @@ struct SurfaceMesh {
 /// The derivative of the image at the start, or at the end, of a boundary edge with respect to the part of its length.
 Vec2 image_slope(const SurfaceMesh& mesh, const BoundaryEdge& edge, bool at_end);
 
-/// The elements whose map turns over, or nearly, at a node: they are too large for the curvature of face and boundary.
-std::vector<int> folded_elements(const SurfaceMesh& mesh);
+/// Of each element: the least area at a node, signed by the normal, over that of the straight
+/// triangle; -infinity where one is no number. Where the map turns over it is negative.
+std::vector<double> least_area_ratios(const SurfaceMesh& mesh);
 
 /// The unit normal of the face; zero where the parametrisation of the surface degenerates.
 Vec3 face_normal(const SpaceFace& face, Vec2 uv);

@@ -11,6 +11,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "chart/surface_mesh.hpp"
 #include "check/check.hpp"
 #include "curve/nurbs.hpp"
 #include "mesh/chart_map.hpp"
@@ -82,6 +83,23 @@ TEST(MakeChart, ATipHasTheAngleOfTheUnrolledCone) {
   EXPECT_NEAR(tip->interior_angle, angle / std::sqrt(2), 1e-6);
   // lambda is 0; its error in the tiny triangles at the tip must not look like a gradient.
   EXPECT_LT(mesh::ChartMap(cone).greatest_gradient(), 100);
+}
+
+// The fourth triangle of a row of them has no size, which makes all numbers of the chart useless.
+TEST(MakeChart, TheMostFoldedElementIsFound) {
+  chart::SurfaceMesh mesh;
+  mesh.order = 1;
+  for (int e = 0; e < 5; ++e) {
+    const double x = e, height = e == 3 ? 0 : e == 2 ? -1 : 1;
+    mesh.plane.elem2vertices.push_back({3 * e, 3 * e + 1, 3 * e + 2});
+    for (const Vec3 node : {Vec3{x, 0, 0}, Vec3{x + 1, 0, 0}, Vec3{x, height, 0}}) mesh.nodes.push_back(node);
+    for (int k = 0; k < 3; ++k) mesh.normals.push_back({0, 0, 1});
+  }
+  const std::vector<double> ratios = chart::least_area_ratios(mesh);
+  ASSERT_EQ(ratios.size(), 5U);
+  for (const int e : {0, 1, 4}) EXPECT_NEAR(ratios[e], 1, 1e-14);
+  EXPECT_NEAR(ratios[2], -1, 1e-14);
+  EXPECT_EQ(ratios[3], -std::numeric_limits<double>::infinity());
 }
 
 // The face turns over at a cusp, z^2 = x^3, however small its elements are.
