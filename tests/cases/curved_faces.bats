@@ -110,6 +110,18 @@ PYTHON
   assert_output --partial "cad2chart reports what it moves"
 }
 
+@test "options of healing are refused with a chart, whose curves are those in space" {
+  for option in "--heal-tolerance 1e-4" "--fit-tolerance 0" "--blunt 0.1"; do
+    run -2 cad2tri "$CAP" $option -o no.tri.h5
+    assert_output --partial "${option% *} is not for charts"
+  done
+  for option in "--fit-tolerance 0" "--blunt 0.1"; do
+    run -2 quadmesh -q "$DATA/curved/sphere_cap.step" $option -o no.msh
+    assert_output --partial "${option% *} is not for charts"
+  done
+  quadmesh -q "$DATA/curved/sphere_cap.step" --heal-tolerance 1e-4 -o healed.msh
+}
+
 @test "sizes are lengths in space" {
   for size in 0.2 0.1; do
     quadrefine "$stem.blocks.h5" --size $size --size-rule nearest --relax none -o a.quad.h5 --report a.json

@@ -254,6 +254,11 @@ LoadedShape face_of_chart(const Input<ChartedFace>& chart, const Cad2triOptions&
       throw UsageError(fmt::format("{} is not for charts: the curves of a curved face stay as cad2chart read them; {}",
                                    option, remedy));
   };
+  const Cad2triOptions defaults;
+  refuse(options.heal_tolerance != defaults.heal_tolerance, "--heal-tolerance", "give it to cad2chart");
+  refuse(options.fit_tolerance != defaults.fit_tolerance, "--fit-tolerance", "leave it out");
+  refuse(options.blunt != defaults.blunt, "--blunt", "cut off cusps in the CAD system");
+
   refuse(!options.face.empty(), "--face", "give it to cad2chart, which reads the face");
   refuse(!options.section.empty(), "--section", "give it with the CAD file");
   refuse(!options.healed_file.empty(), "--write-healed", "cad2chart reports what it moves");
