@@ -1,6 +1,7 @@
 // cad_distances FILE FACE <points: reads lines "e x y z" and "f x y z" and writes for each the distance of the point
 // from the nearest edge of the face, or from its surface, in the unit of the file: by the CAD kernel's projections
-// alone, so that tests/stress/curved_judge.py uses none of our code. The first line is the diameter of the face's box.
+// alone, so that tests/stress/curved_judge.py uses none of our code. The first line is the diameter of the face's box
+// and the gap of its edges: the greatest distance between ends of two of them at one vertex.
 
 #include <fmt/format.h>
 
@@ -18,10 +19,13 @@
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -54,6 +58,24 @@ std::vector<BRepAdaptor_Curve> edges_of(const TopoDS_Face& face) {
   return curves;
 }
 
+double gap_of(const TopoDS_Face& face) {
+  TopTools_IndexedDataMapOfShapeListOfShape at_vertices;
+  TopExp::MapShapesAndAncestors(face, TopAbs_VERTEX, TopAbs_EDGE, at_vertices);
+  double most = 0;
+  for (int i = 1; i <= at_vertices.Extent(); ++i) {
+    std::vector<gp_Pnt> ends;
+    for (const TopoDS_Shape& shape : at_vertices(i)) {
+      const TopoDS_Edge edge = TopoDS::Edge(shape);
+      if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
+      const TopoDS_Vertex vertex = TopoDS::Vertex(at_vertices.FindKey(i));
+      ends.push_back(BRepAdaptor_Curve(edge).Value(BRep_Tool::Parameter(vertex, edge)));
+    }
+    for (const gp_Pnt& a : ends)
+      for (const gp_Pnt& b : ends) most = std::max(most, a.Distance(b));
+  }
+  return most;
+}
+
 double distance_from(const std::vector<BRepAdaptor_Curve>& curves, const gp_Pnt& point) {
   double least = std::numeric_limits<double>::infinity();
   for (const BRepAdaptor_Curve& curve : curves) {
@@ -77,7 +99,7 @@ int main(int argc, char** argv) {
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
     Bnd_Box box;
     BRepBndLib::AddOptimal(face, box, false, false);
-    fmt::print("{:.17g}\n", std::sqrt(box.SquareExtent()));
+    fmt::print("{:.17g} {:.6g}\n", std::sqrt(box.SquareExtent()), gap_of(face));
     GeomAPI_ProjectPointOnSurf nearest;
     // The projection starts at samples of its range, and finds nothing near where they are far apart: as on a surface
     // without end, of which the face is a small part.

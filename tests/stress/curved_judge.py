@@ -4,10 +4,11 @@
     tests/stress/curved_judge.py [--bin DIR] [--tol DIAMETERS] FILE.step FACE MESH.quad.h5
 
 Prints a line of JSON: the greatest distances, in diameters of the face, of boundary nodes from the edges of the face
-(`edges`), of all nodes from its surface (`nodes`) and of points inside elements from it (`inside`); `turned`, the
-least cosine of an element's normals and that at its centre; `proved`: the projections of all elements along the normal
-at their centres have positive Jacobians, by Bernstein coefficients; whether neighbours are oriented alike; the number
-of quads. Ends with 1 where `edges` exceeds 1e-12, `inside` exceeds --tol (default: that of quadrefine, by the order,
+(`edges`), of all nodes from its surface (`nodes`) and of points inside elements from it (`inside`); `gap`, the greatest
+distance between ends of edges that meet in the file, half of which no mesh can better; `turned`, the least cosine of an
+element's normals and that at its centre; `proved`: the projections of all elements along the normal at their centres
+have positive Jacobians, by Bernstein coefficients; whether neighbours are oriented alike; the number of quads. Ends
+with 1 where `edges` exceeds 1e-12 and half the gap, `inside` exceeds --tol (default: that of quadrefine, by the order,
 printed as `tolerance`), an element is not proved, or two neighbours are oriented differently. Needs cad_distances
 (ninja curved_faces).
 """
@@ -111,12 +112,12 @@ def diameter_of(points):
 
 
 def distances(tool, step, face, groups):
-    """The greatest distance of each group ("e" from edges, "f" from the surface; points)."""
+    """The gap of the edges, and the greatest distance of each group ("e" from edges, "f" from the surface; points)."""
     text = "".join(f"{kind} {x:.17g} {y:.17g} {z:.17g}\n" for kind, points in groups for x, y, z in points)
     run = subprocess.run([tool, step, str(face)], input=text, capture_output=True, text=True, check=True)
-    values = [float(line) for line in run.stdout.split()[1:]]
+    _, gap, *values = map(float, run.stdout.split())
     starts = numpy.cumsum([0] + [len(points) for _, points in groups])
-    return [max(values[a:b]) for a, b in zip(starts, starts[1:])]
+    return [gap] + [max(values[a:b]) for a, b in zip(starts, starts[1:])]
 
 
 def main():
@@ -130,13 +131,13 @@ def main():
     order, nodes, elems, boundary = read_mesh(args.mesh)
     points, normals = inside(order, nodes[elems])
     diameter = diameter_of(nodes)
-    edges, on, within = (d / diameter for d in distances(args.bin / "cad_distances", args.step, args.face, [
+    gap, edges, on, within = (d / diameter for d in distances(args.bin / "cad_distances", args.step, args.face, [
         ("e", thinned(nodes[boundary])), ("f", thinned(nodes)), ("f", thinned(points.reshape(-1, 3)))]))
     turned, proved, alike = least_cosine(normals), all_positive(order, nodes[elems]), are_alike(order, elems)
     tol = args.tol or TOLERANCES.get(order, FINEST)
-    print(json.dumps({"quads": len(elems), "order": order, "edges": edges, "nodes": on, "inside": within,
+    print(json.dumps({"quads": len(elems), "order": order, "edges": edges, "gap": gap, "nodes": on, "inside": within,
                       "tolerance": tol, "turned": turned, "proved": proved, "oriented_alike": alike}))
-    return 0 if edges <= ON_EDGE and within <= tol and proved and alike else 1
+    return 0 if edges <= ON_EDGE + gap / 2 and within <= tol and proved and alike else 1
 
 
 if __name__ == "__main__":
