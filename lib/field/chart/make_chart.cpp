@@ -71,8 +71,8 @@ std::vector<SizePoint> sizes_by_curvature(const SurfaceMesh& mesh, double diamet
   return sizes;
 }
 
-/// Smaller sizes where elements have more than their part of the square of the tolerated error.
-void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, double tolerance,
+/// Smaller sizes, but for `least`, where elements have more than their part of the square of the tolerated error.
+void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, double tolerance, double least,
                         std::vector<SizePoint>& sizes) {
   constexpr double size_of_longest = 0.75;  // elements of the prescribed size have longer edges, too
   const double part = tolerance * tolerance / 4 / mesh.num_elems();
@@ -80,7 +80,7 @@ void add_sizes_by_error(const SurfaceMesh& mesh, const IsothermalFit& fit, doubl
     if (fit.elem_squares[e] <= part) continue;
     const double reduction = std::pow(part / fit.elem_squares[e], 0.5 / (mesh.order + 1));
     const ElementPlace at = place_of(mesh, e);
-    const double size = size_of_longest * at.longest * std::max(reduction, constants.least_reduction);
+    const double size = std::max(least, size_of_longest * at.longest * std::max(reduction, constants.least_reduction));
     sizes.push_back({at.image, size, 0});
     for (int k = 0; k < 3; ++k)
       sizes.push_back({mesh.image[static_cast<std::size_t>(mesh.nodes_per_elem()) * e + k], size, 0});
@@ -133,12 +133,14 @@ void normalize(const SpaceFace& face, const std::vector<SpaceLength>& lengths, S
     for (Vec2& x : *positions) x = {dot(x - centre, right), cross(right, x - centre)};
 }
 
-triangulate::TriangulateOptions triangle_options(double diameter, std::vector<SizePoint> sizes, bool is_first) {
+triangulate::TriangulateOptions triangle_options(double diameter, std::vector<SizePoint> sizes, double least_size,
+                                                 bool is_first) {
   triangulate::TriangulateOptions options;
   options.order = constants.first_order;
   options.size = diameter / 4;
   options.curve_tol = constants.edge_tolerance;
   options.size_points = std::move(sizes);
+  options.least_fan_radius = least_size / diameter;
   if (is_first) options.fan_layers = 0;
   return options;
 }
@@ -240,11 +242,14 @@ MadeChart curved_chart(const SpaceFace& space_face, const ChartOptions& options)
     made.face = outline_of_image(space_face, lengths, made.mesh, {tolerance, options.corner_angle});
     if (judge.is_good(made)) return made;
     if (judge.is_last(made)) break;
-    if (made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, judge.aim(), by_error);
+    // The error of smaller triangles is below the goal whatever they do, and their numbers drown in rounding.
+    const double least_size = options.closedness * made.face.diameter;
+    if (made.num_meshes > 1) add_sizes_by_error(made.mesh, made.fit, judge.aim(), least_size, by_error);
     std::vector<SizePoint> sizes = sizes_by_curvature(made.mesh, made.face.diameter);
     sizes.insert(sizes.end(), by_error.begin(), by_error.end());
     const bool is_first = made.num_meshes == 0;
-    TriMesh plane = triangles_of(made.face, triangle_options(made.face.diameter, std::move(sizes), is_first));
+    TriMesh plane =
+        triangles_of(made.face, triangle_options(made.face.diameter, std::move(sizes), least_size, is_first));
     SurfaceMesh mesh = lifted_mesh(space_face, lengths, made.mesh, std::move(plane),
                                    is_first ? constants.first_order : constants.order);
     if (add_sizes_of_folded(mesh, by_error)) continue;

@@ -19,9 +19,6 @@ namespace {
 struct FanConstants {
   double acute_angle = radians(75.0), sector_angle = radians(60.0);
   double slack = 1 + tolerance::round_off;
-  /// Least radius of a ring, in diameters. Coordinates have 16 digits: the curved elements of smaller rings are not
-  /// valid for certain.
-  double least_radius = 1e-11;
 };
 constexpr FanConstants fan_constants;
 
@@ -121,7 +118,7 @@ bool shape_fans(const EdgeFit& fit, const TriangulateOptions& options, const Edg
   const Outline& outline = fit.outline();
   double radius = limits.size;
   for (const Fan& fan : fans) radius = std::min(radius, fan.radius);
-  const double smallest = fan_constants.least_radius * outline.face().diameter;
+  const double smallest = options.least_fan_radius * outline.face().diameter;
   constexpr int max_rounds = 60;
   for (int round = 0; round < max_rounds; ++round) {
     int layers = 0;

@@ -102,6 +102,22 @@ TEST(MakeChart, TheMostFoldedElementIsFound) {
   EXPECT_EQ(ratios[3], -std::numeric_limits<double>::infinity());
 }
 
+// Those at a tip of nearly 180 degrees (4.4 on the cone) turned over where they were smaller.
+TEST(MakeChart, TrianglesAtATipAreNotShorterThanTheGoal) {
+  for (const double angle : {1.0, 2.5, 4.2, 4.4}) {
+    const CadFace cone = chart_of(tests::cone_with_apex(angle));
+    double least = cone.diameter;
+    const Chart& chart = *cone.chart;
+    for (int elem = 0; elem < chart.num_elems(); ++elem) {
+      const Vec2* corner = &chart.nodes[static_cast<std::size_t>(elem) * chart.nodes_per_elem()];
+      for (int k = 0; k < 3; ++k) least = std::min(least, distance(corner[k], corner[(k + 1) % 3]));
+    }
+    EXPECT_GT(least, 0.3e-6 * cone.diameter);
+    EXPECT_LT(chart.closedness, 1e-7);
+    for (const double scale : chart.log_scale) EXPECT_NEAR(scale, 0, 0.1);
+  }
+}
+
 // The face turns over at a cusp, z^2 = x^3, however small its elements are.
 TEST(MakeChart, RefusesASurfaceThatTurnsOver) {
   NurbsSurface cusp{3, 1, {-1, -1, -1, -1, 1, 1, 1, 1}, {0, 0, 1, 1}, {}, {}};
