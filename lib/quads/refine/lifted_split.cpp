@@ -172,8 +172,9 @@ void report_surface(const LiftedMesh& lifted, double tolerance, Report& report) 
                 excess, elsewhere / diameter)
           : fmt::format("elements deviate from the surface by up to {}: {}", excess,
                         lifted.is_smooth ? "raise --order or lower --size"
-                                         : "shorter edges hardly help, as the surface has a kink there, which no "
-                                           "element follows: round it or cut the face there in the CAD system");
+                                         : "shorter edges hardly help, as the surface has a kink or a very sharp "
+                                           "bend there: round it or cut the face there in the CAD system, or "
+                                           "prescribe far shorter edges there (--size-field)");
   report.warn(warning::geometry_tol_missed, text);
 }
 
