@@ -1,4 +1,8 @@
-// What a metric and prescribed directions change in SizeEnergy, and where elements are, by which both are found.
+// Sizes of elements in SizeEnergy, what a metric and prescribed directions change, and where elements are, by which
+// these are found.
+
+#include <cmath>
+#include <utility>
 
 #include "refine/direction_energy.hpp"
 #include "refine/point_energy.hpp"
@@ -44,11 +48,53 @@ double SizeEnergy::add_skewness_in_plane(int elem, const Tangents& at, Tangents&
   return sum;
 }
 
+void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes, std::vector<Vec2> growths) {
+  double squares = 0, count = 0;
+  inverse_size_.assign(sizes.size(), {1, 1});
+  for (int elem = 0; elem < static_cast<int>(sizes.size()); ++elem) {
+    if (!is_free_[elem]) continue;
+    const Tangents at = tangents(elem);
+    double area = 0;
+    for (int k = 0; k < rule(elem).size; ++k) area += rule(elem).weight[k] * cross(at.a[k], at.b[k]);
+    squares += multiplicities[elem] * area / (sizes[elem].x * sizes[elem].y);
+    count += multiplicities[elem];
+  }
+  const double factor = std::sqrt(count / squares);
+  for (std::size_t elem = 0; elem < sizes.size(); ++elem)
+    inverse_size_[elem] = {factor / sizes[elem].x, factor / sizes[elem].y};
+  growths_ = std::move(growths);
+  if (growths_.empty()) return;
+  first_inverse_size_ = inverse_size_;
+  first_middle_.clear();
+  for (int elem = 0; elem < static_cast<int>(sizes.size()); ++elem) first_middle_.push_back(middle(elem));
+}
+
+/// To those where the elements are now.
+void SizeEnergy::grow_sizes() {
+  for (int elem = 0; elem < static_cast<int>(growths_.size()); ++elem)
+    inverse_size_[elem] =
+        std::exp(-dot(growths_[elem], middle(elem) - first_middle_[elem])) * first_inverse_size_[elem];
+}
+
+/// The derivative by the middle, as which the lengths grow: `by` are those by x_s and x_t.
+Vec2 SizeEnergy::by_middle(int elem, const Tangents& at, const Tangents& by) const {
+  if (growths_.empty()) return {};
+  const Vec2 scale = inverse_size_[elem];
+  double by_scale = 0;  // by the logarithm of both inverse lengths
+  for (int k = 0; k < rule(elem).size; ++k)
+    by_scale += dot(by.a[k], in_plane(elem, at.a[k])) / scale.x + dot(by.b[k], in_plane(elem, at.b[k])) / scale.y;
+  return -by_scale * growths_[elem];
+}
+
+Vec2 SizeEnergy::middle(int elem) const {
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  return (position_[v[0]] + position_[v[1]] + position_[v[2]] + position_[v[3]]) / 4;
+}
+
 std::vector<Vec2> SizeEnergy::middles(const VertexMoves& moves) {
   place(moves);
   std::vector<Vec2> middles;
-  for (const auto& v : problem_.follow.elem_vertices())
-    middles.push_back((position_[v[0]] + position_[v[1]] + position_[v[2]] + position_[v[3]]) / 4);
+  for (int elem = 0; elem < static_cast<int>(is_free_.size()); ++elem) middles.push_back(middle(elem));
   return middles;
 }
 

@@ -139,6 +139,7 @@ void SizeEnergy::place(const VertexMoves& moves) {
   }
   for (CurvedSide& side : sides_)
     if (side.edge >= 0) place_side(side, moves);
+  grow_sizes();
 }
 
 void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {
@@ -218,22 +219,6 @@ void SizeEnergy::add_shifts(int elem, Tangents& at) const {
   }
 }
 
-void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes) {
-  double squares = 0, count = 0;
-  inverse_size_.assign(sizes.size(), {1, 1});
-  for (int elem = 0; elem < static_cast<int>(sizes.size()); ++elem) {
-    if (!is_free_[elem]) continue;
-    const Tangents at = tangents(elem);
-    double area = 0;
-    for (int k = 0; k < rule(elem).size; ++k) area += rule(elem).weight[k] * cross(at.a[k], at.b[k]);
-    squares += multiplicities[elem] * area / (sizes[elem].x * sizes[elem].y);
-    count += multiplicities[elem];
-  }
-  const double factor = std::sqrt(count / squares);
-  for (std::size_t elem = 0; elem < sizes.size(); ++elem)
-    inverse_size_[elem] = {factor / sizes[elem].x, factor / sizes[elem].y};
-}
-
 /// The energy of an element, and its derivatives by x_s and x_t at the points of its rule.
 double SizeEnergy::slopes(int elem, const Tangents& at, Tangents& by) const {
   const Rule& of = rule(elem);
@@ -264,8 +249,9 @@ void SizeEnergy::add_element(int elem, EnergyDerivatives& sum) {
   Tangents by;
   sum.value += slopes(elem, at, by);
   const std::array<Vec2, 4> by_corner = by_corners(elem, by);
+  const Vec2 by_growth = by_middle(elem, at, by) / 4;
   const auto& v = problem_.follow.elem_vertices()[elem];
-  for (int c = 0; c < 4; ++c) sum.gradient[v[c]] += by_corner[c];
+  for (int c = 0; c < 4; ++c) sum.gradient[v[c]] += by_corner[c] + by_growth;
   if (!sum.blocks.empty()) add_blocks(elem, at, sum);
   if (elem_sides_[elem] >= 0) pull_back_sides(elem, by);
 }

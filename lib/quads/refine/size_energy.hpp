@@ -49,8 +49,9 @@ class SizeEnergy {
   SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped);
 
   /// The prescribed lengths of each element along s and t; scaled by one factor, so that as many rectangles of these
-  /// lengths as there are elements fill the mesh.
-  void set_sizes(const std::vector<Vec2>& sizes);
+  /// lengths as there are elements fill the mesh. `growths`: of each element the gradient of the logarithm of its
+  /// lengths, which are those given where its middle is now; empty: lengths stay.
+  void set_sizes(const std::vector<Vec2>& sizes, std::vector<Vec2> growths = {});
   /// The weight w of the shape of each element, and of its angles (refine/skew_energy).
   std::vector<double> shape_weights, skew_weights;
   /// How many elements each one stands for (refine/count_relaxer).
@@ -127,6 +128,9 @@ class SizeEnergy {
   Eigen::Matrix4d bend_of_angles(int elem, Vec2 a, Vec2 b) const;
   double slopes(int elem, const Tangents& at, Tangents& by) const;
   std::array<Vec2, 4> by_corners(int elem, const Tangents& by) const;
+  Vec2 middle(int elem) const;
+  void grow_sizes();
+  Vec2 by_middle(int elem, const Tangents& at, const Tangents& by) const;
   void add_element(int elem, EnergyDerivatives& sum);
   SidePoints by_shifts(const Sides& sides, int side, const Tangents& by) const;
   using MoveSlopes = std::array<Eigen::Matrix<double, 4, 8>, points * points>;
@@ -158,7 +162,9 @@ class SizeEnergy {
   std::vector<int> elem_sides_;  ///< into curved_, -1: bilinear
   std::vector<Sides> curved_;
   std::vector<bool> is_free_;
-  std::vector<Vec2> inverse_size_;  ///< along s and t
+  std::vector<Vec2> inverse_size_;                       ///< along s and t, where the energy was computed last
+  std::vector<Vec2> growths_;                            ///< by element; empty: none
+  std::vector<Vec2> first_inverse_size_, first_middle_;  ///< where they were set, if they grow
 };
 
 }  // namespace quadrille::refine

@@ -22,6 +22,12 @@ ChartScale::Place ChartScale::at(Vec2 x) const {
   return {sample.position, std::exp(sample.log_scale)};
 }
 
+Vec2 ChartScale::gradient(Vec2 x) const {
+  Vec2 gradient;
+  map_.log_scale(x, gradient);
+  return gradient;
+}
+
 double boundary_length(const CadFace& face, int curve) {
   if (!face.chart) return curve::ArcLength(face.curves[curve]).total();
   double length = 0;

@@ -20,6 +20,7 @@ class ChartScale {
     double scale = 1;  ///< length in space over length in the chart
   };
   Place at(Vec2 x) const;
+  Vec2 gradient(Vec2 x) const;  ///< of lambda, by the position in the chart
   double least() const { return least_; }
   double greatest_gradient() const { return gradient_; }  ///< of lambda, 1 over a length in space
 

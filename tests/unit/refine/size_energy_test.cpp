@@ -106,7 +106,7 @@ TEST(SizeEnergy, SidesThatFollowDirectionsAddNothingAndAt45DegreesFourTimesTheir
 }
 
 /// On a ring all kinds of vertices occur but fixed ones; on a rectangle some are fixed.
-void expect_gradient_of_differences(bool is_stretched) {
+void expect_gradient_of_differences(bool is_stretched, double growth = 0) {
   for (const SeparatrixGraph& graph : {hand_made::cut_annulus(3), hand_made::quarter_annulus()})
     for (const int order : {1, 4}) {
       const QuadMesh mesh = mesh_of(graph, 0.4, order);
@@ -116,7 +116,9 @@ void expect_gradient_of_differences(bool is_stretched) {
         energy.stretches.push_back(tensor_of({1.5, 1 / 1.5, 0.7 * elem}));
         energy.directions.push_back(2 * unit(1.3 * elem));
       }
-      energy.set_sizes(equal_sizes(mesh, 0.4));
+      std::vector<Vec2> growths;
+      for (int elem = 0; growth > 0 && elem < mesh.num_elems(); ++elem) growths.push_back(growth * unit(2.1 * elem));
+      energy.set_sizes(equal_sizes(mesh, 0.4), growths);
       VertexMoves moves(problem.num_vertices());
       for (int v = 0; v < problem.num_vertices(); ++v) {
         moves[v] = 0.02 * Vec2{std::sin(5.0 * v), std::cos(3.0 * v)};
@@ -142,6 +144,10 @@ void expect_gradient_of_differences(bool is_stretched) {
 TEST(SizeEnergy, GradientIsThatOfDifferencesAlsoAlongCurves) { expect_gradient_of_differences(false); }
 
 TEST(SizeEnergy, GradientIsThatOfDifferencesWithAMetricAndDirections) { expect_gradient_of_differences(true); }
+
+TEST(SizeEnergy, GradientIsThatOfDifferencesWhereSizesGrow) {
+  for (const bool is_stretched : {false, true}) expect_gradient_of_differences(is_stretched, 0.8);
+}
 
 }  // namespace
 }  // namespace quadrille::refine
