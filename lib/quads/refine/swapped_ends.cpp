@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "curve/gauss.hpp"
 #include "curve/nearest_along.hpp"
 #include "curve/nurbs.hpp"
@@ -24,11 +25,26 @@ void for_each_span(const SpaceCurve& curve, const Visit& visit) {
     if (curve.knots[k - 1] < curve.knots[k]) visit(curve.knots[k - 1], curve.knots[k]);
 }
 
-/// Of a loop, by length.
-Vec3 centre_of_loop(const CadFace& face, int loop) {
+/// The curves of each closed line of the boundary, whatever regions it bounds.
+std::vector<std::vector<int>> rims(const CadFace& face, double tolerance) {
+  const std::vector<SpaceCurve>& curves = face.chart->space_curves;
+  const auto ends_at = [&](int c, int next) {
+    return distance(curves[c].poles.back(), curves[next].poles.front()) <= tolerance;
+  };
+  DisjointSets joined(curves.size());
+  for (int c = 0; c < face.num_curves(); ++c)
+    for (int next = 0; next < face.num_curves(); ++next)
+      if (!face.is_interface(c) && !face.is_interface(next) && ends_at(c, next)) joined.unite(c, next);
+  std::vector<std::vector<int>> sets = joined.sets();
+  std::erase_if(sets, [&](const std::vector<int>& set) { return face.is_interface(set.front()); });
+  return sets;
+}
+
+/// By length.
+Vec3 centre_of(const CadFace& face, const std::vector<int>& rim) {
   Vec3 moment;
   double length = 0;
-  for (int c = face.loop_offsets[loop]; c < face.loop_offsets[loop + 1]; ++c) {
+  for (const int c : rim) {
     const SpaceCurve& curve = face.chart->space_curves[c];
     const auto speed = [&](double t) { return norm(surface::derivatives(curve, t)[1]); };
     for_each_span(curve, [&](double a, double b) {
@@ -194,8 +210,9 @@ std::vector<int> curves_of_nodes(const QuadMesh& mesh) {
 
 std::optional<SpaceMirror> end_mirror(const mesh::ChartMap& map, const CadFace& face) {
   const double tolerance = same_place * surface::diameter(*face.chart);
-  for (int hole = 1; hole < face.num_loops(); ++hole) {
-    const Vec3 a = centre_of_loop(face, 0), b = centre_of_loop(face, hole);
+  const std::vector<std::vector<int>> ends = rims(face, tolerance);
+  for (std::size_t other = 1; other < ends.size(); ++other) {
+    const Vec3 a = centre_of(face, ends.front()), b = centre_of(face, ends[other]);
     if (distance(a, b) <= tolerance) continue;
     const SpaceMirror mirror{(a + b) / 2, normalized(b - a)};
     if (maps_curves(face, mirror, tolerance) && maps_surface(map, *face.chart, mirror, tolerance)) return mirror;
