@@ -11,7 +11,9 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/point_grid.hpp"
+#include "base/tolerance.hpp"
 #include "curve/chain.hpp"
+#include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
 #include "field/evaluate.hpp"
 #include "surface/positions.hpp"
@@ -105,6 +107,19 @@ struct LaunchRadii {
 constexpr LaunchRadii radii{};
 
 constexpr int num_cuts = 4;
+
+/// From the start of the inner loop to where the axis crosses it: half of the length to the image of the start.
+double length_to_axis(const CadFace& face, const std::vector<curve::ArcLength>& lengths, const MirrorAxis& axis) {
+  const int first = face.loop_offsets[1];
+  const Vec2 start = face.joints[first].position, along = start - axis.point;
+  const Vec2 image = axis.point + 2 * dot(along, axis.direction) * axis.direction - along;
+  if (distance(image, start) <= tolerance::same_point * face.diameter) return 0;
+  const auto is_inner = [&](int c) { return c >= first && c < face.loop_offsets[2]; };
+  const curve::NearestPoint at = curve::FaceBoundary(face).nearest(image, is_inner);
+  double length = lengths[at.curve - first].at(at.t);
+  for (int c = first; c < at.curve; ++c) length += lengths[c - first].total();
+  return length / 2;
+}
 
 // Nodes and joints.
 PointGrid features(const CadFace& face, const std::vector<GraphNode>& nodes) {
@@ -269,7 +284,7 @@ int num_launches(const CriticalPoints& points) {
   return num;
 }
 
-std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator) {
+std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator, const std::vector<MirrorAxis>& axes) {
   const CadFace& face = evaluator.field().mesh.face;
   std::vector<curve::ArcLength> lengths;
   const int first = face.loop_offsets[1], last = face.loop_offsets[2];
@@ -278,9 +293,10 @@ std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator) {
     lengths.emplace_back(face.curves[c]);
     total += lengths.back().total();
   }
+  const double start = axes.empty() ? 0 : length_to_axis(face, lengths, axes.front());
   std::vector<Launch> launches;
   for (int k = 0; k < num_cuts; ++k) {
-    double along = total * k / num_cuts;
+    double along = std::fmod(start + total * k / num_cuts, total);
     int c = first;
     while (c + 1 < last && along >= lengths[c - first].total() * (1 - 1e-12)) along -= lengths[c++ - first].total();
     launches.push_back(launch_from_boundary(evaluator, c, lengths[c - first].parameter(std::max(along, 0.0))));

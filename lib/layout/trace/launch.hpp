@@ -32,6 +32,10 @@ struct Launch {
       false;  ///< the line keeps this direction: it is a mirror axis of the field (trace/line_tracer.hpp)
 };
 
+struct MirrorAxis {
+  Vec2 point, direction;  ///< of unit length
+};
+
 /// Moves by `radius` (a length) along the direction `angle`, or by less if the point is outside the domain, on the
 /// curve whose direction deviates from `angle` like distance^power: 1 at a zero of the field, pi / omega at a corner.
 /// Throws ComputeError if no point of the domain lies in that direction.
@@ -49,8 +53,8 @@ std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const Cri
 /// Number of lines that launch_all launches.
 int num_launches(const CriticalPoints& points);
 
-/// Four lines from the inner loop of a domain between two loops, at equal fractions of its length from the start of its
-/// first curve.
-std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator);
+/// Four lines from the inner loop of a domain between two loops, at equal fractions of its length from where the first
+/// mirror axis meets it; without an axis, from the start of its first curve.
+std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator, const std::vector<MirrorAxis>& axes);
 
 }  // namespace quadrille::trace

@@ -102,7 +102,7 @@ LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoi
   const CadFace& face = evaluator.field().mesh.face;
   max_length_ = options.max_length * face.diameter;
   launches_ = launch_all(evaluator, points);
-  if (launches_.empty() && face.num_loops() == 2) launches_ = launch_cuts(evaluator);
+  if (launches_.empty() && face.num_loops() == 2) launches_ = launch_cuts(evaluator, axes_);
   max_num_steps_ = options.max_steps * std::max(launches_.size(), least_lines_of_mean);
 }
 

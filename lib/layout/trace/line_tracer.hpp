@@ -43,10 +43,6 @@ struct TraceOptions {
   void validate() const;  ///< throws UsageError
 };
 
-struct MirrorAxis {
-  Vec2 point, direction;  ///< of unit length
-};
-
 /// The axes of reflections that map the face and its nodes, with their valences, onto themselves (curve/symmetry). None
 /// if windings of holes are prescribed, which need not be symmetric.
 std::vector<MirrorAxis> mirror_axes(const CadFace& face, const CriticalPoints& points);
