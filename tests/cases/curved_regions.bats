@@ -89,6 +89,22 @@ curves() {
   assert_output "2 one-two"
 }
 
+@test "tubes, also bent, of one face or two have no nodes inside, and elements of the prescribed size" {
+  while read -r shape blocks options; do
+    # shellcheck disable=SC2086
+    "$ROOT/pipelines/quadmesh" -q "$shapes/$shape.step" $options -o "$shape.msh" --report report.json
+    run -0 jq -c '[.irregular_nodes, .blocks, .resolution.ratio < 2.6, .least_scaled_jacobian > .98]' report.json
+    assert_output "[0,$blocks,true,true]"
+  done <<<'halves 2
+tube_crack 3
+elbow 4
+elbow_halves 2'
+  for shape in elbow elbow_halves; do
+    run -0 "$BATS_TEST_DIRNAME/symmetric_surface.py" "$shape.msh" y z
+    assert_equal "$(awk '$1 > 1e-6' <<<"$output")" ''
+  done
+}
+
 @test "--face 0,1 chooses among more faces, of planes likewise" {
   "$ROOT/pipelines/quadmesh" -q "$shapes/halves.step" --face 0,1 -o both.msh
   "$ROOT/pipelines/quadmesh" -q "$shapes/halves.step" -o all.msh

@@ -223,6 +223,14 @@ std::vector<guide::CornerOverride> corners_without_nodes(const CadFace& face, co
   return corners;
 }
 
+bool has_spare_nodes(const CriticalPoints& points, const std::vector<int>& region_elems) {
+  const auto region_of = [&](const CriticalPoint& p) { return std::ranges::upper_bound(region_elems, p.elem); };
+  for (const CriticalPoint& a : points.critical_points)
+    for (const CriticalPoint& b : points.critical_points)
+      if (are_opposite(a, b) && region_of(a) == region_of(b)) return true;
+  return false;
+}
+
 bool keep_fewest_nodes(const CadFace& face, int max_valence, CriticalPoints& points) {
   const std::vector<curve::Isometry> symmetries = curve::symmetries(face);
   bool is_changed = false;

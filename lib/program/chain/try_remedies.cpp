@@ -15,6 +15,7 @@
 #include "mesh/verdict.hpp"
 #include "model/name_rules.hpp"
 #include "stage/symmetry_option.hpp"
+#include "topology/fewest_nodes.hpp"
 #include "topology/grid_kind.hpp"
 
 namespace quadrille::chain {
@@ -112,7 +113,9 @@ bool has_faults(const io::LayoutTrial& trial) { return faults_of(trial) != std::
 
 bool is_better(const io::LayoutTrial& a, const io::LayoutTrial& b) {
   const auto faults_a = faults_of(a), faults_b = faults_of(b);
-  return faults_a != faults_b ? faults_a < faults_b : a.resolution < trial_limits.gain * b.resolution;
+  if (faults_a != faults_b) return faults_a < faults_b;
+  if (a.resolution < trial_limits.gain * b.resolution) return true;
+  return a.blocks < b.blocks && trial_limits.gain * a.resolution <= b.resolution;
 }
 
 /// In a far field sizes grow with the distance from the body while the number of elements around it stays: there a
@@ -173,16 +176,31 @@ bool are_same_nodes(const CriticalPoints& a, const CriticalPoints& b) {
   });
 }
 
-/// The first for every mesh that is not good, the others for one with faults.
-std::vector<Remedy> other_nodes(ChainState& chain) {
-  const CadFace& face = chain.files.of_nodes.nodes.model().face;
-  std::vector<Remedy> remedies{{"--place", "energy"}};
-  if (!has_far_field(face)) remedies.push_back({"--nodes", "fewest"});
-  if (chain.options.has("critpoints", "--topology")) return remedies;
+/// Other nodes, and the meshes for which they are tried.
+struct OtherNodes {
+  Remedy remedy;
+  bool (*is_for)(const io::LayoutTrial& best, double good);
+};
+
+/// It moves the nodes of the field: where they are not in use, they have made a worse mesh.
+bool is_uneven(const io::LayoutTrial& best, double good) {
+  return has_faults(best) || (best.options.empty() && best.resolution > good);
+}
+bool is_faulty(const io::LayoutTrial& best, double) { return has_faults(best); }
+bool is_any(const io::LayoutTrial&, double) { return true; }
+
+/// In a chart the field follows axes that turn on the surface, which makes pairs of nodes that no face needs.
+std::vector<OtherNodes> other_nodes(ChainState& chain) {
+  const TriMesh& mesh = chain.files.field.model().mesh;
+  const CadFace& face = mesh.face;
+  std::vector<OtherNodes> others{{{"--place", "energy"}, is_uneven}};
+  if (!has_far_field(face) && topology::has_spare_nodes(chain.files.of_nodes.nodes.model(), mesh.region_elems))
+    others.insert(face.chart ? others.begin() : others.end(), {{"--nodes", "fewest"}, face.chart ? is_any : is_faulty});
+  if (chain.options.has("critpoints", "--topology")) return others;
   for (const topology::GridKind grid :
        topology::other_grids(curve::whole_of(face, stage::symmetry_names(face, chain.values.quadrefine.symmetry))))
-    remedies.push_back({"--topology", std::string(enum_name(grid))});
-  return remedies;
+    others.push_back({{"--topology", std::string(enum_name(grid))}, is_faulty});
+  return others;
 }
 
 /// Returns whether other nodes make a better mesh than `best`, and are taken.
@@ -206,16 +224,15 @@ void try_nodes_of_poor_mesh(ChainState& chain, std::size_t first_replaced) {
   NodeFiles& usual = chain.files.of_nodes;
   const double good = good_resolution(usual.nodes.model().face);
   if (!try_mesh(chain, usual, {}, good)) return;
-  if (chain.trials.back().resolution <= good) {
-    if (!has_faults(chain.trials.back())) return;
+  if (chain.trials.back().resolution <= good && has_faults(chain.trials.back())) {
     // Other counts may be without them.
     chain.trials.pop_back();
-    if (!try_mesh(chain, usual, {}) || !has_faults(chain.trials.back())) return;
+    if (!try_mesh(chain, usual, {})) return;
   }
   io::LayoutTrial best = chain.trials.back();
-  const std::vector<Remedy> remedies = other_nodes(chain);
-  for (std::size_t r = 0; r < remedies.size() && (r == 0 || has_faults(best)); ++r) {
-    if (try_nodes(chain, remedies[r], first_replaced, best)) best = chain.trials.back();
+  for (const auto& [remedy, is_for] : other_nodes(chain)) {
+    if (!is_for(best, good)) continue;
+    if (try_nodes(chain, remedy, first_replaced, best)) best = chain.trials.back();
     if (chain.given_up && chain.given_up->is_stopped) return;
     chain.given_up.reset();
   }

@@ -308,6 +308,32 @@ def cap_hole():
         circle = s.add(f"CIRCLE('',{s.axes(centre, axis, side)},{real(math.sin(angle))})")
         s.make(name, start, start, circle, name)
     s.face("cap", s.add(f"SPHERICAL_SURFACE('',{s.axes((0, 0, 0))},1.)"), [["rim"], ["-hole"]])
+
+
+def elbow(begin, num_faces):
+    """A quarter of a torus between two circles, of one face or two. Edges along it start at the angle `begin`."""
+    s = Surfaces()
+    radius, end = .8, math.pi / 4
+    seams = [begin + k * math.pi for k in range(num_faces)]
+
+    def place(u, v):
+        r = 2 + radius * math.cos(v)
+        return r * math.cos(u), r * math.sin(u), radius * math.sin(v)
+
+    def circle(u):
+        x = math.cos(u) * math.cos(begin), math.sin(u) * math.cos(begin), math.sin(begin)
+        axes = s.axes((2 * math.cos(u), 2 * math.sin(u), 0), (math.sin(u), -math.cos(u), 0), x)
+        return s.add(f"CIRCLE('',{axes},{real(radius)})")
+
+    for k, v in enumerate(seams):
+        along = s.add(f"CIRCLE('',{s.axes((0, 0, place(0, v)[2]))},{real(2 + radius * math.cos(v))})")
+        s.make(f"seam{k}", place(-end, v), place(end, v), along)
+        for name, u in ("inlet", -end), ("outlet", end):
+            s.make(f"{name}{k}", place(u, v), place(u, seams[(k + 1) % num_faces]), circle(u), name)
+    axis = f"AXIS1_PLACEMENT('',{s.xyz((0, 0, 0))},{s.axis((0, 0, 1))})"
+    for k in range(num_faces):
+        surface = s.add(f"SURFACE_OF_REVOLUTION('',{circle(-end)},{s.add(axis)})")
+        s.face(f"part{k}", surface, [[f"seam{k}", f"outlet{k}", f"-seam{(k + 1) % num_faces}", f"-inlet{k}"]])
     return s
 
 
@@ -338,7 +364,8 @@ SHAPES = {"half_turn": half_turn, "crack": crack, "crack_on_seam": crack_on_seam
           "tube_crack": tube_crack, "cracks_free": cracks_free, "ring_inside": ring_inside, "halves": halves,
           "halves_own": lambda: halves(own=True), "halves_turned": lambda: halves(sense=False), "stack": stack,
           "window": window, "spline": spline, "blade": blade, "cap_hole": cap_hole,
-          "bad_surfaces": two_surfaces, "bad_gap": lambda: two_parts(1.4, 2.4), "bad_overlap": lambda: two_parts(.8, 2.0)}
+          "elbow": lambda: elbow(1.2, 1), "elbow_halves": lambda: elbow(0, 2), "bad_surfaces": two_surfaces,
+          "bad_gap": lambda: two_parts(1.4, 2.4), "bad_overlap": lambda: two_parts(.8, 2.0)}
 
 if __name__ == "__main__":
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "../support/critical_points.hpp"
 #include "../triangulate/faces.hpp"
@@ -88,6 +89,21 @@ CriticalPoints fewest(const CadFace& face, const std::vector<CriticalPoint>& nod
   EXPECT_EQ(points.index_sum, points.index_sum_expected);
   hand_made::expect_sound_changes(points.changes);
   return points;
+}
+
+TEST(SpareNodes, AreThoseOfBothSignsInOneRegion) {
+  CriticalPoints points;
+  for (const auto& [index, elem] : {std::pair(1, 0), {1, 5}, {-1, 7}}) {
+    EXPECT_FALSE(has_spare_nodes(points, {}));
+    points.critical_points.emplace_back();
+    points.critical_points.back().index = index;
+    points.critical_points.back().elem = elem;
+  }
+  EXPECT_TRUE(has_spare_nodes(points, {}));
+  EXPECT_TRUE(has_spare_nodes(points, {0, 4, 8}));
+  EXPECT_FALSE(has_spare_nodes(points, {0, 6, 8}));
+  points.critical_points.back().source = NodeSource::divide;
+  EXPECT_FALSE(has_spare_nodes(points, {}));
 }
 
 TEST(FewestNodes, OfOneSignStay) {
