@@ -35,7 +35,7 @@ nodes = x[sorted(on_offset)]
 radius = np.hypot(nodes[:, 0], nodes[:, 1]) if surface == "cylinder" else np.linalg.norm(nodes, axis=1)
 if len(nodes) < 20 or abs(radius - 1).max() > 1e-11:
     sys.exit(f"{len(nodes)} nodes, {abs(radius - 1).max():.1e} off the surface")
-wall = np.concatenate([curves[c].at(np.linspace(curves[c].begin, curves[c].end, 4000))[0] for c in range(len(names)) if names[c] == name])
+wall = np.concatenate([curves[c].at(np.linspace(curves[c].begin, curves[c].end, 20001))[0] for c in range(len(names)) if names[c] == name])
 if surface == "cylinder":
     def unrolled(p):
         return np.stack([np.arctan2(p[:, 1], p[:, 0]), p[:, 2]], 1)

@@ -9,21 +9,23 @@ setup() {
 
 shapes=$DATA/curved_regions
 
-# own FILE WALL LAYERS [OPTION ...]: work/*.h5 and report.json, with the layers in blocks of their own, all of the
-# height that was given; nodes on offset curves lie on these in space.
+# own FILE WALL LAYERS [OPTION ...]: work/*.h5 and report.json, with the layers in blocks of their own; nodes on offset
+# curves lie on these in space.
 own() {
   rm -rf work
   "$ROOT/pipelines/quadmesh" -q "$1" --wall "$2:$3,blocks=own" --workdir work --report report.json -o x.msh "${@:4}"
-  run -0 jq -c '[.valid, .certificate.method, .walls["0"].least_thickness / .walls["0"].thickness > 0.99999]' report.json
-  assert_output '[true,"traced",true]'
+  run -0 jq -c '[.valid, .certificate.method]' report.json
+  assert_output '[true,"traced"]'
   stagecheck -q work/*.h5 work/*.json
   run -0 "$BATS_TEST_DIRNAME/nodes_on_space_curves.py" "$(echo work/*.quad.h5)"
   run -0 awk '$NF > 1e-12 { print }' <<<"$output"
   assert_output ''
 }
 
-# heights NAME SURFACE HEIGHT TOLERANCE: of the curve at a distance from the wall NAME.
+# heights NAME SURFACE HEIGHT TOLERANCE: of the curve at a distance from the wall NAME, and all layers have theirs.
 heights() {
+  run -0 jq '.walls["0"] | .least_thickness / .thickness > 0.99999' report.json
+  assert_output true
   run -0 /usr/bin/python3 "$BATS_TEST_DIRNAME/curved_heights.py" "$(echo work/*.quad.h5)" "$@"
   assert_output "ok"
 }
@@ -51,9 +53,9 @@ heights() {
   own "$ROOT/tests/formats/chart/passed/cap.chart.h5" axis first=0.005,growth=1.2,layers=4
 }
 
-@test "curves that do not fit are refused with the place in space" {
-  run -1 cad2tri -q "$ROOT/tests/formats/chart/passed/cap.chart.h5" --offset rim=0.95 -o no.tri.h5
-  assert_output --regexp '--offset rim=0.95: .* \([-.0-9e]+, [-.0-9e]+, [-.0-9e]+\)'
+@test "curves with less room name the place in space, and those too near to their wall are refused" {
+  run -0 cad2tri "$ROOT/tests/formats/chart/passed/cap.chart.h5" --offset rim=0.95 -o near.tri.h5
+  assert_output --regexp 'W-CAD-009: --offset rim=0.95: .* near \([-.0-9e]+, [-.0-9e]+, [-.0-9e]+\)'
   run -2 cad2tri -q "$ROOT/tests/formats/chart/passed/cap.chart.h5" --offset rim=1e-9 -o no.tri.h5
   assert_output --partial "the distance is less than 1e-06 diameters of the face"
   assert_file_not_exist no.tri.h5

@@ -221,12 +221,16 @@ class ChainMaker {
       add(curve::segment(part.from, part.to));
     } else {
       const double begin = std::max(part.begin, curve.begin()), end = std::min(part.end, curve.end());
-      const Vec2 from = part.begin < begin ? curve.poles.front() : part.from;
-      const Vec2 to = part.end > end ? curve.poles.back() : part.to;
-      if (part.begin < begin) add(curve::segment(part.from, from));
+      const auto is_extended = [&](bool is_beyond, Vec2 x, Vec2 own_end) {
+        return is_beyond && distance(x, own_end) > offset_constants.least_extension * face_.diameter;
+      };
+      const bool before = is_extended(part.begin < begin, part.from, curve.poles.front());
+      const bool after = is_extended(part.end > end, part.to, curve.poles.back());
+      const Vec2 from = before ? curve.poles.front() : part.from, to = after ? curve.poles.back() : part.to;
+      if (before) add(curve::segment(part.from, from));
       const bool is_whole = begin == curve.begin() && end == curve.end();
       add(curve::with_ends(is_whole ? curve : curve::trimmed(curve, begin, end), from, to));
-      if (part.end > end) add(curve::segment(to, part.to));
+      if (after) add(curve::segment(to, part.to));
     }
     if (caps_[i]) add(curve::segment(part.to, parts_[i + 1 == parts_.size() ? 0 : i + 1].from));
     if (i + 1 == parts_.size() && cap_at_end_) add(curve::segment(part.to, *cap_at_end_));

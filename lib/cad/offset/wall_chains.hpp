@@ -42,6 +42,9 @@ struct OffsetConstants {
   int first_fit_intervals = 64, most_fit_intervals = 2048;
   /// Diameters. Points nearer to each other are one.
   double tolerance = 1e-8;
+  /// Diameters. Where less is missing to a crossing, the curve's end moves there along its tangent; else a straight
+  /// line follows.
+  double least_extension = 1e-5;
   /// Diameters. The least prescribed distance.
   double least_distance = 1e-6;
 };
