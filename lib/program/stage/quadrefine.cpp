@@ -148,7 +148,7 @@ void declare_sizes(Options& o, QuadrefineOptions& options) {
            "the number of elements of each chord: nearest deviates least from the prescribed lengths in the mean; "
            "at-most makes no edge longer than prescribed; error begins with nearest, and then moves elements from "
            "chord to chord as long as this lowers the error of a smooth solution at their number; elements are shorter "
-           "only where the boundary needs it. With --wall, or without --relax size, error is nearest");
+           "only where the boundary needs it. With --wall or --blocks, or without --relax size, error is nearest");
 }
 
 void declare_counts(Options& o, QuadrefineOptions& options) {

@@ -50,6 +50,9 @@ void move_breaks(AnchoredSegments& anchored, const std::function<double(const Br
 struct DivideOptions {
   int order = 4;         ///< N, of the elements
   double tolerance = 0;  ///< greatest distance between an interval's polynomial and its curve, > 0, a length
+  /// Where no growth is prescribed (slope 0), an interval that misses the tolerance becomes shorter alone, however long
+  /// its neighbours are, for relaxation moves vertices; else all of its segment do.
+  bool shortens_alone = false;
 };
 
 /// More intervals than this are an error.

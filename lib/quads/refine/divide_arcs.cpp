@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/tolerance.hpp"
@@ -111,7 +112,8 @@ void raise_counts(const Corrections& corrections, const DivideOptions& options, 
 
 void refine_grading(const ChordTask& task, const std::vector<sizing::MaxLengthConstraint>& constraints,
                     ChordDivision& division) {
-  division.grading = sizing::refine_grading(division.grading, division.count(), constraints, task.plan.slope);
+  const double slope = task.plan.slope > 0 ? task.plan.slope : std::numeric_limits<double>::infinity();
+  division.grading = sizing::refine_grading(division.grading, division.count(), constraints, slope);
   division.planned_count = division.grading.count();
   division.least_count =
       static_cast<int>(std::min<double>(max_intervals + 1, std::ceil(division.planned_count * (1 - 1e-6))));
@@ -142,7 +144,7 @@ Corrections find_corrections(const ChordTask& task, const ChordDivision& divisio
         anchors_that_end_elements(task, division.anchored.anchors, i, arc.low(k), arc.high(k));
     found.anchors.insert(found.anchors.end(), anchors.begin(), anchors.end());
     if (!anchors.empty()) continue;
-    if (division.grading.is_identity() && task.plan.slope == 0) {
+    if (task.plan.slope == 0 && !task.options.shortens_alone) {
       const int along_chord = task.chord.backwards[i] ? arc.num_intervals() - 1 - k : k;
       double& worst = found.worst_errors[segment_of(division.counts, along_chord)];
       worst = std::max(worst, error);

@@ -12,7 +12,7 @@
 //   contains breaks: at most two, or all in less than half of its length     elements end at them; at one of those that
 //                                                                            nearly coincide
 //   but if all are near its ends and the rest misses the tolerance as well   as if it contained none
-//   else, in a chord whose elements are to be equal (slope 0)               its segment gets more elements
+//   else, in a chord whose elements stay equal (slope 0, no relaxation)      its segment gets more elements
 //   else                                                                     this interval alone becomes shorter
 //
 // Elements that end at two breaks, or a break and an end, that are near each other are thin, so they come last. An

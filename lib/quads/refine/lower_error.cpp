@@ -44,7 +44,7 @@ class AchievedCounts {
   AchievedCounts(const SplitRequest& request, const SplitMesh& split)
       : measured_(layout_of(request, split.settings)),
         plans_(split.plans),
-        options_{request.options.order, split.settings.tolerance},
+        options_(divide_options(request, split.settings)),
         least_(split.plans.size(), 1) {
     for (const mesh::Chord& chord : request.equal.chords())
       counts_.push_back(split.divisions[chord.arcs[0]].num_intervals());

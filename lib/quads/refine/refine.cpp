@@ -57,7 +57,7 @@ std::vector<prescribe::LayeredCount> layered_counts(const SplitRequest& request)
 std::vector<sizing::HoleRing> rings_of(const SplitRequest& request) {
   const RefineOptions& options = request.options;
   if (options.rings == Rings::none || request.sizes.has_metric() || options.size_rule != sizing::SizeRule::error ||
-      !options.blocks.empty() || !options.symmetry.empty())
+      !options.symmetry.empty())
     return {};
   return sizing::hole_rings(request.equal, request.sizes);
 }
@@ -103,7 +103,7 @@ void report_prescribed(const SplitRequest& request, const SplitMesh& split,
 SplitMesh placed_split(const SplitRequest& request) {
   const RefineOptions& options = request.options;
   SplitMesh split = best_split(request).split;
-  if (options.size_rule == sizing::SizeRule::error && options.blocks.empty()) {
+  if (options.size_rule == sizing::SizeRule::error) {
     lower_error(request, split);
     return split;
   }
@@ -162,7 +162,8 @@ QuadMesh refine(const BlockLayout& layout, const RefineOptions& prescribed, Repo
   const sizing::MeasuredLayout aligned = sizing::with_lines_of_whole(upright, prescribed.symmetry);
   RefineOptions options = prescribed;
   // The growth from wall to wall determines counts; and vertices that stay have other parts of the error.
-  if (options.size_rule == sizing::SizeRule::error && (!options.walls.empty() || options.relax != Relax::size))
+  if (options.size_rule == sizing::SizeRule::error &&
+      (!options.walls.empty() || !options.blocks.empty() || options.relax != Relax::size))
     options.size_rule = sizing::SizeRule::nearest;
   SplitRequest request{options, measured, aligned, size_field(options, layout.face), score_limits(options, layout.face),
                        report};

@@ -81,6 +81,10 @@ const sizing::MeasuredLayout& layout_of(const SplitRequest& request, const Split
   return settings.is_aligned ? request.aligned : request.equal;
 }
 
+DivideOptions divide_options(const SplitRequest& request, const SplitSettings& settings) {
+  return {request.options.order, settings.tolerance, request.options.size_rule == sizing::SizeRule::error};
+}
+
 layers::WallInput wall_input(const SplitRequest& request, const SplitSettings& settings) {
   const RefineOptions& options = request.options;
   return {layout_of(request, settings), options.walls,          request.sizes, options.order,
@@ -91,7 +95,7 @@ SplitMesh split(const SplitRequest& request, const SplitSettings& settings, cons
   const RefineOptions& options = request.options;
   const sizing::MeasuredLayout& measured = layout_of(request, settings);
   SplitMesh result{settings, plan_chords(request, settings)};
-  result.divisions = divide_arcs(measured, result.plans, {options.order, settings.tolerance}, request.report.progress(),
+  result.divisions = divide_arcs(measured, result.plans, divide_options(request, settings), request.report.progress(),
                                  known_divisions(last, settings));
   if (!options.walls.empty()) plan_walls(request, result);
   std::vector<std::vector<double>> no_layers;

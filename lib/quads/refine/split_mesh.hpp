@@ -10,6 +10,7 @@
 #include "mesh/boundary_distance.hpp"
 #include "mesh/mesh_score.hpp"
 #include "model/quad_mesh.hpp"
+#include "refine/chord_division.hpp"
 #include "refine/length_limits.hpp"
 #include "refine/placed_vertices.hpp"
 #include "refine/refine_options.hpp"
@@ -63,6 +64,9 @@ SplitSettings first_settings(const SplitRequest& request);
 
 /// The layout with the lines of these settings.
 const sizing::MeasuredLayout& layout_of(const SplitRequest& request, const SplitSettings& settings);
+
+/// By SizeRule::error vertices are relaxed.
+DivideOptions divide_options(const SplitRequest& request, const SplitSettings& settings);
 
 /// For the layers along walls.
 layers::WallInput wall_input(const SplitRequest& request, const SplitSettings& settings);

@@ -232,13 +232,10 @@ double whole_count(double count, SizeRule rule) {
 std::vector<ChordPlan> grade_chords(const MeasuredLayout& measured, const SizeField& sizes, SizeRule rule,
                                     const std::vector<ChordCount>& prescribed) {
   const std::vector<std::vector<ChordBlock>> blocks = chord_blocks(measured);
-  // Elements near a curve that they would miss are shorter there alone if that costs less error.
-  const double slope =
-      rule == SizeRule::error && sizes.is_uniform() ? std::log(SizeField::default_growth) : sizes.slope();
   std::vector<ChordPlan> plans;
   for (std::size_t c = 0; c < blocks.size(); ++c) {
     const ChordSections sections(measured, measured.chords()[c], blocks[c], sizes);
-    ChordPlan plan{LengthSamples(sections, sizes, rule).grading(), 1, slope, rule == SizeRule::at_most};
+    ChordPlan plan{LengthSamples(sections, sizes, rule).grading(), 1, sizes.slope(), rule == SizeRule::at_most};
     plan.count = static_cast<int>(std::min(1e9, whole_count(plan.grading.count(), rule)));
     plans.push_back(std::move(plan));
   }

@@ -95,6 +95,32 @@ TEST(CorrectMisses, AnIntervalOfAGradedChordAloneBecomesShorter) {
   EXPECT_LE(division.grading.parameter(0.25), first * 4) << "the short elements stay short";
 }
 
+// The unit square with a bump in the last fifth of its lower side.
+SeparatrixGraph square_with_bump() {
+  std::vector<double> parameters;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 50; ++k) {
+    const double x = k / 50.0, t = std::max(0.0, 5 * x - 4);
+    parameters.push_back(x);
+    points.push_back({x, 3 * std::pow(t * (1 - t), 4)});
+  }
+  const std::vector<Nurbs> loop{curve::cubic_spline(parameters, points, {1, 0}, {1, 0}), curve::segment({1, 0}, {1, 1}),
+                                curve::segment({1, 1}, {0, 1}), curve::segment({0, 1}, {0, 0})};
+  return hand_made::one_block(hand_made::face({loop}, std::sqrt(2.0)), {{0}, {1}, {2}, {3}});
+}
+
+TEST(CorrectMisses, WithoutPrescribedGrowthIntervalsBecomeShorterAloneIfVerticesAreRelaxed) {
+  for (const bool alone : {false, true}) {
+    const ChordSample sample(square_with_bump(), 0, 5, {2, 1e-3, alone});
+    ChordDivision division = settled(sample);
+    while (correct_misses(sample.task, division)) settle_counts(sample.task, division);
+    const sizing::ArcDivision& lower = division.arcs[0];
+    const int first = sample.measured.chords()[0].backwards[0] ? lower.num_intervals() - 1 : 0;
+    EXPECT_EQ(lower.width(first) > 0.15, alone);
+    EXPECT_EQ(lower.num_intervals() < 12, alone) << lower.num_intervals();
+  }
+}
+
 TEST(CorrectMisses, ManyBreaksThatAreSpreadAreNoEndsBeforeTheIntervalIsShort) {
   std::vector<double> parameters;
   std::vector<Vec2> points;
