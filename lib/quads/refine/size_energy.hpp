@@ -75,6 +75,9 @@ class SizeEnergy {
   /// Middle of each element's vertices.
   std::vector<Vec2> middles(const VertexMoves& moves);
   bool is_free(int elem) const { return is_free_[elem]; }
+  /// Factors of the size of an element along s and t, at most 1, by which bent sides cost no more than straight ones,
+  /// where the energy was computed last.
+  Vec2 bend_factors(int elem, double size) const;
 
  private:
   static constexpr int points = 4;  ///< Gauss-Lobatto-Legendre points in each direction, if a side is curved
@@ -120,6 +123,7 @@ class SizeEnergy {
   Tangents tangents(int elem, const Rule& at) const;
   void add_shifts(int elem, Tangents& at) const;
   void stretch(int elem, const Rule& of, Tangents& at) const;
+  double curvature(int elem, int side) const;
   Vec2 direction(int elem) const { return directions.empty() ? Vec2{} : directions[elem]; }
   double add_direction(int elem, const Tangents& at, Tangents& by) const;
   double add_skewness_in_plane(int elem, const Tangents& at, Tangents& by) const;

@@ -78,8 +78,11 @@ void SizeRelaxer::set_sizes() {
                                         : prescribed_size(elem, middles[elem]);
     const Vec2 own = lengths_.empty() ? Vec2{of.size, of.size}
                                       : Vec2{std::min(of.size, lengths_[elem].x), std::min(of.size, lengths_[elem].y)};
+    // A side that is bent in the chart may be straight on the surface.
+    const bool is_bent = !options_.keeps_lengths && scale == nullptr;
+    const Vec2 bend = is_bent ? energy.bend_factors(elem, of.size) : Vec2{1, 1};
     const Vec2 shorter = shorter_[elem], count = counts_[elem];
-    sizes.push_back({own.x * shorter.x * count.x, own.y * shorter.y * count.y});
+    sizes.push_back({own.x * shorter.x * count.x * bend.x, own.y * shorter.y * count.y * bend.y});
     size_.push_back(of.least());
     if (options_.sizes.has_metric()) energy.stretches.push_back(of.stretch);
     if (scale != nullptr) growths.push_back(-scale->gradient(middles[elem]));
@@ -227,7 +230,7 @@ void SizeRelaxer::run() {
     const bool is_first = sweep < first_sweeps;
     if (sweep == first_sweeps) inverse_.forget();
     if (kept == (is_first ? step_constants.blocks_kept : step_constants.factors_kept) || sweep == first_sweeps) {
-      if (!options_.sizes.is_uniform() || options_.directions) set_sizes();
+      if (!options_.keeps_lengths || !options_.sizes.is_uniform() || options_.directions) set_sizes();
       at = begin(is_first), kept = 0;
     }
     const double before = at.value;

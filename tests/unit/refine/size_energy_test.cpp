@@ -10,6 +10,7 @@
 #include "../hand_made.hpp"
 #include "../support/refined.hpp"
 #include "base/angle.hpp"
+#include "refine/size_relaxer.hpp"
 #include "refine/validity.hpp"
 
 namespace quadrille::refine {
@@ -71,6 +72,44 @@ TEST(SizeEnergy, PartsOfTheResolutionRatioAreThoseOfTheMesh) {
     for (int elem = 0; elem < mesh.num_elems(); ++elem)
       EXPECT_NEAR(here.parts[elem][0], of_mesh.parts[elem][0], 2e-2 * of_mesh.parts[elem][0]);
   }
+}
+
+TEST(SizeEnergy, SizesAreShorterAlongBentSidesAndALittleAcross) {
+  const QuadMesh mesh = mesh_of(hand_made::quarter_annulus(), 0.3, 3);
+  const RelaxProblem problem(mesh, {});
+  SizeEnergy energy(problem, mesh);
+  energy.positions(VertexMoves(problem.num_vertices()));
+  std::vector<bool> is_bent(mesh.num_elems(), false);
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges) {
+    if (mesh.face.curves[edge.curve].degree == 1) continue;
+    is_bent[edge.elem] = true;
+    const double radius = norm(mesh.nodes[side_start(mesh, edge.elem, edge.side)]);
+    const double x = 0.3 / radius * 4 / (2 * pi);  // four elements of this size to a wave
+    const Vec2 factors = energy.bend_factors(edge.elem, 0.3);
+    const auto [along, across] = edge.side % 2 == 0 ? std::pair(factors.x, factors.y) : std::pair(factors.y, factors.x);
+    EXPECT_NEAR(along, std::pow(1 + 36.0 / 5 * x * x + std::pow(x, 4), -1.0 / 8), 1e-3);
+    EXPECT_NEAR(across, std::pow(1 + 6.0 / 5 * x * x + std::pow(x, 4) / 70, -1.0 / 8), 1e-3);
+    EXPECT_LT(along, across);
+  }
+  EXPECT_GT(std::ranges::count(is_bent, true), 0);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    EXPECT_EQ(energy.bend_factors(elem, 0.3) == (Vec2{1, 1}), !is_bent[elem]) << elem;
+}
+
+TEST(SizeEnergy, OfRelaxationHasSizesThatAreShorterAtBends) {
+  const QuadMesh mesh = mesh_of(hand_made::quarter_annulus(), 0.3, 3);
+  const RelaxProblem problem(mesh, {});
+  const sizing::SizeField field(0.3);
+  const SizeRelaxer relaxer(problem, mesh, {field});
+  SizeEnergy energy(problem, mesh);
+  const VertexMoves none(problem.num_vertices());
+  energy.positions(none);
+  std::vector<Vec2> sizes;
+  for (int elem = 0; elem < mesh.num_elems(); ++elem) sizes.push_back(0.3 * energy.bend_factors(elem, 0.3));
+  energy.set_sizes(sizes);
+  EXPECT_NEAR(relaxer.value, energy.value(none), 1e-9);
+  energy.set_sizes(equal_sizes(mesh, 0.3));
+  EXPECT_GT(std::abs(relaxer.value - energy.value(none)), 1e-2);
 }
 
 TEST(SizeEnergy, OfAFoldedMeshIsInfinite) {
