@@ -138,19 +138,28 @@ std::vector<OuterEdge> outer_edges(const Chart& chart) {
   return outer;
 }
 
-/// Edges of CAD files lie on their faces within a tolerance: elements at the boundary may be off as much.
+/// How far a node is from the point of its surface.
+double distance_from_surface(const Chart& chart, std::size_t node) {
+  const NurbsSurface& surface = chart.surfaces[chart.elem_surface[node / chart.nodes_per_elem()]];
+  return distance(surface::point(surface, chart.uv[node]), chart.space_nodes[node]);
+}
+
+/// Edges of CAD files lie beside their faces: elements at the boundary may be off as much.
 void nodes_lie_on_their_surface(const CadFace& face, Findings& findings) {
   const Chart& chart = *face.chart;
   std::set<int> outer_vertices;
-  for (const auto& [elem, k] : outer_edges(chart))
+  double gap = gap_tol * face.diameter;
+  for (const auto& [elem, k] : outer_edges(chart)) {
     outer_vertices.insert({chart.elem2vertices[elem][k], chart.elem2vertices[elem][(k + 1) % 3]});
+    for (int j = 0; j <= chart.order; ++j)
+      gap = std::max(gap, distance_from_surface(
+                              chart, elem * chart.nodes_per_elem() + spectral::tri_edge_node(chart.order, k, j)));
+  }
   for (std::size_t i = 0; i < chart.nodes.size(); ++i) {
-    const std::size_t elem = i / chart.nodes_per_elem();
-    const double off =
-        distance(surface::point(chart.surfaces[chart.elem_surface[elem]], chart.uv[i]), chart.space_nodes[i]);
-    const bool is_outer =
-        std::ranges::any_of(chart.elem2vertices[elem], [&](int v) { return outer_vertices.contains(v); });
-    if (!(off <= (is_outer ? gap_tol : surface_tol) * face.diameter))
+    const double off = distance_from_surface(chart, i);
+    const bool is_outer = std::ranges::any_of(chart.elem2vertices[i / chart.nodes_per_elem()],
+                                              [&](int v) { return outer_vertices.contains(v); });
+    if (!(off <= (is_outer ? gap : surface_tol * face.diameter)))
       findings.add("node {} lies {:.3g} away from the point of its surface at its uv", i, off);
   }
 }
