@@ -308,6 +308,7 @@ def cap_hole():
         circle = s.add(f"CIRCLE('',{s.axes(centre, axis, side)},{real(math.sin(angle))})")
         s.make(name, start, start, circle, name)
     s.face("cap", s.add(f"SPHERICAL_SURFACE('',{s.axes((0, 0, 0))},1.)"), [["rim"], ["-hole"]])
+    return s
 
 
 def elbow(begin, num_faces):
