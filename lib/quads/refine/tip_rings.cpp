@@ -151,9 +151,10 @@ class RingBuilder {
 
   /// The boundary edges of the rings, of which `first` is outermost, beside that of the patch.
   void add_wall_edges(const TipPatch& patch, bool is_at_start, int first) {
-    const auto [elem, side] = patch.wall_edge(is_at_start, patch.width() - 1);
-    const auto at = std::ranges::find_if(mesh_.boundary_edges,
-                                         [&](const QuadBoundaryEdge& e) { return e.elem == elem && e.side == side; });
+    const QuadSide last = patch.wall_edge(is_at_start, patch.width() - 1);
+    const auto at = std::ranges::find_if(mesh_.boundary_edges, [&](const QuadBoundaryEdge& e) {
+      return QuadSide{e.elem, e.side} == last;
+    });
     if (at == mesh_.boundary_edges.end()) return;
     std::vector<QuadBoundaryEdge> edges;
     for (int ring = 0; ring < num_rings_; ++ring) edges.push_back({first + ring, is_at_start ? 0 : 2, at->curve});
