@@ -113,12 +113,23 @@ double length_to_axis(const CadFace& face, const std::vector<curve::ArcLength>& 
   const int first = face.loop_offsets[1];
   const Vec2 start = face.joints[first].position, along = start - axis.point;
   const Vec2 image = axis.point + 2 * dot(along, axis.direction) * axis.direction - along;
-  if (distance(image, start) <= tolerance::same_point * face.diameter) return 0;
   const auto is_inner = [&](int c) { return c >= first && c < face.loop_offsets[2]; };
   const curve::NearestPoint at = curve::FaceBoundary(face).nearest(image, is_inner);
   double length = lengths[at.curve - first].at(at.t);
   for (int c = first; c < at.curve; ++c) length += lengths[c - first].total();
   return length / 2;
+}
+
+/// The least length from the start of the inner loop with which one of the cuts is on an axis, or two are its images.
+double start_of_cuts(const CadFace& face, const std::vector<curve::ArcLength>& lengths, double total,
+                     const std::vector<MirrorAxis>& axes) {
+  double start = total;
+  for (const MirrorAxis& axis : axes) {
+    const double shift = std::remainder(length_to_axis(face, lengths, axis), total / (2 * num_cuts));
+    if (std::abs(shift) < std::abs(start)) start = shift;
+  }
+  if (axes.empty() || std::abs(start) <= tolerance::same_point * face.diameter) return 0;
+  return start > 0 ? start : start + total;
 }
 
 // Nodes and joints.
@@ -293,7 +304,7 @@ std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator, const st
     lengths.emplace_back(face.curves[c]);
     total += lengths.back().total();
   }
-  const double start = axes.empty() ? 0 : length_to_axis(face, lengths, axes.front());
+  const double start = start_of_cuts(face, lengths, total, axes);
   std::vector<Launch> launches;
   for (int k = 0; k < num_cuts; ++k) {
     double along = std::fmod(start + total * k / num_cuts, total);

@@ -53,8 +53,8 @@ std::vector<Launch> launch_all(const field::FieldEvaluator& evaluator, const Cri
 /// Number of lines that launch_all launches.
 int num_launches(const CriticalPoints& points);
 
-/// Four lines from the inner loop of a domain between two loops, at equal fractions of its length from where the first
-/// mirror axis meets it; without an axis, from the start of its first curve.
+/// Four lines from the inner loop of a domain between two loops, at equal fractions of its length from the start of its
+/// first curve, or as near to that as they are symmetric by one of the axes.
 std::vector<Launch> launch_cuts(const field::FieldEvaluator& evaluator, const std::vector<MirrorAxis>& axes);
 
 }  // namespace quadrille::trace
