@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -145,6 +146,7 @@ Json times_of(const std::vector<StageRun>& runs) {
   return times;
 }
 
+/// Each once: a stage that runs again with other options gives the same ones.
 Json warnings_of(const std::vector<StageRun>& runs) {
   Json all = Json::array();
   for (const StageRun& run : runs) {
@@ -153,7 +155,7 @@ Json warnings_of(const std::vector<StageRun>& runs) {
     for (const Json& warning : warnings) {
       Json one{{"tool", run.report["tool"]}};
       one.update(warning);
-      all.push_back(std::move(one));
+      if (std::ranges::find(all, one) == all.end()) all.push_back(std::move(one));
     }
   }
   return all;
