@@ -60,7 +60,8 @@ def judge(stage_file, path):
         dets = numpy.linalg.det(numpy.einsum("dn,enk->edk", numpy.reshape(slopes, (3, -1)), points[cells]))
         assert dets.min() > 0, (path, dets.min())
         volume += float(dets.sum() * numpy.prod(weights[list(places)]) / 8)
-    assert abs(volume - wanted) < 1e-8 * wanted, (path, volume, wanted)
+    tolerance = 1e-7 if points.dtype == numpy.float32 else 1e-8  # VTK's reader of Exodus files rounds coordinates
+    assert abs(volume - wanted) < tolerance * wanted, (path, volume, wanted)
 
 
 for case in zip(*(iter(sys.argv[1:]),) * 2):
