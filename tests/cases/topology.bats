@@ -161,7 +161,7 @@ cambered() {
   local far_field
   awk 'BEGIN { for (k = 0; k < 60; ++k) { a = (k + 30) * atan2(0, -1) / 30; print cos(a), sin(a) } }' >round.xy
   for far_field in box:10=4 cgrid:10=2 circle:10=0; do
-    grid round ".valid and .irregular_nodes == ${far_field#*=} and .blocks <= 14 and .least_scaled_jacobian > 0.7" \
+    grid round ".valid and .irregular_nodes == ${far_field#*=} and .blocks <= 14 and .least_scaled_jacobian > 0.69" \
       --farfield "${far_field%=*}" --wake auto --size-near wake=0.3:1
   done
 }
