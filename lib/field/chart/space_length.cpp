@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "spectral/quadrature.hpp"
 #include "surface/nurbs_surface.hpp"
@@ -17,7 +18,11 @@ constexpr double round_off = 1e-14;
 SpaceLength::SpaceLength(const SpaceCurve& curve) : curve_(&curve), parameters_{curve.begin()}, lengths_{0} {
   for (std::size_t i = 1; i < curve.knots.size(); ++i) {
     const double a = curve.knots[i - 1], b = curve.knots[i];
-    if (a < b) add(a, b, gauss(a, b), 0);
+    if (!(a < b)) continue;
+    const double whole = gauss(a, b);
+    // The place between knots, and with it the speed there, is as accurate as the parameter.
+    const double rounded = std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b)) / (b - a);
+    add(a, b, whole, std::max(round_off, rounded) * whole, 0);
   }
 }
 
@@ -31,11 +36,11 @@ double SpaceLength::gauss(double a, double b) const {
   return sum * (b - a) / 2;
 }
 
-void SpaceLength::add(double a, double b, double whole, int depth) {
+void SpaceLength::add(double a, double b, double whole, double tolerance, int depth) {
   const double middle = (a + b) / 2, first = gauss(a, middle), second = gauss(middle, b);
-  if (std::abs(first + second - whole) > round_off * whole && depth < most_halvings) {
-    add(a, middle, first, depth + 1);
-    add(middle, b, second, depth + 1);
+  if (std::abs(first + second - whole) > tolerance && depth < most_halvings) {
+    add(a, middle, first, tolerance, depth + 1);
+    add(middle, b, second, tolerance, depth + 1);
     return;
   }
   parameters_.push_back(b);

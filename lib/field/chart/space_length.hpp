@@ -9,7 +9,8 @@ namespace quadrille::chart {
 
 class SpaceLength {
  public:
-  /// Gauss-Legendre between knots, halved until two rules agree to round-off. `curve` must outlive this.
+  /// Gauss-Legendre between knots, halved until two rules agree to round-off, that of parameters too. `curve` must
+  /// outlive this.
   explicit SpaceLength(const SpaceCurve& curve);
 
   double total() const { return lengths_.back(); }
@@ -21,7 +22,7 @@ class SpaceLength {
 
  private:
   double gauss(double a, double b) const;
-  void add(double a, double b, double whole, int depth);
+  void add(double a, double b, double whole, double tolerance, int depth);
 
   const SpaceCurve* curve_;
   std::vector<double> parameters_, lengths_;
