@@ -60,6 +60,12 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
   cad2chart sphere_cap.blocks.step --face block_4 -o block.chart.h5
 }
 
+# z = 1/2 - sqrt((x - 1)^2 + 1e-4) / 2 about: elements are 50 times as long as the radius of curvature at x = 1.
+@test "elements become as short as a sharp bend of the surface" {
+  "$quadmesh" -q "$curved/bend.step" --face 0 --size 0.5 -o a.msh --report a.json
+  jq -e '.surface.distance <= .surface.tolerance and .quads < 1000' a.json
+}
+
 @test "refusals name the face and say how to cut it" {
   run -1 cad2chart "$curved/ramp.step" --face 0 -o a.chart.h5
   assert_output --partial 'ramp.step: face 0: the chart of the face'

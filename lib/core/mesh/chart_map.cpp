@@ -183,6 +183,12 @@ Vec3 ChartMap::normal(Vec2 x) const {
   return normalized(cross(at.first, at.second));
 }
 
+double ChartMap::greatest_curvature(Vec2 x) const {
+  const Location at = locate(x);
+  return surface::greatest_curvature(chart_.surfaces[chart_.elem_surface[at.elem]],
+                                     projected(on_polynomial(at), at).uv);
+}
+
 std::array<Vec3, 2> ChartMap::derivatives(Vec2 x) const {
   const Location at = locate(x);
   const Tangents in_space = tangents(at);

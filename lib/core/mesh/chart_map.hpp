@@ -56,6 +56,8 @@ class ChartMap {
   Foot nearest(Vec3 position) const;
   /// The unit normal of the surface, on the side from which the chart is seen counter-clockwise.
   Vec3 normal(Vec2 x) const;
+  /// The greatest curvature (1 / length) of the surface at the lifted point, by surface::greatest_curvature.
+  double greatest_curvature(Vec2 x) const;
   /// The exact point of the boundary at a parameter of curve i.
   Vec3 boundary_point(int curve, double t) const;
   /// How far a point in space, near the lifted one of the chart's point x, is from the surface. `uv`: parameters of a

@@ -153,6 +153,17 @@ Vec3 point(const NurbsSurface& surface, Vec2 uv) {
   return h.x / h.w;
 }
 
+double greatest_curvature(const NurbsSurface& surface, Vec2 uv) {
+  constexpr double degenerate = 1e-8;  // of the lengths of the derivatives
+  const SurfacePoint p = evaluate(surface, uv);
+  const Vec3 normal = cross(p.xu, p.xv);
+  const double e = norm2(p.xu), f = dot(p.xu, p.xv), g = norm2(p.xv), area = norm(normal);
+  if (!(area > degenerate * std::max(e, g))) return 0;
+  const double l = dot(normal, p.xuu) / area, m = dot(normal, p.xuv) / area, n = dot(normal, p.xvv) / area;
+  const double mean = (e * n - 2 * f * m + g * l) / (2 * area * area), gauss = (l * n - m * m) / (area * area);
+  return std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
+}
+
 namespace {
 
 /// Parameters in the domain with what is there.

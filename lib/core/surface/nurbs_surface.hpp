@@ -25,6 +25,8 @@ struct SurfacePoint {
 /// At knots from the right.
 SurfacePoint evaluate(const NurbsSurface& surface, Vec2 uv);
 Vec3 point(const NurbsSurface& surface, Vec2 uv);
+/// The greatest absolute curvature (1 / length) of normal sections; 0 where the parametrisation degenerates.
+double greatest_curvature(const NurbsSurface& surface, Vec2 uv);
 /// The parameters in the domain: clamped, or less whole periods where the surface is closed.
 Vec2 in_domain(const NurbsSurface& surface, Vec2 uv);
 

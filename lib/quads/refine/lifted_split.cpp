@@ -35,6 +35,15 @@ auto num_unproved(const LiftedMesh& lifted) {
   return std::ranges::count_if(lifted.mesh.elem_jacobian_bound, [](double bound) { return !(bound > 0); });
 }
 
+/// Of the surface, at the nodes of an element.
+double least_radius(const mesh::ChartMap& map, const QuadMesh& mesh, int elem) {
+  double curvature = 0;
+  const auto first = mesh.elem_nodes.begin() + elem * mesh.nodes_per_elem();
+  for (auto node = first; node != first + mesh.nodes_per_elem(); ++node)
+    curvature = std::max(curvature, map.greatest_curvature(mesh.nodes[*node]));
+  return 1 / curvature;
+}
+
 Vec3 corner(const QuadMesh& mesh, int elem, int side) { return mesh.space_nodes[side_start(mesh, elem, side)]; }
 
 double longer_diagonal(const QuadMesh& mesh, int elem) {
@@ -128,6 +137,12 @@ bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double toleranc
   // Counts are integers: elements may be longer than asked for.
   const double factor = std::max(shortened(before, tolerance, power), size_of_worst(next) / size_of_worst(last));
   return after > std::pow(factor, slow_power) * before;
+}
+
+bool approaches_bend(const mesh::ChartMap& map, const LiftedMesh& last, const LiftedMesh& next, int num_rounds) {
+  if (!(next.farthest_distance() < last.farthest_distance())) return false;
+  const double step = size_of_worst(next) / next.mesh.order, radius = least_radius(map, next.mesh, next.farthest());
+  return step > radius && std::pow(least_factor, num_rounds) * step <= radius;
 }
 
 void add_tip_rings(const mesh::ChartMap& map, const SurfaceTraits& surface, double tolerance, int max_elements,

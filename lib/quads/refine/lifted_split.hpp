@@ -14,7 +14,7 @@
 
 namespace quadrille::refine {
 
-/// Times that a mesh is made again with shorter edges, at most.
+/// Times that a mesh is made again with shorter edges, at most, and as often again to approach a bend.
 inline constexpr int max_lifts = 5;
 /// Of these, the slow ones in a row after which the surface is taken to have a kink.
 inline constexpr int max_slow_lifts = 2;
@@ -51,6 +51,10 @@ bool is_nearer(const LiftedMesh& a, const LiftedMesh& b);
 /// Whether edges that finer_sizes made shorter hardly helped: as many elements are not proved, or the distance fell
 /// little more than their length.
 bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double tolerance, int power);
+
+/// Whether the distance fell, and may fall slowly without a kink: in the element that is farthest from the surface,
+/// nodes are farther apart than the radius of curvature there, and not after this many more rounds.
+bool approaches_bend(const mesh::ChartMap& map, const LiftedMesh& last, const LiftedMesh& next, int num_rounds);
 
 /// The power to expect in a round: N + 1 of a smooth surface. Elements that are too far after a round are where
 /// curvatures jump, as at the knots of a cubic surface: then 2.

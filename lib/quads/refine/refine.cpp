@@ -132,8 +132,8 @@ SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const Surfac
   SplitMesh best = placed_split(request);
   there = lifted(map, best.mesh, surface, request.report.progress());
   LiftedMesh last = there;
-  int num_slow = 0;
-  for (int round = 0; round < max_lifts && num_slow < max_slow_lifts; ++round) {
+  int num_slow = 0, num_approaches = 0;
+  for (int round = 0; round - num_approaches < max_lifts && num_slow < max_slow_lifts; ++round) {
     const int power = expected_power(round, best.mesh.order);
     const std::vector<sizing::SizeSegment> finer = finer_sizes(map, last, request.sizes, tolerance, power);
     if (finer.empty()) break;
@@ -143,7 +143,10 @@ SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const Surfac
     if (!next) break;
     LiftedMesh next_there = lifted(map, next->mesh, surface, request.report.progress());
     if (next_there.mesh.nodes == last.mesh.nodes) break;
-    num_slow = fell_slowly(last, next_there, tolerance, power) ? num_slow + 1 : 0;
+    const bool is_slow = fell_slowly(last, next_there, tolerance, power);
+    const bool is_approach = is_slow && approaches_bend(map, last, next_there, max_lifts - num_approaches);
+    num_approaches += is_approach;
+    num_slow = is_slow && !is_approach ? num_slow + 1 : 0;
     if (is_nearer(next_there, there)) best = std::move(*next), there = next_there;
     last = std::move(next_there);
   }

@@ -79,6 +79,7 @@ TEST(ChartMap, SamplesHavePositionScaleAndDerivatives) {
   const Vec2 x{0.21, 0.34};
   EXPECT_LE(distance(map.sample(x).position, samples::on_sphere(x)), 1e-8);
   EXPECT_NEAR(map.sample(x).log_scale, samples::sphere_log_scale(x), 1e-8);
+  EXPECT_NEAR(map.greatest_curvature(x), 1, 1e-6);
   const auto [by_x, by_y] = map.derivatives(x);
   const double scale = std::exp(samples::sphere_log_scale(x)), step = 1e-5;
   EXPECT_NEAR(norm(by_x), scale, 1e-6);

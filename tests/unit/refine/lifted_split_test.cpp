@@ -233,5 +233,27 @@ TEST(LiftedSplit, DistancesFallSlowlyAtAKink) {
   EXPECT_FALSE(fell_slowly(at_distance(2e-6, 1, 1), at_distance(1.2e-6, 1), tolerance, 5));  // near the tolerance
 }
 
+// On the unit sphere: an element of order 1 longer than its radius, and as short after one more round.
+TEST(LiftedSplit, ABendIsApproachedWhileElementsAreLongerThanItsRadius) {
+  RefineOptions options;
+  options.order = 1;
+  options.geometry_tol = 1;
+  Report report;
+  const auto with = [mesh = refined(options, report)](double diagonal, double distance) {
+    LiftedMesh lifted{mesh, {}, std::vector<bool>(mesh.num_elems(), false)};
+    lifted.distance.elem.assign(mesh.num_elems(), 0);
+    lifted.distance.elem[0] = distance;
+    for (int side = 0; side < 4; ++side)
+      lifted.mesh.space_nodes[side_start(mesh, 0, side)] = {side % 2 == 0 ? 0 : diagonal, side < 2 ? 0 : diagonal, 0};
+    return lifted;
+  };
+  const LiftedMesh far = with(4, 0.2), next = with(1.5, 0.1);
+  const mesh::ChartMap map(next.mesh.face);
+  EXPECT_TRUE(approaches_bend(map, far, next, 1));
+  EXPECT_FALSE(approaches_bend(map, far, next, 0)) << "no round is left";
+  EXPECT_FALSE(approaches_bend(map, with(4, 0.05), next, 1)) << "the distance rose";
+  EXPECT_FALSE(approaches_bend(map, far, with(0.5, 0.1), 1)) << "the bend is resolved";
+}
+
 }  // namespace
 }  // namespace quadrille::refine

@@ -37,6 +37,14 @@ TEST(NurbsSurface, DerivativesAreThoseOfDifferences) {
   EXPECT_LT(norm(p.xuv - (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4 * h * h)), 1e-6);
 }
 
+TEST(NurbsSurface, TheGreatestCurvatureIsThatOfTheSharperBend) {
+  EXPECT_NEAR(surface::greatest_curvature(tests::cylinder(2, 1), {0.7, 0.4}), 0.5, 1e-12);
+  EXPECT_NEAR(surface::greatest_curvature(tests::torus(3, 0.5), {0.7, 0.4}), 2, 1e-12);
+  EXPECT_NEAR(surface::greatest_curvature(tests::torus(1, 0.8), {0.7, std::numbers::pi}), 5, 1e-10)
+      << "around the hole";
+  EXPECT_EQ(surface::greatest_curvature(tests::cone(1, 1), {0.7, 0}), 0) << "at the tip";
+}
+
 TEST(NurbsSurface, ParametersOfClosedSurfacesAreBroughtBack) {
   const NurbsSurface s = tests::cylinder(1, 2);
   const double turn = 2 * std::numbers::pi;
