@@ -8,16 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "base/tolerance.hpp"
 #include "curve/face_boundary.hpp"
 #include "mesh/transfinite.hpp"
 #include "refine/tip_patch.hpp"
+#include "refine/tip_rounding.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::refine {
 namespace {
-
-constexpr int num_steps = 8;  ///< of trials of a place of outer vertices
 
 /// A vertex of the mesh, on its ray from the tip at 2^-level of its distance.
 struct RingVertex {
@@ -37,7 +35,7 @@ class RingBuilder {
     }
     std::set<int> fixed;
     for (const QuadBoundaryEdge& e : mesh_.boundary_edges) fixed.insert(side_start(mesh_, e.elem, e.side));
-    for (const TipPatch& patch : patches) round(patch, fixed);
+    for (const TipPatch& patch : patches) round_outer_vertices(patch, fixed, mesh_);
     for (const TipPatch& patch : patches) {
       add_rings(patch);
       shrink(patch);
@@ -64,68 +62,6 @@ class RingBuilder {
       if (nodes.front() > nodes.back()) std::ranges::reverse(nodes);
       edges_[{{nodes.front(), 0}, {nodes.back(), 0}}] = {nodes.begin() + 1, nodes.end() - 1};
     }
-  }
-
-  /// Moves the outer vertices between the ends towards a circle, with the elements around them, but for fixed ones: by
-  /// the part of the way with which the angles of elements are best.
-  void round(const TipPatch& patch, const std::set<int>& fixed) {
-    const int last = 2 * patch.width();
-    std::map<int, Vec2> before, ways;
-    for (int k = 1; k < last; ++k) {
-      const int vertex = patch.outer_vertex(k);
-      if (fixed.contains(vertex)) continue;
-      const auto radius = [&](int i) { return distance(mesh_.nodes[patch.outer_vertex(i)], origin_); };
-      const double circle = radius(0) + (radius(last) - radius(0)) * k / last;
-      before[vertex] = mesh_.nodes[vertex];
-      ways[vertex] = (circle / radius(k) - 1) * (mesh_.nodes[vertex] - origin_);
-    }
-    double best = -HUGE_VAL, part = 0;
-    for (int step = 0; step <= num_steps; ++step) {
-      for (const auto& [vertex, way] : ways) mesh_.nodes[vertex] = before[vertex] + step * way / num_steps;
-      const double sine = least_sine(patch, ways);
-      if (sine > best + tolerance::tied) best = sine, part = static_cast<double>(step) / num_steps;
-    }
-    for (const auto& [vertex, way] : ways) mesh_.nodes[vertex] = before[vertex];
-    for (const auto& [vertex, way] : ways) move_vertex(vertex, part * way);
-  }
-
-  /// Of the angles of elements at these vertices and of the outermost ring, all with straight sides.
-  double least_sine(const TipPatch& patch, const std::map<int, Vec2>& vertices) const {
-    double least = 1;
-    for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
-      std::array<int, 4> corners;
-      for (int k = 0; k < 4; ++k) corners[k] = side_start(mesh_, elem, k);
-      if (std::ranges::none_of(corners, [&](int v) { return vertices.contains(v); })) continue;
-      const auto at = [&](int k) { return mesh_.nodes[corners[k]]; };
-      least = std::min(least, least_sine({at(0), at(1), at(2), at(3)}));
-    }
-    for (int k = 0; k < 2 * patch.width(); ++k) {
-      const Vec2 from = mesh_.nodes[patch.outer_vertex(k)], to = mesh_.nodes[patch.outer_vertex(k + 1)];
-      least = std::min(least, least_sine({(from + origin_) / 2, from, to, (to + origin_) / 2}));
-    }
-    return least;
-  }
-  static double least_sine(const std::array<Vec2, 4>& corners) {
-    double least = 1;
-    for (int k = 0; k < 4; ++k) {
-      const Vec2 ahead = corners[(k + 1) % 4] - corners[k], back = corners[(k + 3) % 4] - corners[k];
-      least = std::min(least, cross(ahead, back) / (norm(ahead) * norm(back)));
-    }
-    return least;
-  }
-
-  /// With the nodes of its elements, less with their distance from it.
-  void move_vertex(int vertex, Vec2 by) {
-    const std::vector<double>& xi = spectral::gll_points(mesh_.order);
-    std::map<int, double> parts;
-    for (int elem = 0; elem < mesh_.num_elems(); ++elem)
-      for (int corner = 0; corner < 4; ++corner) {
-        if (side_start(mesh_, elem, corner) != vertex) continue;
-        const double x = corner == 1 || corner == 2 ? 1 : -1, y = corner >= 2 ? 1 : -1;
-        for (int j = 0; j <= mesh_.order; ++j)
-          for (int i = 0; i <= mesh_.order; ++i) parts[node_at(elem, i, j)] = (1 + x * xi[i]) * (1 + y * xi[j]) / 4;
-      }
-    for (const auto& [node, part] : parts) mesh_.nodes[node] += part * by;
   }
 
   void add_rings(const TipPatch& patch) {
