@@ -163,7 +163,8 @@ QuadMesh turned_along_chords(const QuadMesh& mesh) {
     const std::vector<int> nodes = nodes_from_corner(mesh, elem, corners[elem]);
     std::copy(nodes.begin(), nodes.end(), turned.elem_nodes.begin() + elem * mesh.nodes_per_elem());
   }
-  for (QuadBoundaryEdge& edge : turned.boundary_edges) edge.side = (edge.side + 4 - corners[edge.elem]) % 4;
+  for (auto* edges : {&turned.boundary_edges, &turned.interface_edges})
+    for (QuadBoundaryEdge& edge : *edges) edge.side = (edge.side + 4 - corners[edge.elem]) % 4;
   return turned;
 }
 

@@ -77,7 +77,7 @@ void require_known_by_vertices(const QuadMesh& mesh, const EdgeNumbering& number
 std::vector<int> chord_corners(const QuadMesh& mesh);
 
 /// The same elements, each with its nodes in the order that starts at its chord_corners: sides 0 and 2 run along xi1,
-/// sides 1 and 3 along xi2.
+/// sides 1 and 3 along xi2. Edges of boundaries and interfaces keep their nodes.
 QuadMesh turned_along_chords(const QuadMesh& mesh);
 
 /// number_parts of a mesh that is turned along its chords, with edges in the directions of their chords, which need not

@@ -117,6 +117,18 @@ TEST(ChordDirections, NodesOfAnEdgeRunInItsDirection) {
   }
 }
 
+TEST(ChordDirections, SidesOnBoundariesAndInterfacesKeepTheirNodes) {
+  QuadMesh mesh = patch(3, 3, [](int i, int j) { return (i + 3 * j) % 4; });
+  for (int k = 0; k < 4 * mesh.num_elems(); ++k) mesh.boundary_edges.push_back({k / 4, k % 4, 0});
+  mesh.interface_edges = mesh.boundary_edges;
+  const QuadMesh turned = turned_along_chords(mesh);
+  const auto nodes_of = [](const QuadMesh& of, const QuadBoundaryEdge& e) { return side_nodes(of, e.elem, e.side); };
+  for (std::size_t k = 0; k < mesh.boundary_edges.size(); ++k) {
+    EXPECT_EQ(nodes_of(turned, turned.boundary_edges[k]), nodes_of(mesh, mesh.boundary_edges[k]));
+    EXPECT_EQ(nodes_of(turned, turned.interface_edges[k]), nodes_of(mesh, mesh.interface_edges[k]));
+  }
+}
+
 TEST(ChordDirections, OnlyTheOrderOfNodesChanges) {
   const auto first = [](int i, int j) { return (i + 3 * j) % 4; };
   const QuadMesh mesh = patch(3, 3, first);
