@@ -57,13 +57,16 @@ inline std::vector<int> ends_first(int order) {
 /// A side of an element with a name: its boundary or, after those, its interface.
 struct GroupSide {
   int elem = 0, side = 0, group = 0;
+  bool is_interface = false;  ///< it lies inside the mesh, also where its group is a boundary of the same name
 };
 
 /// The boundary in the order of the loops, then the interfaces, each edge once.
 inline std::vector<GroupSide> group_sides(const QuadMesh& mesh, const Groups& groups) {
   std::vector<GroupSide> sides;
-  for (const std::vector<QuadBoundaryEdge>& edges : {mesh.boundary_edges, interface_edges_once(mesh)})
-    for (const QuadBoundaryEdge& e : edges) sides.push_back({e.elem, e.side, groups.curve2boundary[e.curve]});
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges)
+    sides.push_back({e.elem, e.side, groups.curve2boundary[e.curve], false});
+  for (const QuadBoundaryEdge& e : interface_edges_once(mesh))
+    sides.push_back({e.elem, e.side, groups.curve2boundary[e.curve], true});
   return sides;
 }
 
@@ -73,7 +76,7 @@ inline std::vector<GroupSide> group_sides(const HexMesh& mesh, const Groups& gro
   const HexNumbering numbering = number_parts(mesh);
   for (std::size_t g = 0; g < mesh.face_groups.size(); ++g)
     for (const GroupFace at : faces_once(mesh.face_groups[g], numbering))
-      sides.push_back({at.elem, at.face, groups.curve2boundary[g]});
+      sides.push_back({at.elem, at.face, groups.curve2boundary[g], mesh.face_groups[g].is_interface});
   return sides;
 }
 

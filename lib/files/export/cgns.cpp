@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -71,7 +72,7 @@ class ZoneMaker {
   ZoneMaker(const Mesh& mesh, const Groups& groups, const PlainNames& words)
       : mesh_(mesh), groups_(groups), words_(words) {}
 
-  CgnsZone zone(const std::vector<std::array<double, 3>>& positions, int space_dim, int num_boundaries) {
+  CgnsZone zone(const std::vector<std::array<double, 3>>& positions, int space_dim) {
     constexpr bool are_quads = mesh_dimension<Mesh> == 2;
     zone_.name = "zone";
     zone_.size = {static_cast<std::int64_t>(positions.size()), mesh_.num_elems()};
@@ -83,14 +84,16 @@ class ZoneMaker {
     for (std::size_t r = 0; r < elems.size(); ++r) {
       begin(words_.regions[r], (are_quads ? cgns_quad_types : cgns_hex_types)[mesh_.order]);
       for (const int elem : elems[r]) add_element(element_nodes(mesh_, elem), local_nodes);
-      end(false);
+      end();
     }
-    const std::vector<std::vector<GroupSide>> sides = sides_by_group(mesh_, groups_);
+    std::vector<std::vector<GroupSide>> sides = sides_by_group(mesh_, groups_);
     const std::vector<int> side_order = are_quads ? ends_first(mesh_.order) : cgns_quad_order(mesh_.order);
     for (int b = 0; b < groups_.num_boundaries(); ++b) {
       begin(words_.boundaries[b], (are_quads ? cgns_bar_types : cgns_quad_types)[mesh_.order]);
+      const auto inside =
+          std::stable_partition(sides[b].begin(), sides[b].end(), [](const GroupSide& at) { return !at.is_interface; });
       for (const GroupSide& at : sides[b]) add_element(side_nodes(mesh_, at.elem, at.side).data(), side_order);
-      end(b < num_boundaries);
+      end(inside - sides[b].begin());
     }
     return std::move(zone_);
   }
@@ -103,12 +106,12 @@ class ZoneMaker {
     ++section_.count;
   }
 
-  /// Adds the section to the zone, unless it is empty. `is_boundary`: the zone gets a boundary of its name too.
-  void end(bool is_boundary) {
+  /// Adds the section to the zone, unless it is empty, and its first elements that are on the boundary as one of its
+  /// name.
+  void end(std::int64_t on_boundary = 0) {
     if (section_.count == 0) return;
-    const std::int64_t last = next_ + section_.count - 1;
-    if (is_boundary) zone_.boundaries.push_back({section_.name, section_.name, {next_, last}});
-    next_ = last + 1;
+    if (on_boundary > 0) zone_.boundaries.push_back({section_.name, section_.name, {next_, next_ + on_boundary - 1}});
+    next_ += section_.count;
     zone_.sections.push_back(std::move(section_));
   }
 
@@ -131,7 +134,7 @@ Exported unstructured(const Mesh& mesh, const std::vector<std::array<double, 3>>
   exported.bytes = to_bytes({false,
                              mesh_dimension<Mesh>,
                              families(all, words, groups.num_boundaries()),
-                             {ZoneMaker(mesh, all, words).zone(positions, space_dim, groups.num_boundaries())}});
+                             {ZoneMaker(mesh, all, words).zone(positions, space_dim)}});
   return exported;
 }
 

@@ -178,7 +178,10 @@ GmshModel gmsh_model(const QuadMesh& mesh, const Frame& frame) {
   for (const int region : model.groups.block2region) surfaces.push_back({first_region(model.groups) + region});
   for (const SkeletonCurve& curve : skeleton.curves) {
     curves.push_back({curve.cad_curve < 0 ? 0 : 1 + model.groups.curve2boundary[curve.cad_curve],
-                      {curve.from + 1, -(curve.to + 1)}});
+                      {curve.from + 1, -(curve.to + 1)},
+                      {},
+                      {},
+                      !curve.is_boundary()});
     for (const SkeletonEdge& e : curve.edges) append(side_nodes(mesh, e.elem, e.side), curves.back().elem_nodes);
     const int tag = static_cast<int>(curves.size());
     surfaces[curve.blocks[0]].bounds.push_back(tag);

@@ -23,6 +23,7 @@ struct GmshEntity {
   std::vector<int> bounds = {};      ///< tags of what bounds it, with signs; of hexahedra readers do not need them
   std::vector<int> elem_nodes = {};  ///< mesh nodes of its elements, each in the order of the mesh
   std::vector<int> own_nodes = {};   ///< those that no entity before it has
+  bool is_inside = false;            ///< of a curve of quads: it lies between blocks
 };
 
 /// An entity of a second periodic side, and the one of the first that it is the image of.

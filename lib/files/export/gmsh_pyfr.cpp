@@ -61,10 +61,9 @@ void set_pyfr_groups(const NameList& words, GmshModel& model) {
   model.groups.boundary_names = words;
   model.groups.interface_names.clear();
   model.groups.region_names = {all_elements};
-  const int num_boundaries = static_cast<int>(words.size());
   for (GmshEntity& curve : model.entities[1])
-    if (curve.group > num_boundaries) curve.group = 0;
-  for (GmshEntity& surface : model.entities[2]) surface.group = 1 + num_boundaries;
+    if (curve.is_inside) curve.group = 0;
+  for (GmshEntity& surface : model.entities[2]) surface.group = 1 + static_cast<int>(words.size());
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ class Re2Writer {
 
   void write_boundaries() {
     std::vector<GroupSide> sides = group_sides(mesh_, groups_);
-    std::erase_if(sides, [&](const GroupSide& at) { return at.group >= groups_.num_boundaries(); });
+    std::erase_if(sides, [](const GroupSide& at) { return at.is_interface; });
     std::sort(sides.begin(), sides.end(), [](const GroupSide& a, const GroupSide& b) {
       return std::tie(a.elem, a.side) < std::tie(b.elem, b.side);
     });

@@ -44,6 +44,7 @@ void add_cells(const QuadMesh& mesh, const Frame& frame, HexMesh& plate) {
   plate.elem_jacobian_bound.assign(mesh.elem_block.size(), 1);  // of which there is one for each element
 }
 
+/// Interfaces have a name, which is reported as lost, and no faces.
 void add_groups(const QuadMesh& mesh, const Groups& groups, HexMesh& plate) {
   for (const std::string& name : boundary_and_interface_names(groups)) plate.face_groups.push_back(named_group(name));
   for (int k = groups.num_boundaries(); k < static_cast<int>(plate.face_groups.size()); ++k)
@@ -51,8 +52,8 @@ void add_groups(const QuadMesh& mesh, const Groups& groups, HexMesh& plate) {
   const auto add = [](HexFaceGroup& group, int elem, int face) {
     group.elems.push_back(elem), group.faces.push_back(face);
   };
-  for (const auto* edges : {&mesh.boundary_edges, &mesh.interface_edges})
-    for (const QuadBoundaryEdge& e : *edges) add(plate.face_groups[groups.curve2boundary[e.curve]], e.elem, e.side);
+  for (const QuadBoundaryEdge& e : mesh.boundary_edges)
+    add(plate.face_groups[groups.curve2boundary[e.curve]], e.elem, e.side);
   HexFaceGroup ends = named_group(end_name(groups));
   for (int elem = 0; elem < mesh.num_elems(); ++elem) add(ends, elem, 4), add(ends, elem, 5);
   plate.face_groups.push_back(std::move(ends));

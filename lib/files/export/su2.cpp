@@ -45,7 +45,9 @@ class Su2Writer : TextWriter {
     }
   }
 
-  void write_marker(const std::string& name, const std::vector<GroupSide>& sides) {
+  /// Markers are the boundary: an interface of the same name is no part of them.
+  void write_marker(const std::string& name, std::vector<GroupSide> sides) {
+    std::erase_if(sides, [](const GroupSide& at) { return at.is_interface; });
     print("MARKER_TAG= {}\nMARKER_ELEMS= {}\n", name, sides.size());
     for (const GroupSide& at : sides) {
       print("{}", cell_numbers[dim - 1]);

@@ -41,6 +41,16 @@ TEST(Cgns, SectionsAreRegionsAndBoundaries) {
   EXPECT_EQ(request.families[1].boundary, "UserDefined");
 }
 
+TEST(Cgns, AnInterfaceOfABoundarysNameIsInItsSectionAlone) {
+  const QuadMesh mesh = with_interface_called("wall");
+  const CgnsRequest request = cgns_request(cgns_unstructured(mesh, plane_frame(mesh.face)).bytes);
+  const CgnsZone& zone = request.zones[0];
+  EXPECT_EQ(zone.sections[2].name, "wall");
+  EXPECT_EQ(zone.sections[2].count, 5);
+  EXPECT_EQ(zone.boundaries[0].range, (std::vector<std::int64_t>{3, 6}));
+  EXPECT_EQ(zone.boundaries[1].range, (std::vector<std::int64_t>{8, 8}));
+}
+
 /// The order of the ring inside, and its middle last.
 TEST(Cgns, NodesOfOrderFourAreRings) {
   QuadMesh mesh = mesh_of_mask({"#"});

@@ -13,6 +13,7 @@
 #include "export/format_table.hpp"
 #include "export/groups.hpp"
 #include "export/skeleton.hpp"
+#include "two_hexes.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
@@ -152,6 +153,35 @@ TEST(ExportRegions, OpenFoamHasCellZones) {
   EXPECT_TRUE(contains(file.bytes, ") steel ("));
   EXPECT_FALSE(contains(file.bytes, "skin")) << "no patch inside";
   EXPECT_TRUE(contains(all_losses(file), "1 interface is not stored: \"skin\" (blockMesh makes no face zones"));
+}
+
+bool loses_interfaces(const Exported& file) { return contains(all_losses(file), "interface is not stored"); }
+
+void expect_same_files(const Exported& a, const Exported& b, std::string_view format) {
+  EXPECT_EQ(a.bytes, b.bytes) << format;
+  ASSERT_EQ(a.side_files.size(), b.side_files.size()) << format;
+  for (std::size_t k = 0; k < a.side_files.size(); ++k) EXPECT_EQ(a.side_files[k].bytes, b.side_files[k].bytes);
+}
+
+/// Of all formats that have no interfaces.
+TEST(ExportRegions, InterfacesOfABoundarysNameAreNoPartOfIt) {
+  int num_formats = 0, num_hex_formats = 0;
+  HexMesh hexes = two_hexes({}), hexes_without = hexes;
+  hexes.face_groups[2].name = "wall";
+  hexes_without.face_groups.erase(hexes_without.face_groups.begin() + 2);
+  for (const ExportFormat& format : export_formats()) {
+    if (loses_interfaces(export_mesh(with_interface_called("between"), format))) {
+      expect_same_files(export_mesh(with_interface_called("wall"), format), export_mesh(two_quads(), format),
+                        format.name);
+      ++num_formats;
+    }
+    if (format.write_hex != nullptr && loses_interfaces(export_mesh(two_hexes({}), format))) {
+      expect_same_files(export_mesh(hexes, format), export_mesh(hexes_without, format), format.name);
+      ++num_hex_formats;
+    }
+  }
+  EXPECT_GT(num_formats, 0);
+  EXPECT_GT(num_hex_formats, 0);
 }
 
 TEST(ExportRegions, ACrackIsABoundaryWithTwoSides) {

@@ -35,6 +35,16 @@ inline QuadMesh two_quads() {
   return mesh;
 }
 
+/// The same with an interface between the quads: curve 4, and 5 from the other side.
+inline QuadMesh with_interface_called(const std::string& name) {
+  QuadMesh mesh = two_quads();
+  mesh.face.curves.resize(6);
+  mesh.face.curve_names.insert(mesh.face.curve_names.end(), 2, name);
+  mesh.face.partners = {-1, -1, -1, -1, 5, 4};
+  mesh.interface_edges = {{0, 1, 4}, {1, 3, 5}};
+  return mesh;
+}
+
 /// The same with the names that the pages in formats/export give it.
 inline QuadMesh two_quads_of_the_pages() {
   QuadMesh mesh = two_quads();
