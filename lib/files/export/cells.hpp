@@ -1,6 +1,7 @@
 #pragma once
 // Elements of quads and of hexahedra by the same names, for writers of both. Sides of elements are the edges of quads
-// and the faces of hexahedra (hex_face_corners).
+// and the faces of hexahedra (hex_face_corners). An element of order N has (N + 1)^dimension nodes, the first
+// coordinate fastest, a side of a hexahedron (N + 1)^2 from its first corner to the second first.
 
 #include <array>
 #include <type_traits>
@@ -30,7 +31,7 @@ inline int corner_node(const HexMesh& mesh, int elem, int corner) {
   return element_nodes(mesh, elem)[hex_corner_node(mesh.order, corner)];
 }
 
-/// The corners of a side.
+/// The corners of a side: of a quad counter-clockwise, of a hexahedron counter-clockwise seen from outside.
 inline std::array<int, 2> side_corners(const QuadMesh&, int side) { return {side, (side + 1) % 4}; }
 inline std::array<int, 4> side_corners(const HexMesh&, int side) { return hex_face_corners[side]; }
 
@@ -60,8 +61,9 @@ struct GroupSide {
   bool is_interface = false;  ///< it lies inside the mesh, also where its group is a boundary of the same name
 };
 
-/// The boundary in the order of the loops, then the interfaces, each edge once.
-inline std::vector<GroupSide> group_sides(const QuadMesh& mesh, const Groups& groups) {
+/// The boundary in the order of the loops, then the interfaces, each edge once. The numbering is that of hexahedra
+/// only.
+inline std::vector<GroupSide> group_sides(const QuadMesh& mesh, const Groups& groups, const EdgeNumbering& = {}) {
   std::vector<GroupSide> sides;
   for (const QuadBoundaryEdge& e : mesh.boundary_edges)
     sides.push_back({e.elem, e.side, groups.curve2boundary[e.curve], false});
@@ -70,14 +72,18 @@ inline std::vector<GroupSide> group_sides(const QuadMesh& mesh, const Groups& gr
   return sides;
 }
 
-/// Group by group, faces of interfaces once.
-inline std::vector<GroupSide> group_sides(const HexMesh& mesh, const Groups& groups) {
+/// Group by group, faces of interfaces once. `numbering` of the mesh, with edges in any direction; without it errors
+/// are those of number_parts.
+inline std::vector<GroupSide> group_sides(const HexMesh& mesh, const Groups& groups, const HexNumbering& numbering) {
   std::vector<GroupSide> sides;
-  const HexNumbering numbering = number_parts(mesh);
   for (std::size_t g = 0; g < mesh.face_groups.size(); ++g)
     for (const GroupFace at : faces_once(mesh.face_groups[g], numbering))
       sides.push_back({at.elem, at.face, groups.curve2boundary[g], mesh.face_groups[g].is_interface});
   return sides;
+}
+
+inline std::vector<GroupSide> group_sides(const HexMesh& mesh, const Groups& groups) {
+  return group_sides(mesh, groups, number_parts(mesh));
 }
 
 /// The same by group.

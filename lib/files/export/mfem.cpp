@@ -91,7 +91,7 @@ class MfemWriter : TextWriter {
   /// MFEM's boundary may have elements inside the mesh: periodic sides, and interfaces with attributes after those of
   /// the boundary.
   void write_boundary() {
-    const std::vector<GroupSide> sides = group_sides(mesh_, groups_);
+    const std::vector<GroupSide> sides = group_sides(mesh_, groups_, numbering_);
     print("\nboundary\n{}\n", sides.size());
     for (const GroupSide& at : sides) {
       print("{} {}", 1 + at.group, geometry_types[dim - 1]);

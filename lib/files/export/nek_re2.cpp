@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -141,24 +142,23 @@ class Re2Writer {
   }
 
   void write_curved_edges() {
-    std::vector<bool> is_curved;
-    std::vector<Position> middles;
+    std::vector<std::optional<Position>> middles;  // of curved edges
     for (const NumberedEdge& edge : numbering_.edges) {
       const std::vector<int> nodes = edge_nodes(mesh_, edge);
-      is_curved.push_back(is_curved_edge(mesh_, nodes));
-      middles.push_back(middle_of(mesh_, frame_, nodes));
-      if (dim == 2) middles.back()[2] = 0;
+      middles.emplace_back();
+      if (is_curved_edge(mesh_, nodes)) middles.back() = middle_of(mesh_, frame_, nodes);
     }
     const std::vector<int>& edges = numbering_.elem2edges;
     const int per_elem = dim == 2 ? 4 : 12;
-    put(static_cast<double>(std::count_if(edges.begin(), edges.end(), [&](int edge) { return is_curved[edge]; })));
+    put(static_cast<double>(
+        std::count_if(edges.begin(), edges.end(), [&](int edge) { return middles[edge].has_value(); })));
     for (int k = 0; k < static_cast<int>(edges.size()); ++k)
-      if (const auto [x, y, z] = middles[edges[k]]; is_curved[edges[k]])
-        write_record(k / per_elem, k % per_elem, {x, y, z, 0, 0}, "m");
+      if (const std::optional<Position>& x = middles[edges[k]])
+        write_record(k / per_elem, k % per_elem, {(*x)[0], (*x)[1], dim == 2 ? 0 : (*x)[2], 0, 0}, "m");
   }
 
   void write_boundaries() {
-    std::vector<GroupSide> sides = group_sides(mesh_, groups_);
+    std::vector<GroupSide> sides = group_sides(mesh_, groups_, numbering_);
     std::erase_if(sides, [](const GroupSide& at) { return at.is_interface; });
     std::sort(sides.begin(), sides.end(), [](const GroupSide& a, const GroupSide& b) {
       return std::tie(a.elem, a.side) < std::tie(b.elem, b.side);
