@@ -16,10 +16,14 @@ namespace {
 /// CalculiX' greatest length of the name of a set; upper and lower case are the same.
 const WordRules abaqus_set_names{{"NALL", "EALL"}, 80, true};
 
-/// The places of the nodes in a grid of 3 x 3 or 3 x 3 x 3: corners, then middles: of sides counter-clockwise; of edges
-/// below, above and upright.
-std::vector<int> places(const QuadMesh&) { return {0, 2, 8, 6, 1, 5, 7, 3}; }
-std::vector<int> places(const HexMesh&) {
+/// The places of the nodes among those of an element of order 1 or 2: corners, then middles: of sides
+/// counter-clockwise; of edges below, above and upright.
+std::vector<int> abaqus_places(const QuadMesh& mesh) {
+  if (mesh.order == 1) return {0, 1, 3, 2};
+  return {0, 2, 8, 6, 1, 5, 7, 3};
+}
+std::vector<int> abaqus_places(const HexMesh& mesh) {
+  if (mesh.order == 1) return {0, 1, 3, 2, 4, 5, 7, 6};
   return {0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15};
 }
 
@@ -41,7 +45,7 @@ class AbaqusWriter : TextWriter {
  public:
   /// `groups` with interfaces as boundaries.
   AbaqusWriter(const Mesh& mesh, const Groups& groups)
-      : mesh_(mesh), groups_(groups), numbers_(serendipity_numbers(mesh)) {}
+      : mesh_(mesh), groups_(groups), places_(abaqus_places(mesh)), numbers_(serendipity_numbers(mesh)) {}
 
   /// `type` without the number of nodes.
   std::string text(const std::vector<std::array<double, 3>>& positions, const char* type, const PlainNames& words) {
@@ -59,24 +63,15 @@ class AbaqusWriter : TextWriter {
   }
 
  private:
-  std::vector<int> element(int elem) const {
-    std::vector<int> nodes;
-    if (mesh_.order == 1)
-      for (int corner = 0; corner < mesh_.nodes_per_elem(); ++corner) nodes.push_back(corner_node(mesh_, elem, corner));
-    else
-      for (const int local : places(mesh_)) nodes.push_back(element_nodes(mesh_, elem)[local]);
-    return nodes;
-  }
-
   /// At most 16 numbers in a line, which goes on after a comma.
   void write_elements(const char* type, const NameList& regions) {
     const std::vector<std::vector<int>> elems = elements_by_region(mesh_, groups_);
     for (std::size_t r = 0; r < regions.size(); ++r) {
-      print("*ELEMENT, TYPE={}{}, ELSET={}\n", type, element(0).size(), regions[r]);
+      print("*ELEMENT, TYPE={}{}, ELSET={}\n", type, places_.size(), regions[r]);
       for (const int elem : elems[r]) {
         print("{}", elem + 1);
-        const std::vector<int> nodes = element(elem);
-        for (std::size_t k = 0; k < nodes.size(); ++k) print("{}{}", k == 15 ? ",\n" : ", ", numbers_[nodes[k]]);
+        for (std::size_t k = 0; k < places_.size(); ++k)
+          print("{}{}", k == 15 ? ",\n" : ", ", numbers_[element_nodes(mesh_, elem)[places_[k]]]);
         print("\n");
       }
     }
@@ -106,6 +101,7 @@ class AbaqusWriter : TextWriter {
 
   const Mesh& mesh_;
   const Groups& groups_;
+  std::vector<int> places_;
   std::vector<int> numbers_;  ///< by mesh node, from 1; 0: it is not written
 };
 

@@ -141,11 +141,15 @@ class ExodusFile {
 /// Elements of order 2 with all nodes, or with those on edges alone.
 enum class ExodusNodes { all, on_edges };
 
-/// The places of the nodes of elements of order 2 in a grid of 3 x 3: corners, middles of the sides after them, the
-/// middle; or of 3 x 3 x 3: corners, middles of the edges below, upright and above, the middle of the element, middles
-/// of the faces: below, above, then low and high first and second coordinate.
-std::vector<int> exodus_places(const QuadMesh&) { return {0, 2, 8, 6, 1, 5, 7, 3, 4}; }
-std::vector<int> exodus_places(const HexMesh&) {
+/// The places of the nodes among those of an element of order 1 or 2. Of a quad: corners, middles of the sides after
+/// them, the middle; of a hexahedron: corners, middles of the edges below, upright and above, the middle of the
+/// element, middles of the faces: below, above, then low and high first and second coordinate.
+std::vector<int> exodus_places(const QuadMesh& mesh) {
+  if (mesh.order == 1) return {0, 1, 3, 2};
+  return {0, 2, 8, 6, 1, 5, 7, 3, 4};
+}
+std::vector<int> exodus_places(const HexMesh& mesh) {
+  if (mesh.order == 1) return {0, 1, 3, 2, 4, 5, 7, 6};
   return {0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 9, 11, 17, 15, 19, 23, 25, 21, 13, 4, 22, 12, 14, 10, 16};
 }
 
@@ -153,7 +157,8 @@ template <typename Mesh>
 class ExodusParts {
  public:
   /// `groups` with interfaces as boundaries.
-  ExodusParts(const Mesh& mesh, const Groups& groups, ExodusNodes nodes) : mesh_(mesh), groups_(groups) {
+  ExodusParts(const Mesh& mesh, const Groups& groups, ExodusNodes nodes)
+      : mesh_(mesh), groups_(groups), places_(exodus_places(mesh)) {
     if (nodes == ExodusNodes::on_edges) {
       node2number_ = serendipity_numbers(mesh);
     } else {
@@ -198,17 +203,13 @@ class ExodusParts {
   }
 
   void add_nodes(int elem, ExodusBlock& block) const {
-    const auto add = [&](int node) {
-      if (node2number_[node] > 0) block.nodes.push_back(node2number_[node]);
-    };
-    if (mesh_.order == 1)
-      for (int corner = 0; corner < mesh_.nodes_per_elem(); ++corner) add(corner_node(mesh_, elem, corner));
-    else
-      for (const int local : exodus_places(mesh_)) add(element_nodes(mesh_, elem)[local]);
+    for (const int local : places_)
+      if (const int number = node2number_[element_nodes(mesh_, elem)[local]]; number > 0) block.nodes.push_back(number);
   }
 
   const Mesh& mesh_;
   const Groups& groups_;
+  std::vector<int> places_;
   std::vector<int> node2number_;           ///< by mesh node, from 1; 0: it is not written
   std::vector<std::int32_t> elem2number_;  ///< by element
   ExodusModel model_;
