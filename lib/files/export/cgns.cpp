@@ -49,9 +49,9 @@ std::vector<int> cgns_quad_order(int order) {
 std::vector<int> cgns_hex_order(int order) {
   std::vector<int> nodes;
   for (int corner = 0; corner < 8; ++corner) nodes.push_back(hex_corner_node(order, corner));
-  for (const auto& [from, to] : cgns_hex_edges) {
-    const int start = hex_corner_node(order, from), step = (hex_corner_node(order, to) - start) / order;
-    for (int k = 1; k < order; ++k) nodes.push_back(start + k * step);
+  for (const auto& corners : cgns_hex_edges) {
+    const std::vector<int> edge = local_edge_nodes(order, corners);
+    nodes.insert(nodes.end(), edge.begin() + 1, edge.end() - 1);
   }
   std::vector<int> inside = cgns_quad_order(order);
   inside.erase(inside.begin(), inside.begin() + 4 * order);

@@ -13,20 +13,11 @@ namespace quadrille::exports {
 
 namespace {
 
-/// Where the nodes of an edge stand among those of its element.
-std::vector<int> hex_edge_nodes(int order, int edge) {
-  const auto [from, to] = hex_edge_corners[edge];
-  const int start = hex_corner_node(order, from), step = (hex_corner_node(order, to) - start) / order;
-  std::vector<int> nodes;
-  for (int k = 0; k <= order; ++k) nodes.push_back(start + k * step);
-  return nodes;
-}
-
 class HexNumbers {
  public:
   explicit HexNumbers(const HexMesh& mesh)
       : mesh_(mesh), node2vertex_(mesh.nodes.size(), -1), edges_(mesh.nodes.size()), faces_(mesh.nodes.size()) {
-    for (int edge = 0; edge < 12; ++edge) local_edges_[edge] = hex_edge_nodes(mesh.order, edge);
+    for (int edge = 0; edge < 12; ++edge) local_edges_[edge] = local_edge_nodes(mesh.order, hex_edge_corners[edge]);
     for (int face = 0; face < 6; ++face) local_faces_[face] = local_face_nodes(mesh.order, hex_face_corners[face]);
   }
 
@@ -137,12 +128,19 @@ QuadMesh bottom_quads(const HexMesh& mesh) {
 HexNumbering number_parts(const HexMesh& mesh) { return HexNumbers(mesh).build(); }
 
 std::vector<int> edge_nodes(const HexMesh& mesh, int elem, int edge) {
-  return nodes_at(mesh, elem, hex_edge_nodes(mesh.order, edge));
+  return nodes_at(mesh, elem, local_edge_nodes(mesh.order, hex_edge_corners[edge]));
 }
 
 std::vector<int> edge_nodes(const HexMesh& mesh, const NumberedEdge& edge) {
   std::vector<int> nodes = edge_nodes(mesh, edge.elem, edge.edge);
   if (edge.is_reversed) std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+std::vector<int> local_edge_nodes(int order, const std::array<int, 2>& corners) {
+  const int start = hex_corner_node(order, corners[0]), step = (hex_corner_node(order, corners[1]) - start) / order;
+  std::vector<int> nodes;
+  for (int k = 0; k <= order; ++k) nodes.push_back(start + k * step);
   return nodes;
 }
 

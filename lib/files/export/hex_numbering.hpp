@@ -62,8 +62,11 @@ HexNumbering number_parts(const HexMesh& mesh);
 std::vector<int> edge_nodes(const HexMesh& mesh, int elem, int edge);
 std::vector<int> edge_nodes(const HexMesh& mesh, const NumberedEdge& edge);
 
-/// Where the nodes of a face stand among those of its element, from its first corner to the second first, then towards
-/// the fourth.
+/// Where the order + 1 nodes of an edge stand among those of its element, from its first corner to the second.
+std::vector<int> local_edge_nodes(int order, const std::array<int, 2>& corners);
+
+/// Where the (order + 1)^2 nodes of a face stand among those of its element, from its first corner to the second first,
+/// then towards the fourth.
 std::vector<int> local_face_nodes(int order, const std::array<int, 4>& corners);
 
 /// Mesh nodes of a face of an element in the order of hex_face_corners, or from other corners on.

@@ -19,9 +19,10 @@ std::vector<int> vtk_hex_order(int order) {
   std::vector<int> node_order;
   const auto add = [&](int i, int j, int k) { node_order.push_back((k * (n + 1) + j) * (n + 1) + i); };
   for (int c = 0; c < 8; ++c) node_order.push_back(hex_corner_node(n, c));
-  for (const auto& [from, to] : hex_edge_corners)
-    for (int k = 1; k < n; ++k)
-      node_order.push_back(hex_corner_node(n, from) + k * (hex_corner_node(n, to) - hex_corner_node(n, from)) / n);
+  for (const auto& corners : hex_edge_corners) {
+    const std::vector<int> edge = local_edge_nodes(n, corners);
+    node_order.insert(node_order.end(), edge.begin() + 1, edge.end() - 1);
+  }
   const auto for_inner = [&](const auto& act) {
     for (int b = 1; b < n; ++b)
       for (int a = 1; a < n; ++a) act(a, b);
