@@ -114,9 +114,10 @@ CurvedParts curved_parts(const HexMesh& mesh, const HexNumbering& numbering) {
 
 using MemberLists = std::vector<std::vector<int>>;  ///< edges or faces of each boundary and interface
 
-/// Nektar++ couples the edges of two periodic composites in the order of their lists.
-bool order_periodic_sides(const QuadMesh& mesh, const EdgeNumbering& numbering, const Groups& groups,
-                          MemberLists& lists) {
+/// Nektar++ couples the edges of two periodic composites in the order of their lists. Returns the loss of those that
+/// are not coupled, empty if there are none.
+std::string order_periodic_sides(const QuadMesh& mesh, const EdgeNumbering& numbering, const Groups& groups,
+                                 MemberLists& lists) {
   std::map<int, int> images;
   const auto edge = [&](int e) {
     return numbering.elem2edges[4 * mesh.boundary_edges[e].elem + mesh.boundary_edges[e].side];
@@ -127,12 +128,12 @@ bool order_periodic_sides(const QuadMesh& mesh, const EdgeNumbering& numbering, 
     if (cyclic[b].neighbour >= 0 && cyclic[b].is_first)
       std::transform(lists[b].begin(), lists[b].end(), lists[cyclic[b].neighbour].begin(),
                      [&](int of) { return images.at(of); });
-  return true;
+  return cyclic_loss(mesh.face, groups, cyclic, "a composite has periodic curves of one motion only");
 }
 
-/// The same of faces. False if a composite of several groups has no one motion, so that it is not coupled.
-bool order_periodic_sides(const HexMesh& mesh, const HexNumbering& numbering, const Groups& groups,
-                          MemberLists& lists) {
+/// The same of faces: a composite of several groups without one motion is not coupled.
+std::string order_periodic_sides(const HexMesh& mesh, const HexNumbering& numbering, const Groups& groups,
+                                 MemberLists& lists) {
   std::map<int, int> images;
   std::map<int, int> neighbours;  // of composites
   for (const PeriodicFaces& pair : periodic_faces(mesh)) {
@@ -148,20 +149,18 @@ bool order_periodic_sides(const HexMesh& mesh, const HexNumbering& numbering, co
     if (is_whole)
       std::transform(from.begin(), from.end(), lists[second].begin(), [&](int face) { return images.at(face); });
   }
-  return are_coupled;
+  return are_coupled ? "" : periodic_loss(mesh, "a composite has faces of one motion only");
 }
 
 /// Writes a mesh that is turned along its chords.
 template <typename Mesh>
 class NektarWriter : TextWriter {
  public:
-  NektarWriter(const Mesh& mesh, std::vector<std::array<double, 3>> positions)
-      : mesh_(mesh),
-        positions_(std::move(positions)),
-        numbering_(number_directed_parts(mesh)),
-        groups_(mesh_groups(mesh)) {}
+  NektarWriter(const Mesh& mesh, std::vector<std::array<double, 3>> positions, const Groups& groups)
+      : mesh_(mesh), positions_(std::move(positions)), numbering_(number_directed_parts(mesh)), groups_(groups) {}
 
-  std::string text(int space_dim) {
+  /// The file, and the loss of periodic sides.
+  Exported exported(int space_dim) {
     print("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<NEKTAR>\n");
     print("  <GEOMETRY DIM=\"{}\" SPACE=\"{}\">\n", mesh_dimension<Mesh>, space_dim);
     write_vertices();
@@ -178,11 +177,11 @@ class NektarWriter : TextWriter {
         "  </GEOMETRY>\n  <EXPANSIONS>\n    <E COMPOSITE=\"C[{}]\" NUMMODES=\"{}\" TYPE=\"MODIFIED\" FIELDS=\"u\" />\n",
         ranges(region_ids_), mesh_.order + 1);
     print("  </EXPANSIONS>\n</NEKTAR>\n");
-    return std::move(out_);
+    Exported result;
+    result.bytes = std::move(out_);
+    result.add_loss(periodic_loss_);
+    return result;
   }
-
-  /// Groups whose sides are coupled in the order of their lists.
-  bool are_coupled() const { return are_coupled_; }
 
  private:
   static constexpr bool is_hex = mesh_dimension<Mesh> == 3;
@@ -256,9 +255,9 @@ class NektarWriter : TextWriter {
   void write_composites() {
     const std::vector<std::string> names = boundary_and_interface_names(groups_);
     MemberLists sides(names.size());
-    for (const GroupSide& at : group_sides(mesh_, groups_)) sides[at.group].push_back(number_of(at));
+    for (const GroupSide& at : group_sides(mesh_, groups_, numbering_)) sides[at.group].push_back(number_of(at));
     for (std::vector<int>& list : sides) std::sort(list.begin(), list.end());
-    are_coupled_ = order_periodic_sides(mesh_, numbering_, groups_, sides);
+    periodic_loss_ = order_periodic_sides(mesh_, numbering_, groups_, sides);
     int id = 1;
     print("    <COMPOSITE>\n");
     for (std::size_t b = 0; b < names.size(); ++b) write_composite(id++, names[b], is_hex ? 'F' : 'E', sides[b]);
@@ -278,9 +277,9 @@ class NektarWriter : TextWriter {
   const Mesh& mesh_;
   std::vector<std::array<double, 3>> positions_;
   decltype(number_directed_parts(std::declval<Mesh>())) numbering_;
-  Groups groups_;
+  const Groups& groups_;
   std::vector<int> region_ids_;
-  bool are_coupled_ = true;
+  std::string periodic_loss_;
 };
 
 /// A sentence about names that XML cannot represent, if there are any.
@@ -297,30 +296,25 @@ void add_nektar_names_loss(const Groups& groups, Exported& exported) {
 }  // namespace
 
 Exported nektar_xml(const QuadMesh& mesh, const Frame& frame) {
-  Exported exported;
   const QuadMesh turned = turned_along_chords(mesh);
-  exported.bytes =
-      NektarWriter(turned, positions(turned, frame, ElementPoints::nodes)).text(space_dimension(mesh, frame));
   const Groups groups = mesh_groups(mesh);
-  exported.add_loss(cyclic_loss(mesh.face, groups, cyclic_patches(mesh, groups, {}),
-                                "a composite has periodic curves of one motion only"));
+  Exported exported = NektarWriter(turned, positions(turned, frame, ElementPoints::nodes), groups)
+                          .exported(space_dimension(mesh, frame));
   add_nektar_names_loss(groups, exported);
   return exported;
 }
 
 Exported nektar_xml(const HexMesh& mesh) {
-  Exported exported;
   const HexMesh turned = turned_along_chords(mesh);
-  NektarWriter writer(turned, positions(turned, ElementPoints::nodes));
-  exported.bytes = writer.text(3);
-  if (!writer.are_coupled()) exported.add_loss(periodic_loss(mesh, "a composite has faces of one motion only"));
+  const Groups groups = mesh_groups(mesh);
+  Exported exported = NektarWriter(turned, positions(turned, ElementPoints::nodes), groups).exported(3);
   const double moved = face_blend_loss(mesh);
   if (moved > 1e-12 * mesh.diameter)
     exported.add_loss(
         "nodes inside elements are not stored; Nektar++ rebuilds them from the faces, which moves them by up "
         "to " +
         length_text(moved, mesh.diameter));
-  add_nektar_names_loss(mesh_groups(mesh), exported);
+  add_nektar_names_loss(groups, exported);
   return exported;
 }
 
