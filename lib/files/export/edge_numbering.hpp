@@ -5,12 +5,11 @@
 //
 // Index base 0. Two edges between the same two vertices stay separate: their inner nodes differ (order >= 2).
 //
-// Edges directed so that opposite sides of every element are parallel, and elements that start where both directions
-// begin.
-//
-// A chord crosses each element from one side to the opposite one. Edges that run from its right to its left are
-// parallel. Such directions always exist: a chord of a mesh in the plane has a left and a right, so it cannot return to
-// an edge with both exchanged. A chord that crosses itself passes an element twice, once through each pair of sides.
+// For Nektar++ edges are directed so that opposite sides of every element are parallel, and elements start where both
+// directions begin. A chord crosses each element from one side to the opposite one. Edges that run from its right to
+// its left are parallel. Such directions always exist: a chord of a mesh in the plane has a left and a right, so it
+// cannot return to an edge with both exchanged. A chord that crosses itself passes an element twice, once through each
+// pair of sides.
 
 #include <array>
 #include <vector>
@@ -64,9 +63,10 @@ class KeyNumbers {
   std::vector<Key> keys_;
 };
 
+/// Linear cost.
 EdgeNumbering number_parts(const QuadMesh& mesh);
 
-/// Mesh nodes of an edge in its own direction, both ends included.
+/// The order + 1 mesh nodes of an edge in its own direction.
 std::vector<int> edge_nodes(const QuadMesh& mesh, const NumberedEdge& edge);
 
 /// Throws ComputeError with the position if two edges join the same two vertices, which `reader` could not distinguish.

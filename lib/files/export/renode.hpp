@@ -1,11 +1,8 @@
 #pragma once
-// The same element polynomials by other nodes: each format defines its own points, or control points, on an edge.
-//
-// The same element polynomials by Bernstein control points, as VTK's Bezier cells define them.
-//
-// The same element polynomials through equispaced nodes, as Gmsh, VTK, CGNS and others define them.
-//
-// The nodes of HOHQMesh's formats: t_j = -cos(j pi / N), j = 0 .. N, ascending in [-1, 1].
+// The same element polynomials by the points of other formats, in place of Gauss-Lobatto-Legendre nodes: equispaced
+// nodes (Gmsh, VTK, CGNS and others), Bernstein control points (VTK's Bezier cells), or the Chebyshev-Lobatto nodes of
+// HOHQMesh's formats. Any order N >= 1; lengths have the unit of the file. And what a reader loses that knows the sides
+// of an element only.
 
 #include <Eigen/Dense>
 #include <string>
@@ -39,13 +36,13 @@ std::vector<std::array<double, 3>> positions(const HexMesh& mesh, ElementPoints 
 /// The same by any matrix that renoded accepts.
 std::vector<Vec3> renoded(const HexMesh& mesh, const Eigen::MatrixXd& from_gll);
 
-/// A node of the mesh in the frame or, of a curved face, in space.
+/// A node of the mesh in the frame, or in space if the face is curved.
 std::array<double, 3> position(const QuadMesh& mesh, const Frame& frame, int node);
 
-/// The number of coordinates that positions need.
+/// The number of coordinates that positions need: 3 on a curved face and in a frame other than the plane z = 0, else 2.
 int space_dimension(const QuadMesh& mesh, const Frame& frame);
 
-/// The order + 1 Chebyshev-Gauss-Lobatto points, exactly antisymmetric about 0.
+/// The order + 1 Chebyshev-Lobatto points t_j = -cos(j pi / N), ascending in [-1, 1], exactly antisymmetric about 0.
 std::vector<double> chebyshev_lobatto_points(int order);
 
 // The loss if a reader knows only the sides of an element and rebuilds its interior from them by the blend of Gordon

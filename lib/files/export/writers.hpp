@@ -1,7 +1,7 @@
 #pragma once
 // The writers of the formats, one source for each program; format_table has a row for each of them. They throw
-// ComputeError, with the position, for a mesh that the format cannot hold. A writer of hexahedra has the name of that
-// of quads; boundaries are groups of faces there, positions are those of the CAD model.
+// ComputeError, with the position, for a mesh that the format cannot hold. Writers of hexahedra are overloads, but for
+// abaqus_c3d; boundaries are groups of faces there, positions are those of the CAD model.
 
 #include <fmt/format.h>
 
