@@ -54,7 +54,7 @@ struct QuadMesh {
   std::vector<std::string> block_names;
   std::vector<int> unnamed_blocks;  ///< ascending: blocks without a given name; theirs is made from their number
   std::vector<int> block_region;    ///< region of each block; empty: there is one region
-  int num_irregular = 0;            ///< irregular nodes of the layout, interior (V != 4)
+  int num_irregular = 0;            ///< inner irregular nodes (V != 4), also of rings around tips
   double least_jacobian_bound = 0;  ///< the least of elem_jacobian_bound
   bool is_valid = true;             ///< every element is proved valid: least_jacobian_bound > 0
 

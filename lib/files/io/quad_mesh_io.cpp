@@ -46,7 +46,7 @@ void describe(Archive& archive, QuadMesh& mesh) {
   archive.nonempty_field("interface_edges", mesh.interface_edges, describe_edge);
   describe_open_curves(archive, mesh.open_curves);
   describe_blocks(archive, mesh.block_names, mesh.unnamed_blocks, mesh.block_region);
-  archive.field("num_irregular", mesh.num_irregular, {"", "interior irregular nodes of the layout"});
+  archive.field("num_irregular", mesh.num_irregular, {"", "inner irregular nodes, also of rings around tips"});
   if (!archive.has("least_jacobian_bound")) mesh.least_jacobian_bound = least(mesh.elem_jacobian_bound);
   archive.later_field("least_jacobian_bound", mesh.least_jacobian_bound, {"length^2", "least of elem_jacobian_bound"});
   archive.later_field("is_valid", mesh.is_valid, {"", "whether every element is proved valid"});
