@@ -223,7 +223,7 @@ std::vector<guide::CornerOverride> corners_without_nodes(const CadFace& face, co
   return corners;
 }
 
-bool has_spare_nodes(const CriticalPoints& points, const std::vector<int>& region_elems) {
+bool has_opposite_nodes(const CriticalPoints& points, const std::vector<int>& region_elems) {
   const auto region_of = [&](const CriticalPoint& p) { return std::ranges::upper_bound(region_elems, p.elem); };
   for (const CriticalPoint& a : points.critical_points)
     for (const CriticalPoint& b : points.critical_points)

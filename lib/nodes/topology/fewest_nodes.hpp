@@ -21,7 +21,7 @@ std::vector<guide::CornerOverride> corners_without_nodes(const CadFace& face, co
 
 /// Whether a region has nodes of both signs, of which keep_fewest_nodes merges some. `region_elems`: of the mesh that
 /// has the nodes (model/tri_mesh).
-bool has_spare_nodes(const CriticalPoints& points, const std::vector<int>& region_elems);
+bool has_opposite_nodes(const CriticalPoints& points, const std::vector<int>& region_elems);
 
 /// As long as there are nodes of both signs, merges the two of opposite index that are nearest to each other. Pairs at
 /// equal distances (within 1e-6 diameters) are merged together, and pairs that share a node as one: one node of the

@@ -194,7 +194,7 @@ std::vector<OtherNodes> other_nodes(ChainState& chain) {
   const TriMesh& mesh = chain.files.field.model().mesh;
   const CadFace& face = mesh.face;
   std::vector<OtherNodes> others{{{"--place", "energy"}, is_uneven}};
-  if (!has_far_field(face) && topology::has_spare_nodes(chain.files.of_nodes.nodes.model(), mesh.region_elems))
+  if (!has_far_field(face) && topology::has_opposite_nodes(chain.files.of_nodes.nodes.model(), mesh.region_elems))
     others.insert(face.chart ? others.begin() : others.end(), {{"--nodes", "fewest"}, face.chart ? is_any : is_faulty});
   if (chain.options.has("critpoints", "--topology")) return others;
   for (const topology::GridKind grid :

@@ -94,16 +94,16 @@ CriticalPoints fewest(const CadFace& face, const std::vector<CriticalPoint>& nod
 TEST(SpareNodes, AreThoseOfBothSignsInOneRegion) {
   CriticalPoints points;
   for (const auto& [index, elem] : {std::pair(1, 0), {1, 5}, {-1, 7}}) {
-    EXPECT_FALSE(has_spare_nodes(points, {}));
+    EXPECT_FALSE(has_opposite_nodes(points, {}));
     points.critical_points.emplace_back();
     points.critical_points.back().index = index;
     points.critical_points.back().elem = elem;
   }
-  EXPECT_TRUE(has_spare_nodes(points, {}));
-  EXPECT_TRUE(has_spare_nodes(points, {0, 4, 8}));
-  EXPECT_FALSE(has_spare_nodes(points, {0, 6, 8}));
+  EXPECT_TRUE(has_opposite_nodes(points, {}));
+  EXPECT_TRUE(has_opposite_nodes(points, {0, 4, 8}));
+  EXPECT_FALSE(has_opposite_nodes(points, {0, 6, 8}));
   points.critical_points.back().source = NodeSource::divide;
-  EXPECT_FALSE(has_spare_nodes(points, {}));
+  EXPECT_FALSE(has_opposite_nodes(points, {}));
 }
 
 TEST(FewestNodes, OfOneSignStay) {
