@@ -52,7 +52,7 @@ struct DivideOptions {
   double tolerance = 0;  ///< greatest distance between an interval's polynomial and its curve, > 0, a length
   /// Where no growth is prescribed (slope 0), an interval that misses the tolerance becomes shorter alone, however long
   /// its neighbours are, for relaxation moves vertices; else all of its segment do.
-  bool shortens_alone = false;
+  bool shortens_single_intervals = false;
 };
 
 /// More intervals than this are an error.

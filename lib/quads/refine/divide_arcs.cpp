@@ -144,7 +144,7 @@ Corrections find_corrections(const ChordTask& task, const ChordDivision& divisio
         anchors_that_end_elements(task, division.anchored.anchors, i, arc.low(k), arc.high(k));
     found.anchors.insert(found.anchors.end(), anchors.begin(), anchors.end());
     if (!anchors.empty()) continue;
-    if (task.plan.slope == 0 && !task.options.shortens_alone) {
+    if (task.plan.slope == 0 && !task.options.shortens_single_intervals) {
       const int along_chord = task.chord.backwards[i] ? arc.num_intervals() - 1 - k : k;
       double& worst = found.worst_errors[segment_of(division.counts, along_chord)];
       worst = std::max(worst, error);
