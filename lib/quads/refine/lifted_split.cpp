@@ -139,7 +139,7 @@ bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double toleranc
   return after > std::pow(factor, slow_power) * before;
 }
 
-bool approaches_bend(const mesh::ChartMap& map, const LiftedMesh& last, const LiftedMesh& next, int num_rounds) {
+bool is_resolving_bend(const mesh::ChartMap& map, const LiftedMesh& last, const LiftedMesh& next, int num_rounds) {
   if (!(next.farthest_distance() < last.farthest_distance())) return false;
   const double step = size_of_worst(next) / next.mesh.order, radius = least_radius(map, next.mesh, next.farthest());
   return step > radius && std::pow(least_factor, num_rounds) * step <= radius;

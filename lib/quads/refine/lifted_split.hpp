@@ -54,7 +54,7 @@ bool fell_slowly(const LiftedMesh& last, const LiftedMesh& next, double toleranc
 
 /// Whether the distance fell, and may fall slowly without a kink: in the element that is farthest from the surface,
 /// nodes are farther apart than the radius of curvature there, and not after this many more rounds.
-bool approaches_bend(const mesh::ChartMap& map, const LiftedMesh& last, const LiftedMesh& next, int num_rounds);
+bool is_resolving_bend(const mesh::ChartMap& map, const LiftedMesh& last, const LiftedMesh& next, int num_rounds);
 
 /// The power to expect in a round: N + 1 of a smooth surface. Elements that are too far after a round are where
 /// curvatures jump, as at the knots of a cubic surface: then 2.

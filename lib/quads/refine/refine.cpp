@@ -144,7 +144,7 @@ SplitMesh lifted_split(const mesh::ChartMap& map, double tolerance, const Surfac
     LiftedMesh next_there = lifted(map, next->mesh, surface, request.report.progress());
     if (next_there.mesh.nodes == last.mesh.nodes) break;
     const bool is_slow = fell_slowly(last, next_there, tolerance, power);
-    const bool is_approach = is_slow && approaches_bend(map, last, next_there, max_lifts - num_approaches);
+    const bool is_approach = is_slow && is_resolving_bend(map, last, next_there, max_lifts - num_approaches);
     num_approaches += is_approach;
     num_slow = is_slow && !is_approach ? num_slow + 1 : 0;
     if (is_nearer(next_there, there)) best = std::move(*next), there = next_there;

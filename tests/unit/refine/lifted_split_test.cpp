@@ -249,10 +249,10 @@ TEST(LiftedSplit, ABendIsApproachedWhileElementsAreLongerThanItsRadius) {
   };
   const LiftedMesh far = with(4, 0.2), next = with(1.5, 0.1);
   const mesh::ChartMap map(next.mesh.face);
-  EXPECT_TRUE(approaches_bend(map, far, next, 1));
-  EXPECT_FALSE(approaches_bend(map, far, next, 0)) << "no round is left";
-  EXPECT_FALSE(approaches_bend(map, with(4, 0.05), next, 1)) << "the distance rose";
-  EXPECT_FALSE(approaches_bend(map, far, with(0.5, 0.1), 1)) << "the bend is resolved";
+  EXPECT_TRUE(is_resolving_bend(map, far, next, 1));
+  EXPECT_FALSE(is_resolving_bend(map, far, next, 0)) << "no round is left";
+  EXPECT_FALSE(is_resolving_bend(map, with(4, 0.05), next, 1)) << "the distance rose";
+  EXPECT_FALSE(is_resolving_bend(map, far, with(0.5, 0.1), 1)) << "the bend is resolved";
 }
 
 }  // namespace
