@@ -153,7 +153,7 @@ bool has_clearance(const FreePart& part) {
 }
 
 double growth_between(const std::vector<WallSpec>& specs, const WallPair& walls, const NormalLineSample& line) {
-  const auto growth = [&](int spec) { return growth_beyond(specs[spec]) * own_scale_range(specs[spec], line); };
+  const auto growth = [&](int spec) { return growth_beyond(specs[spec]) * chart_growth_factor(specs[spec], line); };
   return walls.second < 0 ? growth(walls.first) : std::min(growth(walls.first), growth(walls.second));
 }
 
@@ -231,7 +231,7 @@ FittedLayers fit_layers(const std::vector<WallSpec>& specs, const std::vector<No
 
 }  // namespace
 
-double own_scale_range(const WallSpec& spec, const NormalLineSample& line) {
+double chart_growth_factor(const WallSpec& spec, const NormalLineSample& line) {
   return spec.own_blocks ? line.scale_range : 1;
 }
 

@@ -30,7 +30,7 @@ struct NormalLineSample {
 
 /// By how much more than in space intervals may grow along the line in the chart, where the layers have blocks of their
 /// own: there one interval is left above them, no longer than their growth allows. 1 elsewhere.
-double own_scale_range(const WallSpec& spec, const NormalLineSample& line);
+double chart_growth_factor(const WallSpec& spec, const NormalLineSample& line);
 
 /// LayerConstants::lines_per_block lines across every block with walls, its sides among them; a block between two walls
 /// is crossed once. `arc_sizes`: by arc, the prescribed interval.

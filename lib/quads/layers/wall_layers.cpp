@@ -57,7 +57,7 @@ void allow_for_chart(const WallInput& input, const std::vector<NormalLineSample>
   std::vector<double> ranges(input.specs.size(), 1);
   for (const NormalLineSample& line : lines)
     for (const int spec : {line.front, line.back})
-      if (spec >= 0) ranges[spec] = std::max(ranges[spec], own_scale_range(input.specs[spec], line));
+      if (spec >= 0) ranges[spec] = std::max(ranges[spec], chart_growth_factor(input.specs[spec], line));
   for (const auto& [arc, end, side] : plan.walls.layered_ends())
     plan.requests.spacings[arc][end].growth *= ranges[plan.walls.sides[side].spec];
 }
