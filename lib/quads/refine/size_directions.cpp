@@ -62,7 +62,7 @@ double SizeEnergy::add_skewness_in_plane(int elem, const Tangents& at, Tangents&
   return sum;
 }
 
-void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes, std::vector<Vec2> growths) {
+void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes, std::vector<Vec2> log_size_gradients) {
   double squares = 0, count = 0;
   inverse_size_.assign(sizes.size(), {1, 1});
   for (int elem = 0; elem < static_cast<int>(sizes.size()); ++elem) {
@@ -76,28 +76,28 @@ void SizeEnergy::set_sizes(const std::vector<Vec2>& sizes, std::vector<Vec2> gro
   const double factor = std::sqrt(count / squares);
   for (std::size_t elem = 0; elem < sizes.size(); ++elem)
     inverse_size_[elem] = {factor / sizes[elem].x, factor / sizes[elem].y};
-  growths_ = std::move(growths);
-  if (growths_.empty()) return;
+  log_size_gradients_ = std::move(log_size_gradients);
+  if (log_size_gradients_.empty()) return;
   first_inverse_size_ = inverse_size_;
   first_middle_.clear();
   for (int elem = 0; elem < static_cast<int>(sizes.size()); ++elem) first_middle_.push_back(middle(elem));
 }
 
 /// To those where the elements are now.
-void SizeEnergy::grow_sizes() {
-  for (int elem = 0; elem < static_cast<int>(growths_.size()); ++elem)
+void SizeEnergy::update_sizes() {
+  for (int elem = 0; elem < static_cast<int>(log_size_gradients_.size()); ++elem)
     inverse_size_[elem] =
-        std::exp(-dot(growths_[elem], middle(elem) - first_middle_[elem])) * first_inverse_size_[elem];
+        std::exp(-dot(log_size_gradients_[elem], middle(elem) - first_middle_[elem])) * first_inverse_size_[elem];
 }
 
 /// The derivative by the middle, as which the lengths grow: `by` are those by x_s and x_t.
 Vec2 SizeEnergy::by_middle(int elem, const Tangents& at, const Tangents& by) const {
-  if (growths_.empty()) return {};
+  if (log_size_gradients_.empty()) return {};
   const Vec2 scale = inverse_size_[elem];
   double by_scale = 0;  // by the logarithm of both inverse lengths
   for (int k = 0; k < rule(elem).size; ++k)
     by_scale += dot(by.a[k], in_plane(elem, at.a[k])) / scale.x + dot(by.b[k], in_plane(elem, at.b[k])) / scale.y;
-  return -by_scale * growths_[elem];
+  return -by_scale * log_size_gradients_[elem];
 }
 
 Vec2 SizeEnergy::middle(int elem) const {

@@ -139,7 +139,7 @@ void SizeEnergy::place(const VertexMoves& moves) {
   }
   for (CurvedSide& side : sides_)
     if (side.edge >= 0) place_side(side, moves);
-  grow_sizes();
+  update_sizes();
 }
 
 void SizeEnergy::place_side(CurvedSide& side, const VertexMoves& moves) const {

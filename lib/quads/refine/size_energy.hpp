@@ -49,9 +49,9 @@ class SizeEnergy {
   SizeEnergy(const RelaxProblem& problem, const QuadMesh& shaped);
 
   /// The prescribed lengths of each element along s and t; scaled by one factor, so that as many rectangles of these
-  /// lengths as there are elements fill the mesh. `growths`: of each element the gradient of the logarithm of its
-  /// lengths, which are those given where its middle is now; empty: lengths stay.
-  void set_sizes(const std::vector<Vec2>& sizes, std::vector<Vec2> growths = {});
+  /// lengths as there are elements fill the mesh. `log_size_gradients`: of each element the gradient of the logarithm
+  /// of its lengths, which are those given where its middle is now; empty: lengths stay.
+  void set_sizes(const std::vector<Vec2>& sizes, std::vector<Vec2> log_size_gradients = {});
   /// The weight w of the shape of each element, and of its angles (refine/skew_energy).
   std::vector<double> shape_weights, skew_weights;
   /// How many elements each one stands for (refine/count_relaxer).
@@ -133,7 +133,7 @@ class SizeEnergy {
   double slopes(int elem, const Tangents& at, Tangents& by) const;
   std::array<Vec2, 4> by_corners(int elem, const Tangents& by) const;
   Vec2 middle(int elem) const;
-  void grow_sizes();
+  void update_sizes();
   Vec2 by_middle(int elem, const Tangents& at, const Tangents& by) const;
   void add_element(int elem, EnergyDerivatives& sum);
   SidePoints by_shifts(const Sides& sides, int side, const Tangents& by) const;
@@ -167,7 +167,7 @@ class SizeEnergy {
   std::vector<Sides> curved_;
   std::vector<bool> is_free_;
   std::vector<Vec2> inverse_size_;                       ///< along s and t, where the energy was computed last
-  std::vector<Vec2> growths_;                            ///< by element; empty: none
+  std::vector<Vec2> log_size_gradients_;                 ///< by element; empty: none
   std::vector<Vec2> first_inverse_size_, first_middle_;  ///< where they were set, if they grow
 };
 

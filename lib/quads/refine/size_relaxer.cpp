@@ -70,7 +70,7 @@ void SizeRelaxer::set_sizes() {
   const QuadMesh& mesh = problem_.start;
   const std::vector<Vec2> middles = energy.middles(moves);
   const sizing::ChartScale* const scale = options_.keeps_lengths ? nullptr : options_.sizes.scale().get();
-  std::vector<Vec2> sizes, growths;
+  std::vector<Vec2> sizes, log_size_gradients;
   size_.clear(), energy.stretches.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const sizing::DirectedSize of = options_.keeps_lengths
@@ -85,10 +85,10 @@ void SizeRelaxer::set_sizes() {
     sizes.push_back({own.x * shorter.x * count.x * bend.x, own.y * shorter.y * count.y * bend.y});
     size_.push_back(of.least());
     if (options_.sizes.has_metric()) energy.stretches.push_back(of.stretch);
-    if (scale != nullptr) growths.push_back(-scale->gradient(middles[elem]));
+    if (scale != nullptr) log_size_gradients.push_back(-scale->gradient(middles[elem]));
   }
   if (options_.directions) set_directions();
-  energy.set_sizes(sizes, std::move(growths));
+  energy.set_sizes(sizes, std::move(log_size_gradients));
 }
 
 /// Runs that begin at the same vertices (refine/count_relaxer) have the same sizes at first.

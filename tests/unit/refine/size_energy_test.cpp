@@ -155,9 +155,10 @@ void expect_gradient_of_differences(bool is_stretched, double growth = 0) {
         energy.stretches.push_back(tensor_of({1.5, 1 / 1.5, 0.7 * elem}));
         energy.directions.push_back(2 * unit(1.3 * elem));
       }
-      std::vector<Vec2> growths;
-      for (int elem = 0; growth > 0 && elem < mesh.num_elems(); ++elem) growths.push_back(growth * unit(2.1 * elem));
-      energy.set_sizes(equal_sizes(mesh, 0.4), growths);
+      std::vector<Vec2> log_size_gradients;
+      for (int elem = 0; growth > 0 && elem < mesh.num_elems(); ++elem)
+        log_size_gradients.push_back(growth * unit(2.1 * elem));
+      energy.set_sizes(equal_sizes(mesh, 0.4), log_size_gradients);
       VertexMoves moves(problem.num_vertices());
       for (int v = 0; v < problem.num_vertices(); ++v) {
         moves[v] = 0.02 * Vec2{std::sin(5.0 * v), std::cos(3.0 * v)};
