@@ -3,39 +3,20 @@
 curved_heights.py x.quad.h5 NAME cylinder|sphere HEIGHT TOLERANCE. Prints "ok", or what is wrong. The cylinder has the
 radius 1 around z, the sphere the radius 1, and there the wall is a circle. Walls are sampled on the curves in space, by
 check_regions: code that the tools do not share."""
-import pathlib
 import sys
 
-import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from check_regions import Curve
+from nodes_on_space_curves import CurvedMesh
 
 path, name, surface, height, tolerance = sys.argv[1:4] + [float(x) for x in sys.argv[4:]]
-
-
-def split(group, key):
-    return np.split(group[key][:], group[f"{key}_offsets"][1:-1])
-
-
-with h5py.File(path) as file:
-    group = file["face/chart/space_curves"]
-    numbers = [split(group, key) for key in ("knots", "poles", "weights")]
-    curves = [Curve(*of_curve) for of_curve in zip(group["degree"][:], *numbers)]
-    names = [n.decode() for n in file["face/curve_names"][:]]
-    x, width = file["space_nodes"][:], int(file["order"][()]) + 1
-    elems = file["elem_nodes"][:].reshape(-1, width, width)
-    on_offset = set()
-    for e, s, c in zip(*(file[f"interface_edges/{key}"][:] for key in ("elem", "side", "curve"))):
-        if names[c] == name + "_offset":
-            on_offset |= set(map(int, [elems[e][0, :], elems[e][:, -1], elems[e][-1, ::-1], elems[e][::-1, 0]][s]))
-nodes = x[sorted(on_offset)]
+mesh = CurvedMesh(path)
+nodes = mesh.nodes[sorted(mesh.nodes_of[name + "_offset"])]
 radius = np.hypot(nodes[:, 0], nodes[:, 1]) if surface == "cylinder" else np.linalg.norm(nodes, axis=1)
 if len(nodes) < 20 or abs(radius - 1).max() > 1e-11:
     sys.exit(f"{len(nodes)} nodes, {abs(radius - 1).max():.1e} off the surface")
-wall = np.concatenate([curves[c].at(np.linspace(curves[c].begin, curves[c].end, 20001))[0] for c in range(len(names)) if names[c] == name])
+wall = np.concatenate([c.at(np.linspace(c.begin, c.end, 20001))[0] for c in mesh.curves[name]])
 if surface == "cylinder":
     def unrolled(p):
         return np.stack([np.arctan2(p[:, 1], p[:, 0]), p[:, 2]], 1)
