@@ -6,7 +6,7 @@ shock=$DATA/alignment/bow_shock.align.json
 
 # follows MESH BAR: the sides of its elements at the shock deviate from it by less than so many degrees.
 follows() {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   angle=$(/usr/bin/python3 "$ROOT/tests/cases/aligned_sides.py" "$1" "$shock")
   awk -v angle="$angle" -v bar="$2" 'BEGIN { exit !(angle < bar) }' || fail "$1: $angle degrees"
 }
@@ -52,7 +52,7 @@ follows() {
 }
 
 @test "crosses follow shocks within the bars of the benchmark, more closely the stronger, with as many nodes as without" {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   /usr/bin/python3 "$ROOT/tests/benchmarks/alignment" --bin "$BIN" -o . >rows
   jq -e '[.rows[] | select(.form == "harmonic")] | group_by(.shape) | map(map(.degrees)) |
     length == 3 and all(length == 3 and .[0] > 1.9 * .[1] and .[1] > 1.9 * .[2])' alignment.json

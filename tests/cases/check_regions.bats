@@ -2,9 +2,8 @@
 load ../tools/common
 
 setup() {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   common_setup
-  export PYTHONDONTWRITEBYTECODE=1
 }
 
 @test "every check of the checker fails on a damaged mesh" {

@@ -29,7 +29,6 @@ END
 
 # Files for the commands: every stage of the half disc as half_disc.*, x.* and a.*.
 setup_file() {
-  load ../tools/common
   cd "$BATS_FILE_TMPDIR" || return
   stage_chain half_disc .
   cp "$DATA/half_disc.step" .

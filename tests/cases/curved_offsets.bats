@@ -2,9 +2,8 @@
 load ../tools/common
 
 setup() {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   common_setup
-  export PYTHONDONTWRITEBYTECODE=1
 }
 
 shapes=$DATA/curved_regions
@@ -17,9 +16,7 @@ own() {
   run -0 jq -c '[.valid, .certificate.method]' report.json
   assert_output '[true,"traced"]'
   stagecheck -q work/*.h5 work/*.json
-  run -0 "$BATS_TEST_DIRNAME/nodes_on_space_curves.py" "$(echo work/*.quad.h5)"
-  run -0 awk '$NF > 1e-12 { print }' <<<"$output"
-  assert_output ''
+  assert_on_space_curves "$(echo work/*.quad.h5)"
 }
 
 # heights NAME SURFACE HEIGHT TOLERANCE: of the curve at a distance from the wall NAME, and all layers have theirs.

@@ -5,9 +5,8 @@ TURN="math.cos(math.pi/5),-math.sin(math.pi/5),0,math.sin(math.pi/5),math.cos(ma
 SAME="1,0,0,0,1,0,0,0,1"
 
 setup() {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   common_setup
-  export PYTHONDONTWRITEBYTECODE=1
 }
 
 # meshed SHAPE OPTION...: a proved mesh of a face of tests/data/curved, with its stages in the folder SHAPE.

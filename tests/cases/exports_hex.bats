@@ -3,12 +3,11 @@
 load ../tools/common
 
 setup_file() {
-  load ../tools/common
   stage_chain half_disc "$BATS_FILE_TMPDIR"
 }
 
 setup() {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   common_setup
   quads=$BATS_FILE_TMPDIR/half_disc.quad.h5
   compare=$ROOT/tests/exports/compare_hexes

@@ -3,12 +3,11 @@
 load ../tools/common
 
 setup_file() {
-  load ../tools/common
   stage_blocks "$BATS_FILE_TMPDIR" half_disc plate_hole annulus
 }
 
 setup() {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   common_setup
   blocks=$BATS_FILE_TMPDIR
   grids=$ROOT/tests/exports/read_hex_grids.py

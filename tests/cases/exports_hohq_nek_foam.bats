@@ -3,7 +3,6 @@
 load ../tools/common
 
 setup_file() {
-  load ../tools/common
   stage_blocks "$BATS_FILE_TMPDIR" half_disc plate_hole s_bend
 }
 
@@ -14,19 +13,13 @@ setup() {
   blocks=$BATS_FILE_TMPDIR
 }
 
-# told FORMAT PATTERN: the share of the diameter by which FORMAT/a.json says that what PATTERN names is moved; 0 for none.
-told() {
-  jq -r --arg what "$2" '[.warnings[].message | select(test($what)) | capture("\\((?<x>\\S+) of the diameter").x][0] // "0"' \
-    "$1/a.json"
-}
-
 # exports: all four formats of a.quad.h5; then what the readers say of them. Sides count as straight within 1e-10 of their
-# length (1e-11 of the diameter here), and told losses have two digits.
+# length (1e-11 of the diameter here), and reported losses have two digits.
 exports() {
   local format off
   mkdir -p ism inp re2 foam # each with its own table of names
   for format in ism inp re2; do quadexport -q a.quad.h5 -o "$format/a.$format" --report "$format/a.json"; done
-  off=$(awk -v x="$(told ism 'inside elements')" 'BEGIN { print 1.1 * x + 2e-11 }')
+  off=$(awk -v x="$(reported_loss ism/a.json 'inside elements')" 'BEGIN { print 1.1 * x + 2e-11 }')
   run -0 "$compare" --off "$off" ism ism/a.ism a.quad.h5 inp inp/a.inp a.quad.h5
   assert_output ''
   run -0 "$compare" re2 re2/a.re2 a.quad.h5
@@ -55,7 +48,7 @@ exports() {
 @test "wall layers: what readers rebuild from the sides is moved as the warning says" {
   quadrefine -q --wall curve_4:first=1e-3,layers=6 "$blocks/plate_hole.blocks.h5" -o a.quad.h5
   exports
-  off=$(told ism 'inside elements')
+  off=$(reported_loss ism/a.json 'inside elements')
   assert [ "$off" != 0 ]
   run -1 "$compare" --off "$(awk -v x="$off" 'BEGIN { print 0.9 * x }')" ism ism/a.ism a.quad.h5
   assert_output --partial 'is off by'

@@ -3,7 +3,6 @@
 load ../tools/common
 
 setup_file() {
-  load ../tools/common
   stage_blocks "$BATS_FILE_TMPDIR" half_disc plate_hole s_bend
 }
 
@@ -12,11 +11,6 @@ setup() {
   compare=$ROOT/tests/exports/compare
   grids=$ROOT/tests/exports/read_plot3d.py
   blocks=$BATS_FILE_TMPDIR
-}
-
-# told REPORT PATTERN: the share of the diameter by which the report says that what PATTERN names is moved; 0 for none.
-told() {
-  jq -r --arg what "$2" '[.warnings[].message | select(test($what)) | capture("\\((?<x>\\S+) of the diameter").x][0] // "0"' "$1"
 }
 
 # linear: SU2 and PLOT3D of a.quad.h5, with merged blocks too; their points are the nodes to the last bit.
@@ -35,7 +29,7 @@ linear() {
 # quadratic: Abaqus and Exodus of a.quad.h5, of order 1 or 2.
 quadratic() {
   quadexport -q --format abaqus a.quad.h5 -o a.inp --report a.json
-  off=$(awk -v x="$(told a.json 'middle of elements')" 'BEGIN { print 1.1 * x + 1e-13 }')
+  off=$(awk -v x="$(reported_loss a.json 'middle of elements')" 'BEGIN { print 1.1 * x + 1e-13 }')
   run -0 "$compare" --off "$off" abaqus a.inp a.quad.h5
   assert_output ''
   quadexport -q a.quad.h5 -o a.exo

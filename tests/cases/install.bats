@@ -115,9 +115,9 @@ setup() {
 }
 
 @test "the Python package is installed, reads files, and meshes by the tools beside it" {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   "$usr/bin/cad2tri" "$DATA/square.step" -o a.tri.h5
-  export PYTHONPATH=$usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
+  export PYTHONPATH=$usr/lib/python3/dist-packages
   run -0 /usr/bin/python3 -c 'import quadrille; print(quadrille.read("a.tri.h5").locate([[0.2, 0.3], [2, 2]])[0][1])'
   assert_output -1
   run -0 env -u QUADRILLE_BIN PATH=/usr/bin:/bin /usr/bin/python3 -c "

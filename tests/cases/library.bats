@@ -58,7 +58,7 @@ chain_of_tools() {
 }
 
 @test "values of the field are those of the Python package" {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   run -0 "$consumer/mesh_face" "$files/half_disc.tri.h5" crit.json quad.h5
   assert_equal "${#lines[@]}" 3 # the third point lies outside
   PYTHONPATH=$ROOT/pipelines/python run -0 /usr/bin/python3 -B -c "

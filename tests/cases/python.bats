@@ -4,7 +4,7 @@ load ../tools/common
 python=$ROOT/pipelines/python
 
 setup_file() {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   for shape in half_disc plate_hole slanted_l; do
     stage_chain $shape "$BATS_FILE_TMPDIR"
     fieldsolve --nodes "$BATS_FILE_TMPDIR/$shape.crit.json" "$BATS_FILE_TMPDIR/$shape.tri.h5" |
@@ -15,7 +15,7 @@ setup_file() {
 setup() {
   common_setup
   files=$BATS_FILE_TMPDIR
-  export PYTHONPATH=$python CHAINS=$files QUADRILLE_BIN=$BIN PYTHONDONTWRITEBYTECODE=1
+  export PYTHONPATH=$python CHAINS=$files QUADRILLE_BIN=$BIN
 }
 
 # passes PATTERN: the unit tests in the files of this name pass, and there are some.

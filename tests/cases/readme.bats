@@ -46,11 +46,11 @@ load ../tools/common
 }
 
 @test "the lines of Python work" {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   ln -s "$ROOT/tests" .
   sed -n '/^## In a program/,/^## /p' "$ROOT/README.md" | sed -nE 's/^    (.*)/\1/p' >lines.py
   assert [ "$(wc -l <lines.py)" -eq 10 ]
-  QUADRILLE_BIN=$BIN PYTHONPATH=$ROOT/pipelines/python PYTHONDONTWRITEBYTECODE=1 run -0 /usr/bin/python3 -W error lines.py
+  QUADRILLE_BIN=$BIN PYTHONPATH=$ROOT/pipelines/python run -0 /usr/bin/python3 -W error lines.py
   assert_line --index 0 --regexp '^<QuadMesh: [0-9]+ blocks, .*> \([0-9]+, 2\) \([0-9]+, 16\)$'
   assert_line --index 1 --regexp '^0\.[0-9]+$'
   run -0 stagecheck plate.quad.h5

@@ -7,7 +7,7 @@ quadmesh=$ROOT/pipelines/quadmesh
 # side bulges by this part of its length, outwards if positive.
 # crescent NAME ANGLE: between two arcs, ANGLE degrees apart at both ends.
 draw() {
-  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 - "$@" <<'END' >"$2.step"
+  PYTHONPATH="$DATA" python3 - "$@" <<'END' >"$2.step"
 import cmath, math, sys
 from step_text import step_text
 

@@ -5,7 +5,7 @@ quadmesh=$ROOT/pipelines/quadmesh
 
 # A body of chord 100 with a tail WIDTH wide, in a circle or square of some 16 chords, as wind tunnels are drawn.
 draw_tail() {
-  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 - "$@" <<'END' >"$1.step"
+  PYTHONPATH="$DATA" python3 - "$@" <<'END' >"$1.step"
 import sys
 from step_text import rectangle, step_text
 

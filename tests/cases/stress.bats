@@ -7,7 +7,6 @@ load ../tools/common
 SECONDS_EACH=60
 
 setup_file() {
-  load ../tools/common
   "$ROOT/tests/stress/run" --bin "$BIN" --sample --seconds "$SECONDS_EACH" -o "$BATS_FILE_TMPDIR/sample.json" \
     >"$BATS_FILE_TMPDIR/table" 2>&1 || true
 }

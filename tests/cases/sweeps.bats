@@ -2,7 +2,6 @@
 load ../tools/common
 
 setup_file() {
-  load ../tools/common
   stage_blocks "$BATS_FILE_TMPDIR" half_disc plate_hole s_bend
 }
 

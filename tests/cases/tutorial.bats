@@ -77,7 +77,7 @@ near() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x + 0 > low && x
 }
 
 @test "a blade passage: its sides have the same nodes" {
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   runs '### 4.3'
   refute_output --partial 'warning W-'
   assert_file_not_empty work/blade.svg

@@ -293,7 +293,7 @@ rounder() {
 
 # cusp: between a line and an arc of radius 1 that touches it at (0, 0).
 cusp() {
-  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+  PYTHONPATH="$DATA" python3 -c '
 from step_text import step_text
 top = 0.8 + 0.4j
 loop = [("line", 0j, 1 + 0j), ("line", 1 + 0j, 1 + 0.4j), ("line", 1 + 0.4j, top), ("arc", 1j, 1, top, 0j, -1)]
@@ -332,7 +332,7 @@ print(step_text("cusp", [loop]))'
 
 # crescent DEGREES: between a half circle and an arc that meets it at this angle.
 crescent() {
-  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+  PYTHONPATH="$DATA" python3 -c '
 import math, sys
 from step_text import step_text
 angle = math.pi / 2 - math.radians(float(sys.argv[1]))
@@ -354,7 +354,7 @@ print(step_text("crescent", [[("arc", 0j, 1, -1 + 0j, 1 + 0j, 1), ("arc", centre
 
 # touching TIP: a plate of 4 x 3 with a hole in the form of a kite, from the lower edge up to y = TIP.
 touching() {
-  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+  PYTHONPATH="$DATA" python3 -c '
 import sys
 from step_text import step_text
 sides = lambda *p: [("line", a, b) for a, b in zip(p, p[1:] + p[:1])]
@@ -388,7 +388,7 @@ print(step_text("touching", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1.5 + 0j, 1 + 
 }
 
 @test "a hole with a side on the outline becomes a notch, with a warning; --blunt 0 refuses it" {
-  PYTHONPATH="$DATA" PYTHONDONTWRITEBYTECODE=1 python3 -c '
+  PYTHONPATH="$DATA" python3 -c '
 from step_text import step_text
 sides = lambda *p: [("line", a, b) for a, b in zip(p, p[1:] + p[:1])]
 print(step_text("beside", [sides(0j, 4 + 0j, 4 + 3j, 3j), sides(1 + 0j, 1 + 1j, 2 + 1j, 2 + 0j)]))' >beside.step

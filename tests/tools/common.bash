@@ -11,7 +11,7 @@ ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 BIN=${QUADRILLE_BIN:-$ROOT/build/bin}
 DATA=$ROOT/tests/data
 PATH=$BIN:$PATH
-export ROOT BIN DATA PATH LC_ALL=C
+export ROOT BIN DATA PATH LC_ALL=C PYTHONDONTWRITEBYTECODE=1
 
 # Not BATS_TEST_TMPDIR itself, where Bats leaves files of its own.
 common_setup() {
@@ -22,6 +22,8 @@ common_setup() {
 setup() {
   common_setup
 }
+
+need_h5py() { /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"; }
 
 # stage_chain SHAPE [FOLDER]: runs the chain with default settings on tests/data/SHAPE.step, through files SHAPE.tri.h5
 # ... SHAPE.msh in FOLDER (default: the current one). For a setup_file: stage_chain half_disc "$BATS_FILE_TMPDIR".
@@ -90,4 +92,18 @@ ends_with_signal() {
 # assert_nothing_left [NAME...]: the current folder holds these files and nothing else, hidden ones included.
 assert_nothing_left() {
   assert_equal "$(find . -mindepth 1 | sed 's|^\./||' | sort)" "$( (($#)) && printf '%s\n' "$@" | sort)"
+}
+
+# assert_on_space_curves FILE: the nodes of a mesh on a curved face that are on boundaries and interfaces lie on their
+# curves in space.
+assert_on_space_curves() {
+  run -0 "$ROOT/tests/cases/nodes_on_space_curves.py" "$1"
+  run -0 awk '$NF > 1e-12 { print }' <<<"$output"
+  assert_output ''
+}
+
+# reported_loss REPORT PATTERN: the share of the diameter by which the report says that what PATTERN names is moved; 0 for
+# none.
+reported_loss() {
+  jq -r --arg what "$2" '[.warnings[].message | select(test($what)) | capture("\\((?<x>\\S+) of the diameter").x][0] // "0"' "$1"
 }

@@ -277,7 +277,7 @@ refuses() {
     stagecheck $strength.solve.h5
     for name in position width rate angle; do h5dump -H -d /alignment/$name $strength.solve.h5 >/dev/null; done
   done
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   PYTHONPATH=$ROOT/pipelines/python /usr/bin/python3 -c "
 import numpy, quadrille
 along = numpy.linspace(-0.4, 0.4, 41)[:, None] * [[0.5, 0.75**0.5]] + [1.5, 0.5]
@@ -303,7 +303,7 @@ for strength, bar in (1, 8), (4, 1):
   for file in json metric tensor; do stagecheck $file.solve.h5; done
   h5diff -d 1e-4 metric.solve.h5 tensor.solve.h5 /u
   h5diff -d 1e-4 metric.solve.h5 tensor.solve.h5 /v
-  /usr/bin/python3 -c 'import numpy, h5py' || skip "no numpy or h5py: apt-get install python3-h5py"
+  need_h5py
   PYTHONPATH=$ROOT/pipelines/python /usr/bin/python3 -c "
 import numpy, quadrille
 def angle(file, place):
