@@ -28,10 +28,10 @@ std::vector<int> number(const std::vector<std::string>& names, std::vector<std::
 
 /// Those on the boundary first.
 void number_curves(const std::vector<std::string>& names, const std::vector<bool>& is_inner, Groups& groups) {
-  std::vector<std::string> boundaries, all;
-  for (std::size_t c = 0; c < names.size(); ++c)
-    if (!is_inner[c]) boundaries.push_back(names[c]);
+  std::vector<std::string> boundaries, inner, all;
+  for (std::size_t c = 0; c < names.size(); ++c) (is_inner[c] ? inner : boundaries).push_back(names[c]);
   number(boundaries, groups.boundary_names);
+  number(inner, groups.inner_names);
   boundaries = groups.boundary_names;
   boundaries.insert(boundaries.end(), names.begin(), names.end());
   const std::vector<int> numbers = number(boundaries, all);
@@ -231,11 +231,11 @@ PlainNames add_plain_names(const Groups& groups, bool with_regions, const WordRu
 }
 
 std::string interface_loss(const Groups& groups) {
-  const int count = groups.num_interfaces();
+  const int count = static_cast<int>(groups.inner_names.size());
   if (count == 0) return {};
   std::string list;
   for (int k = 0; k < std::min(count, num_told); ++k)
-    list += fmt::format("{}\"{}\"", k == 0 ? "" : ", ", groups.interface_names[k]);
+    list += fmt::format("{}\"{}\"", k == 0 ? "" : ", ", groups.inner_names[k]);
   return fmt::format("{} not stored: {}{}", some_are(count, "interface"), list, dots(count));
 }
 

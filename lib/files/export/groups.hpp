@@ -20,6 +20,7 @@ namespace quadrille::exports {
 struct Groups {
   std::vector<std::string> boundary_names;   ///< in the order of their first curves
   std::vector<std::string> interface_names;  ///< of the curves that lie between elements and have no boundary's name
+  std::vector<std::string> inner_names;      ///< of all curves that lie between elements
   /// By CAD curve, of hexahedra by group of faces: interfaces are numbered after the boundaries. -1: the curve has no
   /// edges, so that its name is no group: some readers refuse empty ones.
   std::vector<int> curve2boundary;

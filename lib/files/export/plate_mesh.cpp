@@ -45,9 +45,11 @@ void add_cells(const QuadMesh& mesh, const Frame& frame, HexMesh& plate) {
 
 /// Interfaces have a name, which is reported as lost, and no faces.
 void add_groups(const QuadMesh& mesh, const Groups& groups, HexMesh& plate) {
-  for (const std::string& name : boundary_and_interface_names(groups)) plate.face_groups.push_back(named_group(name));
-  for (int k = groups.num_boundaries(); k < static_cast<int>(plate.face_groups.size()); ++k)
-    plate.face_groups[k].is_interface = true;
+  for (const std::string& name : groups.boundary_names) plate.face_groups.push_back(named_group(name));
+  for (const std::string& name : groups.inner_names) {
+    plate.face_groups.push_back(named_group(name));
+    plate.face_groups.back().is_interface = true;
+  }
   const auto add = [](HexFaceGroup& group, int elem, int face) {
     group.elems.push_back(elem), group.faces.push_back(face);
   };
