@@ -3,9 +3,9 @@
 
     same_surface_blocks.py A.quad.h5 B.quad.h5 TOLERANCE
 
-Corners of blocks in A must be those in B, one for one, and blocks have the same four corners. Prints the greatest
-distance of two of them in space, in diagonals of the box of all nodes of B. Ends with 1 where blocks do not correspond,
-or a corner is farther than the tolerance."""
+Both must have as many quads. Corners of blocks in A must be those in B, one for one, and blocks have the same four
+corners. Prints the greatest distance of two of them in space, in diagonals of the box of all nodes of B. Ends with 1
+where the numbers of quads differ, blocks do not correspond, or a corner is farther than the tolerance."""
 import collections
 import math
 import sys
@@ -21,6 +21,7 @@ class Blocks:
             self.nodes = file["space_nodes"][()]
             elems = file["elem_nodes"][()].reshape(-1, (n + 1) ** 2)
             blocks = file["elem_block"][()]
+        self.num_quads = len(elems)
         self.diagonal = numpy.linalg.norm(numpy.ptp(self.nodes, axis=0))
         # A corner of a block is the corner of one of its elements, a node of its sides that of two, others of four.
         counts = collections.Counter(
@@ -38,6 +39,8 @@ def main():
     partner = {a: min(of_second, key=lambda b, a=a: math.dist(first.nodes[a], second.nodes[b])) for a in of_first}
     distance, worst = max((math.dist(first.nodes[a], second.nodes[b]) / second.diagonal, a) for a, b in partner.items())
     print(f"{distance:.1e}")
+    if first.num_quads != second.num_quads:
+        sys.exit(f"{first.num_quads} quads in place of {second.num_quads}")
     if sorted(partner.values()) != of_second:
         sys.exit("corners of blocks do not correspond")
     moved = collections.Counter(frozenset(partner[a] for a in corners) for corners in first.corners.values())

@@ -70,9 +70,9 @@ class ImageSampler {
     const bool is_first = samples.points.empty();
     if (is_first) samples.points.push_back({edge.t0, image_at(s0)}), samples.vertices.push_back(0);
     // Each span between knots has its own, however short it is: a spline with knots there is else not determined, and
-    // where the curve bends, so does its image.
+    // where the curve bends, so does its image. Elsewhere four for each node: enough to halve spans.
     const std::vector<double> breaks = breaks_between(length.curve().knots, edge.t0, edge.t1);
-    const int n = breaks.size() > 2 ? samples_per_span : std::max(samples_per_span, 2 * mesh_->order);
+    const int n = breaks.size() > 2 ? samples_per_span : std::max(samples_per_span, 4 * mesh_->order);
     for (std::size_t b = 1; b < breaks.size(); ++b) {
       const double low = length.at(breaks[b - 1]), high = length.at(breaks[b]);
       for (int i = 1; i < n; ++i) {
