@@ -17,9 +17,12 @@ namespace {
 
 constexpr int max_doublings = 3;  ///< of the counts of chords: 64 times as many elements in their blocks
 constexpr double stricter = 0.8;  ///< than the ratio by which the boundary misses its tolerance
-constexpr int most_refined = 10;  ///< elements with shorter ones, over those without
-/// The same where vertices are placed: what is too long then is so because of the boundary.
-constexpr int most_refined_again = 2;
+/// Elements with shorter ones, over those without, when vertices are where they stay.
+constexpr int most_refined = 10;
+/// The same before vertices move, for sizes make most elements shorter then, and where they do not, beside short edges.
+constexpr int least_refined = 2;
+
+bool moves_vertices(const RefineOptions& options) { return options.relax != Relax::none && options.blocks.empty(); }
 
 void restore_lines(const SplitRequest& request, SplitSettings& settings) {
   const SplitSettings first = first_settings(request);
@@ -75,8 +78,9 @@ bool shorten(const SplitRequest& request, const SplitMesh& last, double shortest
 
 bool shorten_elements(const SplitRequest& request, const SplitMesh& last, SplitSettings& settings) {
   if (last.score.elongation == 0) return false;
+  const int most = moves_vertices(request.options) ? least_refined : most_refined;
   if (settings.length_limits.empty())
-    settings.max_elements = std::min(settings.max_elements, most_refined * last.mesh.num_elems());
+    settings.max_elements = std::min(settings.max_elements, most * last.mesh.num_elems());
   return shorten(request, last, shortest_kept_edge(layout_of(request, last.settings)), settings);
 }
 
@@ -219,7 +223,7 @@ void place_vertices(const SplitRequest& request, SplitMesh& result, double least
     }
   }
   const RefineOptions& options = request.options;
-  if (options.relax != Relax::none && options.blocks.empty() && relax_sizes(request, least_progress, result)) return;
+  if (moves_vertices(options) && relax_sizes(request, least_progress, result)) return;
   shape_inner_edges(result.mesh, options.inner_edges, elements_on_layered_chords(request.equal.blocks(), result));
   result.distance = mesh::boundary_distance(result.mesh);
   set_score(request, result);
@@ -236,7 +240,8 @@ std::optional<SplitMesh> with_shorter_elements(const SplitRequest& request, cons
   SplitSettings settings = placed.settings;
   if (placed.score.elongation == 0 || !shorten(request, placed, std::numeric_limits<double>::infinity(), settings))
     return std::nullopt;
-  settings.max_elements = std::min(settings.max_elements, most_refined_again * placed.mesh.num_elems());
+  const int most = moves_vertices(request.options) ? most_refined : least_refined;
+  settings.max_elements = std::min(settings.max_elements, most * placed.mesh.num_elems());
   std::optional<SplitMesh> next = next_attempt(request, settings, placed);
   if (next) next->settings.max_elements = placed.settings.max_elements;
   return next;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "../support/refined.hpp"
 #include "split_samples.hpp"
 
 namespace quadrille::refine {
@@ -101,12 +103,16 @@ TEST(Remedies, DivisionsBecomeAsMuchStricterAsTheBoundaryMissesItsTolerance) {
 
 TEST(Remedies, ElongatedElementsAreShortenedUnlessTheirCountsArePrescribed) {
   RefineOptions options{.size = 0.25, .order = 2};
-  const SplitSample sample(divided_square(1e-3, 1e-3), options);
-  SplitSettings settings = first_settings(sample.request);
-  SplitMesh last = first_attempt(sample);
-  EXPECT_TRUE(apply(sample, last, settings));
-  EXPECT_FALSE(settings.length_limits.empty());
-  EXPECT_EQ(settings.max_elements, 10 * last.mesh.num_elems());
+  SplitSettings settings;
+  for (const auto& [relax, most] : {std::pair(Relax::none, 10), std::pair(Relax::size, 2)}) {
+    options.relax = relax;
+    const SplitSample sample(divided_square(1e-3, 1e-3), options);
+    settings = first_settings(sample.request);
+    SplitMesh last = first_attempt(sample);
+    EXPECT_TRUE(apply(sample, last, settings));
+    EXPECT_FALSE(settings.length_limits.empty());
+    EXPECT_EQ(settings.max_elements, most * last.mesh.num_elems());
+  }
   for (int chord = 0; chord < 3; ++chord) options.counts.push_back({chord, 2});
   const SplitSample prescribed(divided_square(1e-3, 1e-3), options);
   settings = first_settings(prescribed.request);
@@ -122,12 +128,22 @@ TEST(BestSplit, OneAttemptSufficesWithinAllLimits) {
 }
 
 TEST(BestSplit, ElementsOfAThinBlockAreShortenedUntilTheyAreWithinTheLimit) {
-  const SplitSample sample(divided_square(1e-3, 0.5), {.size = 0.25, .order = 2});
+  const SplitSample sample(divided_square(1e-3, 0.5), {.size = 0.25, .order = 2, .relax = Relax::none});
   const BestSplit best = best_split(sample.request);
   EXPECT_GT(best.num_splits, 1);
   EXPECT_LE(best.num_splits, max_splits);
   EXPECT_EQ(best.split.score.elongation, 0);
   EXPECT_LE(std::ranges::max(best.split.mesh.elem_edge_ratio), 100);
+}
+
+TEST(BestSplit, ManyMoreElementsInAThinBlockWaitUntilVerticesMove) {
+  const RefineOptions options{.size = 0.25, .order = 2};
+  const SplitSample sample(divided_square(1e-3, 0.5), options);
+  const BestSplit best = best_split(sample.request);
+  EXPECT_EQ(best.num_splits, 1);
+  const QuadMesh mesh = refined(divided_square(1e-3, 0.5), options);
+  EXPECT_LE(std::ranges::max(mesh.elem_edge_ratio), 100);
+  EXPECT_LT(mesh.num_elems(), 4 * best.split.mesh.num_elems());
 }
 
 TEST(BestSplit, AnInvalidBlockTakesNoMoreThanTheBudgetAndKeepsTheFewestUnprovedElements) {
