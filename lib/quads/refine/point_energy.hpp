@@ -19,11 +19,11 @@ struct PointEnergy {
 /// In the header, so that loops over points are compiled for several at once.
 inline PointEnergy::PointEnergy(Vec2 a, Vec2 b, double weight) : det(a.x * b.y - a.y * b.x) {
   const double aa = a.x * a.x + a.y * a.y, bb = b.x * b.x + b.y * b.y, mu = 0.5 * (aa + bb) / det;
-  const double aaaa = aa * aa, bbbb = bb * bb, size = 0.5 * (aaaa * aa + bbbb * bb), mu_mu = weight * mu * mu;
+  const double aaa = aa * aa * aa, bbb = bb * bb * bb, size = 0.5 * (aaa * aa + bbb * bb), mu_mu = weight * mu * mu;
   value = size * det + mu_mu * mu;
   // mu grows by (a - mu det_a) / det with a, det_a = (b_y, -b_x), and with b alike, det_b = (-a_y, a_x).
   const double mu_slope = 3.0 * mu_mu / det, by_det = size - mu_slope * mu;
-  const double along_a = 3.0 * aaaa * det + mu_slope, along_b = 3.0 * bbbb * det + mu_slope;
+  const double along_a = 4.0 * aaa * det + mu_slope, along_b = 4.0 * bbb * det + mu_slope;
   by_a = {along_a * a.x + by_det * b.y, along_a * a.y - by_det * b.x};
   by_b = {along_b * b.x - by_det * a.y, along_b * b.y + by_det * a.x};
 }
@@ -47,8 +47,8 @@ inline PointBends::PointBends(Vec2 a, Vec2 b, double weight) : a_(a), b_(b) {
   mu_slope_ = 3 * weight * mu * mu / det;
   mu_bend_ = 6 * weight * mu;
   mu_a_ = (a - mu * Vec2{b.y, -b.x}) / det, mu_b_ = (b - mu * Vec2{-a.y, a.x}) / det;
-  size_a_ = 3 * aa * aa * det, size_b_ = 3 * bb * bb * det;
-  turn_a_ = 12 * aa * det, turn_b_ = 12 * bb * det;
+  turn_a_ = 24 * aa * aa * det, turn_b_ = 24 * bb * bb * det;
+  size_a_ = turn_a_ * aa / 6, size_b_ = turn_b_ * bb / 6;
 }
 
 inline std::array<double, 3> PointBends::block(double along_s, double along_t) const {

@@ -19,7 +19,7 @@
 namespace quadrille::refine {
 namespace {
 
-constexpr int elements_per_wave = 4;  ///< of the prescribed size; fewer: bends count less
+constexpr int elements_per_wave = 3;  ///< of the prescribed size; fewer: bends count less
 
 double shorter_by(double growth) { return std::pow(growth, -0.5 / mesh::resolution_power); }
 

@@ -14,7 +14,7 @@
 namespace quadrille::refine {
 namespace {
 
-constexpr double first_shape_weight = 2;  ///< w
+constexpr double first_shape_weight = 1;  ///< w
 constexpr double sharp_sine = 0.5;        ///< of the angle of a corner between curves
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -5,7 +5,7 @@
 // With h the prescribed size of an element (h_s and h_t where they differ), a = x_s / h and b = x_t / h the derivatives
 // of its map from the unit square, J = a x b and mu = (|a|^2 + |b|^2) / (2 J) >= 1:
 //
-//   F = sum over elements of the mean of  (|a|^2q + |b|^2q) J / 2 + w mu^3 + w c (x^-12 - 1),    q = 3, w = 2.
+//   F = sum over elements of the mean of  (|a|^2q + |b|^2q) J / 2 + w mu^3 + w c (x^-12 - 1),    q = 4, w = 1.
 //
 // Where a metric M is prescribed, h is sqrt(h1 h2) and a = S x_s / h, b = S x_t / h, S = h sqrt(M) of determinant 1:
 // lengths and areas are those in M; x of the third term stays the sine in the plane. Where directions are prescribed,
@@ -16,11 +16,11 @@
 // is added: 0 where both sides follow the cross, 4 |c| at 45 degrees from it, whatever their lengths.
 //
 // The first term is that by which the error of elements of order q - 1 grows with their lengths for a solution that
-// has no preferred direction; for equal areas it is least for equal squares. The second one has no bound where J tends
-// to 0, the third one keeps angles (refine/skew_energy). The mean is that of the corners where an element is bilinear,
-// else of Gauss-Lobatto-Legendre points. A mesh is bilinear in its vertices but for sides that are curved: those on CAD
-// curves, which follow their ends along the curve, and edges inside that keep their curves, whose displacement from the
-// chord does not change.
+// has no preferred direction, as in R (mesh/element_sizes); for equal areas it is least for equal squares. The second
+// one has no bound where J tends to 0, the third one keeps angles (refine/skew_energy). The mean is that of the corners
+// where an element is bilinear, else of Gauss-Lobatto-Legendre points. A mesh is bilinear in its vertices but for sides
+// that are curved: those on CAD curves, which follow their ends along the curve, and edges inside that keep their
+// curves, whose displacement from the chord does not change.
 
 #include <Eigen/Dense>
 #include <array>

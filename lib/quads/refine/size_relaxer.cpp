@@ -12,7 +12,7 @@ struct StepConstants {
   double longest_step =
       0.3;                ///< of the prescribed size, by which the ends of an edge move apart at most in a first step
   int first_sweeps = 60;  ///< with the diagonal blocks of the Hessian, that cost less
-  double far = 1000;      ///< energy of an element in the mean, 3 for squares, above which these sweeps end when slow
+  double far = 1000;      ///< energy of an element in the mean, 2 for squares, above which these sweeps end when slow
   int blocks_kept = 10;   ///< sweeps, after which sizes and blocks are those of the new positions
   /// Sweeps after which sizes and factors of the Hessian are, also after one that lowers the energy by more than a
   /// fraction.
@@ -24,7 +24,7 @@ struct StepConstants {
   int max_halvings = 20;      ///< of a step
   double factors_work = 0.5;  ///< steps that take as long as factors of the Hessian, over the root of the elements
   int held_steps = 8;         ///< in which vertices slide to where they are held
-  double shape_first = 20;    ///< factor of the weight of shapes where elements keep their lengths
+  double shape_first = 40;    ///< factor of the weight of shapes where elements keep their lengths
 };
 constexpr StepConstants step_constants;
 

@@ -228,12 +228,12 @@ long long num_trials(double inner, double size) {
 
 TEST(Refine, NoCountsAreTriedTwice) {
   // Of few elements a quarter is one: the steps of the second kind were tried already.
-  EXPECT_EQ(num_trials(0.2, 0.6), 2);
+  EXPECT_EQ(num_trials(0.2, 0.55), 2);
 }
 
 TEST(Refine, CountsAreSoughtAgainOnlyAfterSeveralSteps) {
   // That of the mesh, the step that is taken, and one from there; none on the mesh with these counts.
-  EXPECT_EQ(num_trials(0.1, 0.4), 3);
+  EXPECT_EQ(num_trials(0.1, 0.55), 3);
 }
 
 TEST(Refine, MeshesBeyondMeasureAreRefused) {
