@@ -44,7 +44,7 @@ constexpr auto enum_names(Rings) { return std::to_array({"auto", "none"}); }
 
 /// The least progress of a sweep, of the energy, where vertices are put in place, and where they only have to be near
 /// that: the resolution ratio is then true to about 1 %.
-inline constexpr double fine_progress = 1e-5, coarse_progress = 1e-3;
+inline constexpr double fine_progress = 1e-8, coarse_progress = 1e-3;
 
 /// c = |c| e^(4 i angle) at a position, as a vector, by which sides of elements shall follow a direction or a right
 /// angle to it (refine/size_energy); |c| is the weight, 0 where there is no direction.
