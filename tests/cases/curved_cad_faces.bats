@@ -46,7 +46,7 @@ nodes() { awk '/^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 } on && NF == 3 { pr
   run -0 jq -e '.surface.distance <= .surface.tolerance and .least_scaled_jacobian > 0.75 and .warnings == []' fine.json
   quadrefine stages/cone_tip.blocks.h5 --geometry-tol 0.01 -o a.quad.h5 --report coarse.json
   # Rings of elements around the tip alone.
-  (( $(jq .quads fine.json) < $(jq .quads coarse.json) + 120 ))
+  (( $(jq .quads fine.json) < $(jq .quads coarse.json) + 150 ))
 }
 
 # Across the seam of the surface, and with its pole inside a block.
