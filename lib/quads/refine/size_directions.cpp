@@ -105,12 +105,15 @@ Vec2 SizeEnergy::middle(int elem) const {
   return (position_[v[0]] + position_[v[1]] + position_[v[2]] + position_[v[3]]) / 4;
 }
 
-/// The mean of a side, where it turns.
+/// The mean of a side, where it turns. Edges inside count as straight: as they become shorter their displacement stays,
+/// so that the sizes there would be ever shorter than the edges.
 double SizeEnergy::curvature(int elem, int side) const {
   const int number = curved_[elem_sides_[elem]].side[side];
   if (number < 0) return 0;
   const auto& v = problem_.follow.elem_vertices()[elem];
-  const Vec2 chord = position_[v[(side + 1) % 4]] - position_[v[side]];
+  const int from = v[side], to = v[(side + 1) % 4];
+  if (sides_[number].edge < 0 && !(problem_.is_fixed[from] && problem_.is_fixed[to])) return 0;
+  const Vec2 chord = position_[to] - position_[from];
   const SidePoints& slope = sides_[number].slope;
   double turn = 0;
   for (int p = 1; p < points; ++p) {

@@ -95,6 +95,21 @@ TEST(SizeEnergy, SizesAreShorterAlongBentSidesAndALittleAcross) {
     EXPECT_EQ(energy.bend_factors(elem, 0.3) == (Vec2{1, 1}), !is_bent[elem]) << elem;
 }
 
+TEST(SizeEnergy, BentEdgesInsideDoNotShortenSizes) {
+  const QuadMesh mesh =
+      refined(hand_made::quarter_annulus(),
+              {.size = 0.3, .order = 3, .geometry_tol = 1e-2, .inner_edges = InnerEdges::curved, .relax = Relax::none});
+  const RelaxProblem problem(mesh, {});
+  SizeEnergy energy(problem, mesh);
+  energy.positions(VertexMoves(problem.num_vertices()));
+  std::vector<bool> is_on_arc(mesh.num_elems(), false);
+  for (const QuadBoundaryEdge& edge : mesh.boundary_edges)
+    if (mesh.face.curves[edge.curve].degree > 1) is_on_arc[edge.elem] = true;
+  EXPECT_GT(std::ranges::count(is_on_arc, false), 0);
+  for (int elem = 0; elem < mesh.num_elems(); ++elem)
+    EXPECT_EQ(energy.bend_factors(elem, 0.3) == (Vec2{1, 1}), !is_on_arc[elem]) << elem;
+}
+
 TEST(SizeEnergy, OfRelaxationHasSizesThatAreShorterAtBends) {
   const QuadMesh mesh = mesh_of(hand_made::quarter_annulus(), 0.3, 3);
   const RelaxProblem problem(mesh, {});
