@@ -8,7 +8,7 @@ import gmsh, numpy
 
 CORNER = numpy.radians(1)  # a boundary that turns by more has a corner
 GAUSS = numpy.polynomial.legendre.leggauss(8)
-PIECES = 128  # of an edge, for integrals
+PIECES = 128, 1 << 15  # of an edge, for integrals: least and greatest number
 SAMPLES = {"Line": 8}  # of an edge, for distances; of all other kinds 512
 
 
@@ -37,15 +37,24 @@ class Edge:
 
     def integrals(self):
         """Twice the area that the edge contributes by Green's formula (with its direction), and its length."""
-        step = (self.high - self.low) / PIECES
-        at = (self.low + step * (numpy.arange(PIECES)[:, None] + (1 + GAUSS[0]) / 2)).ravel()
-        x, slope, weights = self.values(at), self.slopes(at), numpy.tile(GAUSS[1], PIECES) * step / 2
+        pieces, (area, length) = PIECES[0], self.integrals_over(PIECES[0])
+        while pieces < PIECES[1]:  # some splines have short spans between their knots
+            pieces, before = 4 * pieces, length
+            area, length = self.integrals_over(pieces)
+            if abs(length - before) <= 1e-9 * length:
+                break
+        return area, length
+
+    def integrals_over(self, pieces):
+        step = (self.high - self.low) / pieces
+        at = (self.low + step * (numpy.arange(pieces)[:, None] + (1 + GAUSS[0]) / 2)).ravel()
+        x, slope, weights = self.values(at), self.slopes(at), numpy.tile(GAUSS[1], pieces) * step / 2
         cross = x[:, 0] * slope[:, 1] - x[:, 1] * slope[:, 0]
         return self.sign * float(weights @ cross), float(weights @ numpy.linalg.norm(slope, axis=1))
 
     def ends(self):
         """((start, direction), (end, direction)), along the boundary."""
-        step = 1e-4 * (self.high - self.low)
+        step = 1e-6 * (self.high - self.low)
         x = self.values(numpy.array([self.low, self.low + step, self.high - step, self.high]))
         x = x if self.sign > 0 else x[::-1]
         return (x[0], x[1] - x[0]), (x[3], x[3] - x[2])
