@@ -156,3 +156,17 @@ END
   run -2 peers --peer 'half=mesher {step}'
   assert_output --partial 'the command of half lacks {msh}'
 }
+
+@test "real_faces counts the faces of a folder whose meshes its judge accepts, and prints the others with their faults" {
+  head -c 2000 faces/half_disc.step >faces/torn.step
+  run -1 "$ROOT/tests/benchmarks/real_faces" --bin "$BIN" -o . --faces faces
+  assert_output --partial "'face': 'torn', 'accepted': False, 'fault': 'cad2tri: torn.step"
+  "$ROOT/pipelines/quadmesh" -q faces/half_disc.step -o half_disc.msh --report made.json
+  jq -e --slurpfile made made.json '$made[0] as $made | .summary.faces == 2 and .summary.accepted == 1
+    and (.rows[0] | .face == "half_disc" and .accepted and .quads == $made.quads
+      and (.R / $made.resolution.ratio - 1 | fabs) < 1e-3
+      and (.edge_ratio / $made.greatest_edge_ratio.value - 1 | fabs) < 1e-3
+      and (.scaled_jacobian - $made.least_scaled_jacobian | fabs) < 2e-3 and .cpu > 0)' real_faces.json
+  run -0 "$ROOT/tests/benchmarks/real_faces" --bin "$BIN" -o none --faces faces --only half_disc
+  assert_not_exist none
+}
