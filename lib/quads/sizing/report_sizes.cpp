@@ -122,8 +122,10 @@ std::string report_verdict(const QuadMesh& mesh, const SizeOptions& prescribed, 
   report.set("verdict.value", worst.value);
   report.set("verdict.position", surface::position_in_file(mesh.face, worst.position));
   if (advice) report.set("verdict.option", advice->option);
-  const bool is_of_sizes = worst.limit == mesh::Limit::resolution || worst.limit == mesh::Limit::area_jump;
-  if (is_of_sizes) report.warn(warning::unequal_sizes, "the mesh is " + text);
+  const auto is_of_sizes = [](const mesh::Fault& fault) {
+    return fault.limit == mesh::Limit::resolution || fault.limit == mesh::Limit::area_jump;
+  };
+  if (std::ranges::any_of(verdict.faults, is_of_sizes)) report.warn(warning::unequal_sizes, "the mesh is " + text);
   return text;
 }
 

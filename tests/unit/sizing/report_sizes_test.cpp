@@ -41,13 +41,14 @@ TEST(ReportSizes, PartsOfTheErrorAreThoseOfChords) {
   EXPECT_NEAR(std::get<std::vector<double>>(value(report, "resolution.chord.part"))[0], 1, 1e-6);
 }
 
-/// The verdict on the unit square with these counts.
-Report verdict_on(int count0, int count1) {
+/// The verdict on the unit square with these counts, where an element has this scaled Jacobian.
+Report verdict_on(int count0, int count1, double scaled_jacobian = 1) {
   Report report;
   const BlockLayout layout = block::extract_blocks(hand_made::unit_square(), report);
   refine::RefineOptions options;
   options.counts = {{0, count0}, {1, count1}};
-  const QuadMesh mesh = refine::refine(layout, options, report);
+  QuadMesh mesh = refine::refine(layout, options, report);
+  mesh.elem_scaled_jacobian.front() = scaled_jacobian;
   SizeOptions sizes;
   sizes.per_curve = 0;
   Report result;
@@ -68,6 +69,14 @@ TEST(ReportSizes, TheVerdictIsReportedWithWhatLimitsTheMesh) {
   EXPECT_TRUE(report.warnings().empty());
   EXPECT_EQ(std::get<std::string>(value(report, "verdict.text")), "good");
   EXPECT_THROW(value(report, "verdict.limit"), std::runtime_error);
+}
+
+TEST(ReportSizes, UnequalSizesAreAWarningAlsoWhereAnglesAreWorse) {
+  Report report = verdict_on(4, 12, 0.1);
+  EXPECT_EQ(std::get<std::string>(value(report, "verdict.limit")), "least scaled Jacobian");
+  ASSERT_EQ(report.warnings().size(), 1U);
+  EXPECT_EQ(report.warnings()[0].code, "W-QUA-005");
+  EXPECT_TRUE(verdict_on(4, 4, 0.1).warnings().empty());
 }
 
 TEST(ReportSizes, EqualEdgesDeviateByTheirRatio) {
