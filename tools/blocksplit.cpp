@@ -34,16 +34,11 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     s.begin_phase("read");
-    std::vector<NameRule> rules;
-    std::optional<stage::Input<std::vector<NameRule>>> names;
-    if (!options.names_file.empty()) {  // read before SEP, which may be made for long
-      const io::InputFile names_file = io::read_input(options.names_file);
-      rules = io::read_block_names(names_file);
-      names.emplace(rules, names_file);
-    }
+    // Read before SEP, which may be made for long.
+    const auto names = stage::prescribed(options.names_file, io::read_input, io::read_block_names);
     const io::InputFile file = io::read_input(input);
     const SeparatrixGraph graph = io::read_stage<SeparatrixGraph>(file);
-    const BlockLayout layout = stage::blocksplit({graph, file}, names, options, s);
+    const BlockLayout layout = stage::blocksplit({graph, file}, names.input(), options, s);
     s.begin_phase("write");
     io::write_stage(output, layout);
   };

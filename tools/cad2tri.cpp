@@ -42,16 +42,12 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     options.validate();
-    io::InputFile names_file;
-    std::vector<NameRule> names;
-    if (!options.names_file.empty())
-      names_file = io::read_input(options.names_file), names = io::read_boundary_names(names_file);
+    const auto names = stage::prescribed(options.names_file, io::read_input, io::read_boundary_names);
     const io::InputFile file = io::read_input(input);
-    stage::Cad2triInput from{{file.bytes, file}, {}};
+    stage::Cad2triInput from{{file.bytes, file}, names.input()};
     std::optional<ChartedFace> chart;
     if (io::is_chart(file)) from.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
     if (!options.listed.empty()) return io::write_output(output, stage::list_faces(from.cad, options, s), false);
-    if (!options.names_file.empty()) from.names.emplace(names, names_file);
     const stage::LoadedShape shape = stage::load_shape(from, options, s);
     if (!options.healed_file.empty())
       io::write_output(options.healed_file, stage::cad_file_of(shape.face, options.healed_file), false);

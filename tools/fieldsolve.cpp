@@ -2,8 +2,6 @@
 
 #include "stage/fieldsolve.hpp"
 
-#include <optional>
-
 #include "cli/tool_main.hpp"
 #include "io/alignment_io.hpp"
 #include "io/order_map_io.hpp"
@@ -11,45 +9,6 @@
 #include "io/whole_file.hpp"
 
 using namespace quadrille;
-
-namespace {
-
-/// The files that options name.
-class OptionalInputs {
- public:
-  OptionalInputs(const stage::FieldsolveOptions& options, const TriMesh& mesh) {
-    if (!options.orders_file.empty()) {
-      orders_file_ = io::read_input(options.orders_file);
-      orders_ = io::read_order_map(*orders_file_, mesh.num_elems(), galerkin::max_field_order(options.solve.method));
-    }
-    if (!options.nodes_file.empty()) {
-      nodes_file_ = io::read_input(options.nodes_file);
-      nodes_ = io::read_stage<CriticalPoints>(*nodes_file_);
-    }
-    if (!options.align_file.empty()) {
-      align_file_ = io::read_input(options.align_file);
-      alignment_ = io::read_alignment(*align_file_, mesh.face.origin, stage::usual_feature_width(mesh.face));
-    }
-  }
-
-  /// The input of the stage, which must not outlive the object.
-  stage::FieldsolveInput with(const stage::Input<TriMesh>& mesh) const {
-    stage::FieldsolveInput input{mesh, {}, {}, {}};
-    if (orders_file_) input.orders.emplace(orders_, *orders_file_);
-    if (orders_file_) input.orders_format = io::order_map_format(*orders_file_);
-    if (nodes_file_) input.nodes.emplace(nodes_, *nodes_file_);
-    if (align_file_) input.alignment.emplace(alignment_, *align_file_);
-    return input;
-  }
-
- private:
-  std::optional<io::InputFile> orders_file_, nodes_file_, align_file_;
-  OrderMap orders_;
-  CriticalPoints nodes_;
-  GivenAlignment alignment_;
-};
-
-}  // namespace
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
@@ -82,8 +41,17 @@ int main(int argc, char** argv) {
     options.validate();
     const io::InputFile file = io::read_input(input);
     const TriMesh mesh = io::read_stage<TriMesh>(file);
-    const OptionalInputs optional(options, mesh);
-    io::write_stage(output, stage::fieldsolve(optional.with({mesh, file}), options, s));
+    const int max_order = galerkin::max_field_order(options.solve.method);
+    std::string orders_format;
+    const auto orders = stage::prescribed(options.orders_file, io::read_input, [&](const io::InputFile& order_file) {
+      orders_format = io::order_map_format(order_file);
+      return io::read_order_map(order_file, mesh.num_elems(), max_order);
+    });
+    const auto nodes = stage::prescribed(options.nodes_file, io::read_input, io::read_stage<CriticalPoints>);
+    const auto alignment = stage::prescribed(options.align_file, io::read_input, io::read_alignment);
+    io::write_stage(
+        output,
+        stage::fieldsolve({{mesh, file}, orders.input(), orders_format, nodes.input(), alignment.input()}, options, s));
   };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);

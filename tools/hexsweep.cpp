@@ -2,7 +2,6 @@
 
 #include "stage/hexsweep.hpp"
 
-#include <optional>
 #include <string>
 
 #include "cli/tool_main.hpp"
@@ -11,22 +10,6 @@
 #include "io/whole_file.hpp"
 
 using namespace quadrille;
-
-namespace {
-
-/// A table of points that an option names.
-struct Points {
-  io::InputFile file;
-  stage::PointList points;
-};
-
-std::optional<Points> read_points(const std::string& path) {
-  if (path.empty()) return std::nullopt;
-  const io::InputFile file = io::read_input(path);
-  return Points{file, io::space_points(file)};
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
@@ -56,14 +39,12 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     options.validate();
-    const std::optional<Points> curve = read_points(options.curve_file), terrain = read_points(options.terrain_file);
+    const auto curve = stage::prescribed(options.curve_file, io::read_input, io::space_points);
+    const auto terrain = stage::prescribed(options.terrain_file, io::read_input, io::space_points);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const QuadMesh quads = io::read_stage<QuadMesh>(file);
-    stage::HexsweepInput given{{quads, file}};
-    if (curve) given.curve.emplace(curve->points, curve->file);
-    if (terrain) given.terrain.emplace(terrain->points, terrain->file);
-    const HexMesh mesh = stage::hexsweep(given, options, s);
+    const HexMesh mesh = stage::hexsweep({{quads, file}, curve.input(), terrain.input()}, options, s);
     s.begin_phase("write");
     io::write_stage(output, mesh);
   };

@@ -2,57 +2,14 @@
 
 #include "stage/quadrefine.hpp"
 
-#include <optional>
-
 #include "cli/tool_main.hpp"
 #include "io/alignment_io.hpp"
 #include "io/size_field_io.hpp"
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
-#include "stage/fieldsolve.hpp"
 #include "triangulate/size_triangles.hpp"
 
 using namespace quadrille;
-
-namespace {
-
-/// The files that options name, read before BLOCKS, which may be made for long.
-class OptionalInputs {
- public:
-  explicit OptionalInputs(const stage::QuadrefineOptions& options) {
-    const auto read = [](const std::string& path, std::optional<io::InputFile>& file) {
-      if (!path.empty()) file = io::read_input(path);
-      return file.has_value();
-    };
-    if (read(options.size_field_file, sizes_file_)) sizes_ = io::read_size_field(*sizes_file_);
-    if (read(options.metric_file, metric_file_)) io::read_metric(*metric_file_, {});
-    if (read(options.align_file, align_file_)) io::read_alignment(*align_file_, {}, 1);
-  }
-
-  /// The input of the stage, which must not outlive the object.
-  stage::QuadrefineInput with(const stage::Input<BlockLayout>& layout) {
-    const CadFace& face = layout.model.face;
-    stage::QuadrefineInput input{layout};
-    if (sizes_file_) input.sizes.emplace(sizes_, *sizes_file_);
-    if (metric_file_) {
-      metric_ = io::read_metric(*metric_file_, face.origin);
-      input.metric.emplace(metric_, *metric_file_);
-    }
-    if (align_file_) {
-      alignment_ = io::read_alignment(*align_file_, face.origin, stage::usual_feature_width(face));
-      input.alignment.emplace(alignment_, *align_file_);
-    }
-    return input;
-  }
-
- private:
-  std::optional<io::InputFile> sizes_file_, metric_file_, align_file_;
-  SizeSources sizes_;
-  GivenMetric metric_;
-  GivenAlignment alignment_;
-};
-
-}  // namespace
 
 int main(int argc, char** argv) {
   std::string input = "-", output = "-";
@@ -88,11 +45,15 @@ int main(int argc, char** argv) {
   };
   tool.run = [&](cli::Session& s) {
     options.validate();
-    OptionalInputs optional(options);
+    // Read before BLOCKS, which may be made for long.
+    const auto sizes = stage::prescribed(options.size_field_file, io::read_input, io::read_size_field);
+    const auto metric = stage::prescribed(options.metric_file, io::read_input, io::read_metric);
+    const auto alignment = stage::prescribed(options.align_file, io::read_input, io::read_alignment);
     s.begin_phase("read");
     const io::InputFile file = io::read_input(input);
     const BlockLayout layout = io::read_stage<BlockLayout>(file);
-    const QuadMesh mesh = stage::quadrefine(optional.with({layout, file}), options, s);
+    const QuadMesh mesh =
+        stage::quadrefine({{layout, file}, sizes.input(), metric.input(), alignment.input()}, options, s);
     s.begin_phase("write");
     io::write_stage(output, mesh);
   };

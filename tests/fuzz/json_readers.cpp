@@ -23,6 +23,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   attempt([&] { std::visit([](const auto& model) { check_stage(model, CheckDepth::full); }, read_any_stage(file)); });
   attempt([&] { read_boundary_names(file); });
   attempt([&] { read_block_names(file); });
-  attempt([&] { read_alignment(file, {}, 1); });
+  attempt([&] { read_alignment(file); });
   return 0;
 }

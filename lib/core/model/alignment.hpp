@@ -28,7 +28,7 @@ using Alignment = std::vector<AlignmentPoint>;
 struct AlignmentFeature {
   std::vector<Vec2> points;     ///< one, or those of a curve of straight pieces
   std::optional<double> angle;  ///< radians; none: that of the curve
-  double width = 0;             ///< of the feature, a length, > 0
+  double width = 0;             ///< of the feature, a length, > 0; as given, 0: the usual one
   double strength = 1;          ///< >= 0
 };
 

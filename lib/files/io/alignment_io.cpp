@@ -28,10 +28,11 @@ double read_angle(Archive& archive) {
   return degrees * degree;
 }
 
-void read_weights(Archive& archive, double usual_width, double& width, double& strength) {
-  width = usual_width;
-  if (archive.has("width")) archive.field("width", width);
-  archive.require("width", width > 0 && std::isfinite(width), "must be a length greater than 0 (ALN-R01)");
+void read_weights(Archive& archive, double& width, double& strength) {
+  if (archive.has("width")) {
+    archive.field("width", width);
+    archive.require("width", width > 0 && std::isfinite(width), "must be a length greater than 0 (ALN-R01)");
+  }
   if (archive.has("strength")) archive.field("strength", strength);
   archive.require("strength", strength >= 0 && std::isfinite(strength), "must be a number of at least 0 (ALN-R01)");
 }
@@ -40,43 +41,29 @@ bool are_finite(const std::vector<Vec2>& points) {
   return std::ranges::all_of(points, [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
-class AlignmentReader {
- public:
-  AlignmentReader(Vec2 origin, double usual_width) : origin_(origin), usual_width_(usual_width) {}
+void read_point(Archive& a, AlignmentFeature& point) {
+  a.field("position", point.points.emplace_back());
+  a.require("position", are_finite(point.points), "must be two numbers");
+  point.angle = read_angle(a);
+  read_weights(a, point.width, point.strength);
+}
 
-  void read_point(Archive& a, AlignmentFeature& point) const {
-    Vec2 position;
-    a.field("position", position);
-    a.require("position", are_finite({position}), "must be two numbers");
-    point.points = {position - origin_};
-    point.angle = read_angle(a);
-    read_weights(a, usual_width_, point.width, point.strength);
+void read_curve(Archive& a, AlignmentFeature& curve) {
+  a.field("positions", curve.points);
+  a.require("positions", curve.points.size() > 1 && are_finite(curve.points), "must be at least two points (ALN-R02)");
+  if (a.has("angle")) curve.angle = read_angle(a);
+  read_weights(a, curve.width, curve.strength);
+}
+
+void read_box(Archive& a, AlignmentBox& box) {
+  for (const auto& [name, corner] : {std::pair("low", &box.low), std::pair("high", &box.high)}) {
+    a.field(name, *corner);
+    a.require(name, are_finite({*corner}), "must be two numbers");
   }
-
-  void read_curve(Archive& a, AlignmentFeature& curve) const {
-    a.field("positions", curve.points);
-    a.require("positions", curve.points.size() > 1 && are_finite(curve.points),
-              "must be at least two points (ALN-R02)");
-    for (Vec2& point : curve.points) point -= origin_;
-    if (a.has("angle")) curve.angle = read_angle(a);
-    read_weights(a, usual_width_, curve.width, curve.strength);
-  }
-
-  void read_box(Archive& a, AlignmentBox& box) const {
-    for (const auto& [name, corner] : {std::pair("low", &box.low), std::pair("high", &box.high)}) {
-      a.field(name, *corner);
-      a.require(name, are_finite({*corner}), "must be two numbers");
-      *corner -= origin_;
-    }
-    a.require("high", box.low.x < box.high.x && box.low.y < box.high.y, "must lie above 'low' (ALN-R02)");
-    box.angle = read_angle(a);
-    read_weights(a, usual_width_, box.width, box.strength);
-  }
-
- private:
-  Vec2 origin_;
-  double usual_width_;
-};
+  a.require("high", box.low.x < box.high.x && box.low.y < box.high.y, "must lie above 'low' (ALN-R02)");
+  box.angle = read_angle(a);
+  read_weights(a, box.width, box.strength);
+}
 
 /// Lengths and direction from the tensor M: lengths are 1 / sqrt of its eigenvalues.
 MetricSample sample_of_tensor(double m11, double m12, double m22) {
@@ -112,7 +99,7 @@ bool is_positive_definite(const SpaceMetricSample& sample) {
   return determinant > 0 && std::isfinite(determinant);
 }
 
-GivenMetric read_samples(const InputFile& file, Vec2 origin) {
+GivenMetric read_samples(const InputFile& file) {
   const Columns columns = columns_of(file);
   GivenMetric metric;
   for (const TableRow& row : table_rows(file, column_names(columns))) {
@@ -128,7 +115,7 @@ GivenMetric read_samples(const InputFile& file, Vec2 origin) {
       throw FormatError(fmt::format("{}:{}: {} (ALN-R03)", file.name, row.line,
                                     columns == Columns::lengths ? "the lengths h1 and h2 must be greater than 0"
                                                                 : "the tensor must be positive definite"));
-    sample.position = Vec2{v[0], v[1]} - origin;
+    sample.position = {v[0], v[1]};
     metric.in_plane.push_back(sample);
   }
   return metric;
@@ -143,20 +130,20 @@ void refuse_vtu(const InputFile& file) {
 
 }  // namespace
 
-GivenMetric read_metric(const InputFile& file, Vec2 origin) {
+GivenMetric read_metric(const InputFile& file) {
   refuse_vtu(file);
   if (!is_point_table(file))
     throw FormatError(
         file.name +
         ": expected a table of x, y, h1, h2 and angle, or of x, y, m11, m12 and m22: a metric has lengths "
         "(directions alone are for --align)");
-  return read_samples(file, origin);
+  return read_samples(file);
 }
 
-GivenAlignment read_alignment(const InputFile& file, Vec2 origin, double usual_width) {
+GivenAlignment read_alignment(const InputFile& file) {
   GivenAlignment request;
   if (is_point_table(file)) {
-    GivenMetric metric = read_samples(file, origin);
+    GivenMetric metric = read_samples(file);
     request.metric = std::move(metric.in_plane), request.metric_in_space = std::move(metric.in_space);
     return request;
   }
@@ -164,14 +151,10 @@ GivenAlignment read_alignment(const InputFile& file, Vec2 origin, double usual_w
   JsonReader reader(file.bytes, file.name);
   Archive& root = reader.root();
   require_format(root, alignment_version, file.name, "an alignment");
-  const AlignmentReader read(origin, usual_width);
   std::vector<AlignmentFeature> points, curves;
-  if (root.has("points"))
-    root.field("points", points, [&](Archive& a, AlignmentFeature& point) { read.read_point(a, point); });
-  if (root.has("curves"))
-    root.field("curves", curves, [&](Archive& a, AlignmentFeature& curve) { read.read_curve(a, curve); });
-  if (root.has("boxes"))
-    root.field("boxes", request.boxes, [&](Archive& a, AlignmentBox& box) { read.read_box(a, box); });
+  if (root.has("points")) root.field("points", points, read_point);
+  if (root.has("curves")) root.field("curves", curves, read_curve);
+  if (root.has("boxes")) root.field("boxes", request.boxes, read_box);
   request.features = std::move(points);
   request.features.insert(request.features.end(), curves.begin(), curves.end());
   if (request.features.empty() && request.boxes.empty())

@@ -6,11 +6,11 @@
 
 namespace quadrille::io {
 
-/// Positions become relative to `origin` (of the face; the file's include it), angles radians. `usual_width`: of
-/// features without one. Throws FormatError, with the position in the file, for anything that is no alignment.
-GivenAlignment read_alignment(const InputFile& file, Vec2 origin, double usual_width);
+/// Positions as they are in the file, angles in radians, widths 0 of features without one. Throws FormatError, with the
+/// position in the file, for anything that is no alignment.
+GivenAlignment read_alignment(const InputFile& file);
 
 /// The lengths of a table alone, in the same way; directions without lengths are refused.
-GivenMetric read_metric(const InputFile& file, Vec2 origin);
+GivenMetric read_metric(const InputFile& file);
 
 }  // namespace quadrille::io

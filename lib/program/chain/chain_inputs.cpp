@@ -97,11 +97,10 @@ TriMesh triangles_of(const ChainState& chain, const std::string& shape, Run& run
       face = std::get<cad::LoadedFace>(std::move(any));
     }
   }
-  const Names names = boundary_names(chain);
-  stage::Cad2triInput input{{file.bytes, file}, {}, {}, std::move(face)};
+  const auto names = boundary_names(chain);
+  stage::Cad2triInput input{{file.bytes, file}, names.input(), {}, std::move(face)};
   std::optional<ChartedFace> chart;
   if (io::is_chart(file)) input.chart.emplace(chart.emplace(io::read_stage<ChartedFace>(file)), file);
-  if (names.file) input.names.emplace(names.content, *names.file);
   const stage::LoadedShape loaded = stage::load_shape(input, options, run);
   if (!options.healed_file.empty())
     io::write_output(options.healed_file, stage::cad_file_of(loaded.face, options.healed_file), false);
@@ -136,40 +135,38 @@ io::InputFile read_input(const ChainState& chain, const std::string& path) {
   return file;
 }
 
-Names boundary_names(const ChainState& chain) {
-  if (chain.values.cad2tri.names_file.empty()) return {};
-  const io::InputFile file = read_input(chain, chain.values.cad2tri.names_file);
-  return {io::read_boundary_names(file), file};
+namespace {
+
+template <typename Read>
+auto prescribed(const ChainState& chain, const std::string& path, const Read& read) {
+  return stage::prescribed(
+      path, [&](const std::string& name) { return read_input(chain, name); }, read);
 }
 
-Names block_names(const ChainState& chain) {
-  if (chain.values.blocksplit.names_file.empty()) return {};
-  const io::InputFile file = read_input(chain, chain.values.blocksplit.names_file);
-  return {io::read_block_names(file), file};
+}  // namespace
+
+stage::Prescribed<std::vector<NameRule>> boundary_names(const ChainState& chain) {
+  return prescribed(chain, chain.values.cad2tri.names_file, io::read_boundary_names);
 }
 
-PrescribedSizes prescribed_sizes(const ChainState& chain) {
-  if (chain.values.quadrefine.size_field_file.empty()) return {};
-  const io::InputFile file = read_input(chain, chain.values.quadrefine.size_field_file);
-  return {io::read_size_field(file), file};
+stage::Prescribed<std::vector<NameRule>> block_names(const ChainState& chain) {
+  return prescribed(chain, chain.values.blocksplit.names_file, io::read_block_names);
 }
 
-SpacePoints space_points(const ChainState& chain, const std::string& path) {
-  if (path.empty()) return {};
-  const io::InputFile file = read_input(chain, path);
-  return {io::space_points(file), file};
+stage::Prescribed<SizeSources> prescribed_sizes(const ChainState& chain) {
+  return prescribed(chain, chain.values.quadrefine.size_field_file, io::read_size_field);
 }
 
-PrescribedMetric prescribed_metric(const ChainState& chain, const CadFace& face) {
-  if (chain.values.quadrefine.metric_file.empty()) return {};
-  const io::InputFile file = read_input(chain, chain.values.quadrefine.metric_file);
-  return {io::read_metric(file, face.origin), file};
+stage::Prescribed<GivenMetric> prescribed_metric(const ChainState& chain) {
+  return prescribed(chain, chain.values.quadrefine.metric_file, io::read_metric);
 }
 
-Directions directions_to_align_with(const ChainState& chain, const CadFace& face) {
-  if (chain.values.fieldsolve.align_file.empty()) return {};
-  const io::InputFile file = read_input(chain, chain.values.fieldsolve.align_file);
-  return {io::read_alignment(file, face.origin, stage::usual_feature_width(face)), file};
+stage::Prescribed<stage::PointList> space_points(const ChainState& chain, const std::string& path) {
+  return prescribed(chain, path, io::space_points);
+}
+
+stage::Prescribed<GivenAlignment> directions_to_align_with(const ChainState& chain) {
+  return prescribed(chain, chain.values.fieldsolve.align_file, io::read_alignment);
 }
 
 }  // namespace quadrille::chain

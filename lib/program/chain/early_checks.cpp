@@ -12,7 +12,6 @@
 #include "cli/outcome.hpp"
 #include "cli/run_files.hpp"
 #include "cli/stage_words.hpp"
-#include "io/alignment_io.hpp"
 
 namespace quadrille::chain {
 
@@ -181,10 +180,10 @@ void check_inputs(const ChainState& chain) {
                                   values.hexsweep.curve_file, values.hexsweep.terrain_file})
     require_input(path);
   if (is_file(values.cad2tri.names_file)) boundary_names(chain);
-  if (is_file(values.fieldsolve.align_file)) io::read_alignment(io::read_input(values.fieldsolve.align_file), {}, 1);
+  if (is_file(values.fieldsolve.align_file)) directions_to_align_with(chain);
   if (is_file(values.blocksplit.names_file)) block_names(chain);
   if (is_file(values.quadrefine.size_field_file)) prescribed_sizes(chain);
-  if (is_file(values.quadrefine.metric_file)) prescribed_metric(chain, {});
+  if (is_file(values.quadrefine.metric_file)) prescribed_metric(chain);
   for (const std::string& path : {values.hexsweep.curve_file, values.hexsweep.terrain_file})
     if (is_file(path)) space_points(chain, path);
   if (is_file(options.nodes_file)) require_nodes(io::read_input(options.nodes_file));
@@ -279,7 +278,7 @@ void check_face_for(ChainState& chain, ChainStage stage, const CadFace& face) {
   const cli::Outcome outcome = cli::outcome_of([&] {
     if (stage == ChainStage::critpoints) stage::require_critpoints_of(face, chain.values.critpoints);
     if (stage == ChainStage::quadrefine) {
-      stage::require_quadrefine_of(face, prescribed_sizes(chain).content, prescribed_metric(chain, face).content,
+      stage::require_quadrefine_of(face, prescribed_sizes(chain).content, prescribed_metric(chain).content,
                                    chain.values.quadrefine);
     }
     if (stage == ChainStage::quadexport && !chain.options.is_swept)

@@ -19,7 +19,7 @@ bool solve_phase(ChainState& chain, NodeFiles& files) {
   StageFile<Field>& field = chain.files.field;
   const auto solve = [&](Run& run) {
     const OrderMap orders{field.model().elem_order, field.model().kind == FieldKind::harmonic};
-    const Directions directions = directions_to_align_with(chain, triangles.model().face);
+    const auto directions = directions_to_align_with(chain);
     stage::FieldsolveInput input{triangles.input(), {}, "field", {}, directions.input()};
     input.orders.emplace(orders, field.input().file);
     input.nodes.emplace(files.nodes.input());
@@ -76,7 +76,7 @@ bool make_graph(ChainState& chain, NodeFiles& files) {
 
 bool make_blocks(ChainState& chain, NodeFiles& files) {
   const auto blocks = [&](Run& run) {
-    const Names names = block_names(chain);
+    const auto names = block_names(chain);
     return stage::blocksplit(files.graph.input(), names.input(), chain.values.blocksplit, run);
   };
   return make_file(chain, {ChainStage::blocksplit}, files.blocks, blocks, files.graph);

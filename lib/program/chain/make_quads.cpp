@@ -14,7 +14,7 @@ namespace {
 bool solve_field(ChainState& chain) {
   ChainFiles& files = chain.files;
   const auto solve = [&](Run& run) {
-    const Directions directions = directions_to_align_with(chain, files.triangles.model().face);
+    const auto directions = directions_to_align_with(chain);
     return stage::fieldsolve({files.triangles.input(), {}, {}, {}, directions.input()}, chain.values.fieldsolve, run);
   };
   const auto adapt = [&](Run& run) { return stage::padapt(files.solve.input(), chain.values.padapt, run); };
@@ -33,12 +33,11 @@ bool divide_triangles(ChainState& chain) {
 bool refine_blocks(ChainState& chain) {
   StageFile<BlockLayout>& blocks = chain.files.of_nodes.blocks;
   const auto quads = [&](Run& run) {
-    const stage::Input<BlockLayout> layout = blocks.input();
-    const CadFace& face = layout.model.face;
-    const PrescribedSizes sizes = prescribed_sizes(chain);
-    const PrescribedMetric metric = prescribed_metric(chain, face);
-    const Directions directions = directions_to_align_with(chain, face);
-    return stage::quadrefine({layout, sizes.input(), metric.input(), directions.input()}, chain.values.quadrefine, run);
+    const auto sizes = prescribed_sizes(chain);
+    const auto metric = prescribed_metric(chain);
+    const auto directions = directions_to_align_with(chain);
+    return stage::quadrefine({blocks.input(), sizes.input(), metric.input(), directions.input()},
+                             chain.values.quadrefine, run);
   };
   return make_file(chain, {ChainStage::quadrefine}, chain.files.quads, quads, blocks);
 }

@@ -111,8 +111,7 @@ void sweep_quads(ChainState& chain) {
   StageFile<QuadMesh>& quads = chain.files.quads;
   const auto hexes = [&](Run& run) {
     const stage::HexsweepOptions& options = chain.values.hexsweep;
-    const SpacePoints curve = space_points(chain, options.curve_file),
-                      terrain = space_points(chain, options.terrain_file);
+    const auto curve = space_points(chain, options.curve_file), terrain = space_points(chain, options.terrain_file);
     return stage::hexsweep({quads.input(), curve.input(), terrain.input()}, options, run);
   };
   make_file(chain, {ChainStage::hexsweep}, chain.files.hexes, hexes, quads);

@@ -145,9 +145,8 @@ bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options,
   const std::string last = chain.last;
   StageFile<QuadMesh> mesh(chain.runner.scratch() + "/trial.quad.h5");
   const auto quads = [&](Run& run) {
-    const stage::Input<BlockLayout> layout = files.blocks.input();
-    const Directions directions = directions_to_align_with(chain, layout.model.face);
-    return stage::quadrefine({layout, {}, {}, directions.input()}, trial_options(chain, good), run);
+    const auto directions = directions_to_align_with(chain);
+    return stage::quadrefine({files.blocks.input(), {}, {}, directions.input()}, trial_options(chain, good), run);
   };
   const bool is_made = make_file(chain, {ChainStage::quadrefine}, mesh, quads, files.blocks);
   chain.last = last;

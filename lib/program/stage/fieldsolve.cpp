@@ -116,8 +116,6 @@ std::size_t num_liftings(const Field& field) {
 
 }  // namespace
 
-double usual_feature_width(const CadFace& face) { return face.diameter / 20; }
-
 void FieldsolveOptions::validate() const {
   const int max_order = galerkin::max_field_order(solve.method);
   if (!nodes_file.empty() && (solve.method != FieldMethod::cg || solve.corners != galerkin::CornerData::lift))

@@ -38,9 +38,6 @@ struct FieldsolveInput {
   std::optional<Input<GivenAlignment>> alignment = {};  ///< -Δv + mu v = f in place of Laplace's equation
 };
 
-/// The width of features in files that do not give one: D / 20.
-double usual_feature_width(const CadFace& face);
-
 /// The field with the estimated error of each element. The nodes may be from a field on another mesh of the face, or
 /// have been moved: their element numbers are not used. Throws FormatError if the mesh or the nodes break a rule or do
 /// not belong together, UsageError for options that exclude each other, ComputeError if no field can have the nodes.

@@ -68,7 +68,11 @@ SizeSources sizes_on_face(SizeSources sources, const CadFace& face, const JoinPo
 }
 
 std::vector<MetricSample> metric_on_face(const GivenMetric& metric, const CadFace& face, const std::string& where) {
-  if (!face.chart) return metric.in_plane;
+  if (!face.chart) {
+    std::vector<MetricSample> in_plane = metric.in_plane;
+    for (MetricSample& sample : in_plane) sample.position -= face.origin;
+    return in_plane;
+  }
   if (metric.in_space.empty())
     throw UsageError(
         where +
@@ -94,6 +98,14 @@ AlignmentRequest alignment_on_face(const GivenAlignment& alignment, const CadFac
         where +
         ": this face is curved, and points, curves and boxes have positions and angles in a plane: give the "
         "directions as a metric in space, a table with the columns x, y, z, m11, m12, m13, m22, m23 and m33");
+  const auto complete = [&](auto& feature) {
+    if (feature.width == 0) feature.width = face.diameter / 20;
+  };
+  for (AlignmentFeature& feature : request.features) {
+    for (Vec2& point : feature.points) point -= face.origin;
+    complete(feature);
+  }
+  for (AlignmentBox& box : request.boxes) box.low -= face.origin, box.high -= face.origin, complete(box);
   request.metric = metric_on_face({alignment.metric, alignment.metric_in_space}, face, where);
   return request;
 }

@@ -28,6 +28,7 @@ SizeSources sizes_on_face(SizeSources sources, const CadFace& face, const JoinPo
 std::vector<MetricSample> metric_on_face(const GivenMetric& metric, const CadFace& face, const std::string& where);
 
 /// The same of directions. Those of points, curves and boxes are angles in a plane: on a curved face they are refused.
+/// Those without a width have that of D / 20.
 AlignmentRequest alignment_on_face(const GivenAlignment& alignment, const CadFace& face, const std::string& where);
 
 }  // namespace quadrille::stage

@@ -32,7 +32,7 @@ namespace quadrille::stage {
 namespace {
 
 /// The options of a mesh and its sizes, as far as they are known without the face.
-struct Prescribed {
+struct ParsedOptions {
   refine::RefineOptions refine;
   sizing::SizeOptions sizes;
 };
@@ -46,9 +46,9 @@ void parse_walls(const QuadrefineOptions& options, refine::RefineOptions& refine
   options.flow.validate(has_yplus);
 }
 
-Prescribed parsed(const QuadrefineOptions& options) {
-  Prescribed prescribed{options.refine, options.sizes};
-  auto& [refine, sizes] = prescribed;
+ParsedOptions parsed(const QuadrefineOptions& options) {
+  ParsedOptions all{options.refine, options.sizes};
+  auto& [refine, sizes] = all;
   sizes.per_curve = sizing::parse_per_curve(options.per_curve);
   refine.relax = refine::parse_relax(options.relax);
   for (const std::string& text : options.near) sizes.near.push_back(sizing::parse_near_size(text));
@@ -57,7 +57,7 @@ Prescribed parsed(const QuadrefineOptions& options) {
   refine.validate();
   sizes.validate();
   parse_walls(options, refine);
-  return prescribed;
+  return all;
 }
 
 /// The first heights that follow from y+, in the unit of the face.

@@ -28,7 +28,7 @@ TEST(Names, are_read_from_the_files_that_the_options_name) {
   EXPECT_FALSE(block_names(run.chain).file);
   run.chain.values.cad2tri.names_file = run.put("boundaries", R"({"0": "wall"})");
   run.chain.values.blocksplit.names_file = run.put("blocks", R"("fluid")");
-  const Names boundaries = boundary_names(run.chain), blocks = block_names(run.chain);
+  const auto boundaries = boundary_names(run.chain), blocks = block_names(run.chain);
   EXPECT_EQ(boundaries.content.size(), 1U);
   EXPECT_EQ(boundaries.file->name, run.folder.file("boundaries"));
   EXPECT_EQ(&boundaries.input()->model, &boundaries.content);
@@ -41,7 +41,7 @@ TEST(PrescribedSizes, are_in_the_coordinates_of_the_file) {
   SampleChain run;
   EXPECT_FALSE(prescribed_sizes(run.chain).file);
   run.chain.values.quadrefine.size_field_file = run.put("sizes.csv", "x,y,size\n0,0,1\n8,0,1\n0,8,2\n8,8,2\n");
-  const PrescribedSizes sizes = prescribed_sizes(run.chain);
+  const auto sizes = prescribed_sizes(run.chain);
   EXPECT_TRUE(sizes.content.is_table);
   ASSERT_EQ(sizes.content.points.size(), 4U);
   EXPECT_EQ(sizes.content.points[1].position, (Vec3{8, 0, 0}));

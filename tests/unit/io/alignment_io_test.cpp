@@ -11,9 +11,7 @@
 namespace quadrille::io {
 namespace {
 
-GivenAlignment read(const std::string& text, Vec2 origin = {}) {
-  return read_alignment({{"align.json", ""}, text}, origin, 0.5);
-}
+GivenAlignment read(const std::string& text) { return read_alignment({{"align.json", ""}, text}); }
 
 std::string alignment(const std::string& members) {
   return R"({"format": "alignment", "version": [1, 0], )" + members + "}";
@@ -26,20 +24,19 @@ bool says(const std::string& text, const std::string& part) {
 TEST(AlignmentIo, PointsCurvesAndBoxesAreRead) {
   const AlignmentRequest request = read(alignment(R"("points": [{"position": [1, 2], "angle": 90, "width": 0.1}],
     "curves": [{"positions": [[0, 0], [1, 1]], "strength": 2}],
-    "boxes": [{"low": [0, 0], "high": [2, 3], "angle": -45}])"),
-                                        {1, 1});
+    "boxes": [{"low": [0, 0], "high": [2, 3], "angle": -45}])"));
   ASSERT_EQ(request.features.size(), 2u);
   const AlignmentFeature &point = request.features[0], &curve = request.features[1];
-  EXPECT_EQ(point.points, std::vector<Vec2>({{0, 1}}));
+  EXPECT_EQ(point.points, std::vector<Vec2>({{1, 2}}));
   EXPECT_EQ(point.angle, half_pi);
   EXPECT_EQ(point.width, 0.1);
   EXPECT_EQ(point.strength, 1);
-  EXPECT_EQ(curve.points, std::vector<Vec2>({{-1, -1}, {0, 0}}));
+  EXPECT_EQ(curve.points, std::vector<Vec2>({{0, 0}, {1, 1}}));
   EXPECT_FALSE(curve.angle);
-  EXPECT_EQ(curve.width, 0.5) << "the usual one";
+  EXPECT_EQ(curve.width, 0) << "the usual one";
   EXPECT_EQ(curve.strength, 2);
   ASSERT_EQ(request.boxes.size(), 1u);
-  EXPECT_EQ(request.boxes[0].high, (Vec2{1, 2}));
+  EXPECT_EQ(request.boxes[0].high, (Vec2{2, 3}));
   EXPECT_EQ(request.boxes[0].angle, -pi / 4);
 }
 
@@ -54,9 +51,9 @@ TEST(AlignmentIo, RulesAreNamed) {
 }
 
 TEST(AlignmentIo, AMetricIsReadAsLengthsAndAsTensors) {
-  const AlignmentRequest lengths = read("x,y,h1,h2,angle\n0,0,0.1,0.2,30\n1,0,0.1,0.3,0\n", {1, 0});
+  const AlignmentRequest lengths = read("x,y,h1,h2,angle\n0,0,0.1,0.2,30\n1,0,0.1,0.3,0\n");
   ASSERT_EQ(lengths.metric.size(), 2u);
-  EXPECT_EQ(lengths.metric[0].position, (Vec2{-1, 0}));
+  EXPECT_EQ(lengths.metric[1].position, (Vec2{1, 0}));
   EXPECT_EQ(lengths.metric[0].h2, 0.2);
   EXPECT_NEAR(lengths.metric[0].angle, pi / 6, 1e-15);
   // R diag(1 / 0.1^2, 1 / 0.2^2) R^T at 30 degrees
@@ -69,12 +66,12 @@ TEST(AlignmentIo, AMetricIsReadAsLengthsAndAsTensors) {
 
 TEST(AlignmentIo, AMetricInSpaceHasSixComponents) {
   const std::string heading = "x,y,z,m11,m12,m13,m22,m23,m33\n";
-  const GivenMetric metric = read_metric({{"metric.csv", ""}, heading + "1,2,3,4,0.5,0.25,5,0.125,6\n"}, {1, 0});
+  const GivenMetric metric = read_metric({{"metric.csv", ""}, heading + "1,2,3,4,0.5,0.25,5,0.125,6\n"});
   ASSERT_EQ(metric.in_space.size(), 1u);
   EXPECT_EQ(metric.in_space[0].position, (Vec3{1, 2, 3}));
   EXPECT_EQ(metric.in_space[0].tensor, (std::array<double, 6>{4, 0.5, 0.25, 5, 0.125, 6}));
   EXPECT_EQ(metric.in_space[0].product({1, 0, 0}, {0, 0, 1}), 0.25);
-  EXPECT_EQ(metric.in_plane[0].position, (Vec2{0, 2})) << "for a planar face";
+  EXPECT_EQ(metric.in_plane[0].position, (Vec2{1, 2})) << "for a planar face";
   EXPECT_EQ(read(heading + "1,2,3,4,0.5,0.25,5,0.125,6\n").metric_in_space.size(), 1u);
   EXPECT_TRUE(says(heading + "1,2,3,1,0,2,1,0,1\n", "align.json:2: the tensor must be positive definite"));
 }
@@ -87,9 +84,9 @@ TEST(AlignmentIo, AMetricThatIsNoneIsRefusedWithItsLine) {
 }
 
 TEST(AlignmentIo, LengthsAreReadFromTablesOnly) {
-  const auto metric = [](const std::string& text) { return read_metric({{"metric.csv", ""}, text}, {1, 0}); };
+  const auto metric = [](const std::string& text) { return read_metric({{"metric.csv", ""}, text}); };
   ASSERT_EQ(metric("0 0 0.1 0.2 30\n").in_plane.size(), 1u);
-  EXPECT_EQ(metric("x,y,m11,m12,m22\n1,2,4,0,1\n").in_plane[0].position, (Vec2{0, 2}));
+  EXPECT_EQ(metric("x,y,m11,m12,m22\n1,2,4,0,1\n").in_plane[0].position, (Vec2{1, 2}));
   const auto refuses = [&](const std::string& text, const std::string& part) {
     return contains(message_of<FormatError>([&] { metric(text); }), part);
   };

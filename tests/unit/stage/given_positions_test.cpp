@@ -89,6 +89,25 @@ TEST(GivenPositions, AMetricInSpaceIsPulledBackToTheChart) {
   EXPECT_EQ(metric_on_face(metric, samples::face(), "").size(), 1u);
 }
 
+TEST(GivenPositions, DirectionsOnAPlanarFaceAreRelativeToTheOriginWithTheUsualWidth) {
+  CadFace face = samples::face();
+  face.origin = {10, 20};
+  face.diameter = 40;
+  GivenAlignment given;
+  given.features = {{{{11, 22}}, 0.5}, {{{10, 20}, {12, 20}}, std::nullopt, 3}};
+  given.boxes = {{{10, 21}, {13, 24}, 0.5}};
+  given.metric = {{{12, 23}, 1, 2, 0.5}};
+  const AlignmentRequest on_face = alignment_on_face(given, face, "--align");
+  EXPECT_EQ(on_face.features[0].points, std::vector<Vec2>({{1, 2}}));
+  EXPECT_EQ(on_face.features[0].width, 2) << "a twentieth of the diameter";
+  EXPECT_EQ(on_face.features[1].points, std::vector<Vec2>({{0, 0}, {2, 0}}));
+  EXPECT_EQ(on_face.features[1].width, 3);
+  EXPECT_EQ(on_face.boxes[0].low, (Vec2{0, 1}));
+  EXPECT_EQ(on_face.boxes[0].high, (Vec2{3, 4}));
+  EXPECT_EQ(on_face.boxes[0].width, 2);
+  EXPECT_EQ(on_face.metric[0].position, (Vec2{2, 3}));
+}
+
 TEST(GivenPositions, MetricsAndAnglesOfAPlaneAreRefusedOnACurvedFace) {
   const CadFace face = samples::sphere_face();
   GivenMetric metric;
