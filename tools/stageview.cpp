@@ -2,6 +2,8 @@
 
 #include "stage/stageview.hpp"
 
+#include <algorithm>
+
 #include "cli/tool_main.hpp"
 #include "io/converted_picture.hpp"
 #include "io/history.hpp"
@@ -11,46 +13,39 @@ using namespace quadrille;
 
 namespace {
 
-struct Settings {
+struct Paths {
   std::vector<std::string> inputs;
-  std::string field, output, run_report, workbench;
-  stage::View view;
-  stage::StageviewOptions options;
+  std::string output;
 };
 
-void run(Settings& settings, cli::Session& session) {
-  stage::View& view = settings.view;
-  const std::string ending = io::picture_ending(settings.output);
-  view.is_data = ending == "json" && !settings.workbench.empty();
-  view.is_page = ending == "html" || ending == "htm" || view.is_data;
-  view.has_field = !settings.field.empty();
-  const bool has_record = !settings.run_report.empty() || !settings.workbench.empty();
-  stage::require_view(view, settings.inputs.size(), has_record, settings.options);
-  const auto format = view.is_page ? io::PictureFormat::svg : io::picture_format(settings.output);
+void run(const Paths& paths, const stage::StageviewOptions& options, cli::Session& session) {
+  const std::string ending = io::picture_ending(paths.output);
+  stage::View view = stage::begun_view(options, ending, paths.inputs.size());
+  // A page is written as it is.
+  const auto format = view.is_page ? io::PictureFormat::svg : io::picture_format(paths.output);
   session.begin_phase("read");
-  std::vector<std::string> paths = settings.inputs;
-  if (view.has_field) paths.insert(paths.begin(), settings.field);
-  for (const std::string& path : paths) {
+  const auto add = [&](const std::string& path) {
     const io::InputFile file = io::read_input(path);
     stage::add_to(view, io::read_any_stage(file), file, session);
-  }
-  if (!settings.run_report.empty())
-    view.run_report = io::read_object(settings.run_report, "a report", "formats/report.md");
-  if (!settings.workbench.empty())
-    view.workbench = io::read_object(settings.workbench, "the state of a workbench", "pipelines/quadbench.md");
+  };
+  if (view.has_field) add(options.field_file);
+  std::ranges::for_each(paths.inputs, add);
+  if (!options.run_report_file.empty())
+    view.run_report = io::read_object(options.run_report_file, "a report", "formats/report.md");
+  if (!options.workbench_file.empty())
+    view.workbench = io::read_object(options.workbench_file, "the state of a workbench", "pipelines/quadbench.md");
   session.begin_phase("draw");
-  const bool is_page = view.is_page;
-  const std::string text =
-      stage::stageview(std::move(view), io::history_stem(settings.inputs.back()), settings.options);
-  const std::string bytes = is_page ? text : io::converted_picture(text, format, settings.output);
+  const std::string text = stage::stageview(std::move(view), io::history_stem(paths.inputs.back()), options);
+  const std::string bytes = io::converted_picture(text, format, paths.output);
   session.end_phase();
-  io::write_output(settings.output, bytes, format != io::PictureFormat::svg);
+  io::write_output(paths.output, bytes, format != io::PictureFormat::svg);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Settings settings;
+  Paths paths;
+  stage::StageviewOptions options;
   cli::Tool tool;
   tool.name = "stageview";
   tool.summary = "draws any stage file: a picture (SVG, PNG, PDF) or a page that zooms (HTML)";
@@ -73,25 +68,12 @@ int main(int argc, char** argv) {
                    "stageview half_disc.sep.json half_disc.blocks.h5 half_disc.quad.h5 -o half_disc.html",
                    "stageview --compare half_disc.quad.h5 half_disc.quad.h5 --width 1400 -o both.svg"};
   tool.options = [&](Options& o) {
-    o.inputs("FILE", settings.inputs, "a stage file; for a page also several, in the order of the chain");
-    o.output(settings.output,
+    o.inputs("FILE", paths.inputs, "a stage file; for a page also several, in the order of the chain");
+    o.output(paths.output,
              "picture to write (SVG; PNG or PDF if the name ends in .png or .pdf), or page (if it ends in .html)");
-    o.input_file("--field", settings.field, "FILE", "field to draw under critical points", false);
-    o.flag("--compare", settings.view.is_comparison,
-           "two files of one format, separatrices, blocks or quads, which need not be of one chain: side by side at "
-           "one scale (in a page also the lines of one over the other), with a table of counts and qualities");
-    o.input_file("--run-report", settings.run_report, "FILE",
-                 "in a page, a tab with this report of the run (quadmesh --report), histograms of the last mesh and "
-                 "the commands by which the files were made",
-                 false);
-    o.input_file(
-        "--workbench", settings.workbench, "FILE",
-        "make the page that quadbench serves, with this JSON object as its state; with -o x.json, the data of the "
-        "page alone",
-        false);
-    declare(o, settings.options);
+    declare(o, options);
   };
-  tool.run = [&](cli::Session& session) { run(settings, session); };
+  tool.run = [&](cli::Session& session) { run(paths, options, session); };
   tool.report_writer = io::write_report;
   return cli::tool_main(argc, argv, tool);
 }

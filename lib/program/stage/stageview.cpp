@@ -1,13 +1,11 @@
 #include "stage/stageview.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/number_list.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
 #include "check/same_origin.hpp"
@@ -19,37 +17,21 @@ namespace quadrille::stage {
 
 namespace {
 
-/// N finite numbers with commas between them.
-template <std::size_t N>
-std::optional<std::array<double, N>> parsed_numbers(const std::string& text) {
-  std::array<double, N> numbers{};
-  const char* at = text.c_str();
-  bool is_sound = true;
-  for (std::size_t k = 0; k < N && is_sound; ++k) {
-    char* end = nullptr;
-    numbers[k] = std::strtod(at, &end);
-    is_sound = end != at && std::isfinite(numbers[k]) && *end == (k + 1 < N ? ',' : '\0');
-    at = end + 1;
-  }
-  return is_sound ? std::optional(numbers) : std::nullopt;
-}
-
 /// "X,Y,Z" or "iso".
 draw::ViewDirection parsed_view(const std::string& text) {
   if (text == "iso") return std::nullopt;
-  const auto numbers = parsed_numbers<3>(text);
-  const Vec3 towards = numbers ? Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]} : Vec3{};
+  const std::vector<double> x = numbers_of(text);
+  const Vec3 towards = x.size() == 3 ? Vec3{x[0], x[1], x[2]} : Vec3{};
   if (!(norm(towards) > 0)) throw UsageError("--view: '" + text + "' is neither iso nor X,Y,Z, a direction");
   return towards;
 }
 
 /// "X0,Y0,X1,Y1".
 draw::Window parsed_window(const std::string& text) {
-  const auto parsed = parsed_numbers<4>(text);
-  const std::array<double, 4> numbers = parsed.value_or(std::array<double, 4>{});
-  if (!parsed || !(numbers[0] < numbers[2]) || !(numbers[1] < numbers[3]))
+  const std::vector<double> x = numbers_of(text);
+  if (x.size() != 4 || x[0] >= x[2] || x[1] >= x[3])
     throw UsageError("--window: '" + text + "' is not X0,Y0,X1,Y1, two corners with X0 < X1 and Y0 < Y1");
-  return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+  return {{x[0], x[1]}, {x[2], x[3]}};
 }
 
 void require_comparable(const View& view, const StageModel& model, const std::string& file) {
@@ -121,6 +103,19 @@ std::string page_of(View view, const std::string& stem) {
 }  // namespace
 
 void declare(Options& o, StageviewOptions& stageview) {
+  o.input_file("--field", stageview.field_file, "FILE", "field to draw under critical points", false);
+  o.flag("--compare", stageview.is_comparison,
+         "two files of one format, separatrices, blocks or quads, which need not be of one chain: side by side at "
+         "one scale (in a page also the lines of one over the other), with a table of counts and qualities");
+  o.input_file("--run-report", stageview.run_report_file, "FILE",
+               "in a page, a tab with this report of the run (quadmesh --report), histograms of the last mesh and "
+               "the commands by which the files were made",
+               false);
+  o.input_file(
+      "--workbench", stageview.workbench_file, "FILE",
+      "make the page that quadbench serves, with this JSON object as its state; with -o x.json, the data of the "
+      "page alone",
+      false);
   o.choice("--show", stageview.show, {"psi", "u", "v", "order"},
            "quantity of a field to show in a picture: cross angle, a component or the polynomial order");
   o.flag("--curve-labels", stageview.labels_all,
@@ -142,7 +137,12 @@ void declare(Options& o, StageviewOptions& stageview) {
   o.integer("--width", stageview.width, 200, 20000, "width of the picture in pixels");
 }
 
-void require_view(const View& view, std::size_t num_files, bool has_record, const StageviewOptions& options) {
+View begun_view(const StageviewOptions& options, const std::string& ending, std::size_t num_files) {
+  View view;
+  view.is_data = ending == "json" && !options.workbench_file.empty();
+  view.is_page = ending == "html" || ending == "htm" || view.is_data;
+  view.is_comparison = options.is_comparison;
+  view.has_field = !options.field_file.empty();
   if (!view.is_page && !view.is_comparison && num_files > 1)
     throw UsageError("several files are shown by a page only: give -o with a name that ends in .html");
   if (!options.window.empty()) static_cast<void>(parsed_window(options.window));
@@ -154,12 +154,13 @@ void require_view(const View& view, std::size_t num_files, bool has_record, cons
     throw UsageError("--bare is for the picture of one stage in the plane: give no page, --compare or --view");
   if (options.labels_all && options.labels_none)
     throw UsageError("--curve-labels and --no-curve-labels exclude each other");
-  if (has_record && (!view.is_page || view.is_comparison))
+  if (!(options.run_report_file + options.workbench_file).empty() && (!view.is_page || view.is_comparison))
     throw UsageError(
         "--run-report and --workbench are for pages of one chain: give -o with a name that ends in .html, and no "
         "--compare");
   if (view.is_comparison && view.has_field) throw UsageError("--compare and --field exclude each other");
   if (view.is_comparison && num_files != 2) throw UsageError("--compare needs two files, layouts or meshes");
+  return view;
 }
 
 void add_to(View& view, StageModel model, FileIdentity file, Run& run) {

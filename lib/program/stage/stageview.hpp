@@ -12,7 +12,11 @@
 namespace quadrille::stage {
 
 struct StageviewOptions {
-  std::string show = "psi";  ///< of a field: "u", "v", "psi" or "order"
+  std::string field_file;       ///< path of the field under critical points, which the caller reads
+  bool is_comparison = false;   ///< of two layouts or meshes, of one chain or not
+  std::string run_report_file;  ///< path of the report of a run, which the caller reads
+  std::string workbench_file;   ///< path of the state of a workbench, which the caller reads
+  std::string show = "psi";     ///< of a field: "u", "v", "psi" or "order"
   bool labels_all = false, labels_none = false;
   bool is_bare = false;  ///< without title, labels and legend
   std::string window;    ///< "X0,Y0,X1,Y1", in the coordinates of the file; empty: everything
@@ -36,9 +40,9 @@ struct View {
   std::string workbench;       ///< for a page that edits: JSON of its state; empty: none
 };
 
-/// Throws UsageError for options that exclude each other or do not fit a page, a picture or `num_files` files, before a
-/// file is read. `has_record`: there will be a report of the run, or the state of a workbench.
-void require_view(const View& view, std::size_t num_files, bool has_record, const StageviewOptions& options);
+/// The view without stages, before a file is read. `ending`: of the output, such as "html". Throws UsageError for
+/// options that exclude each other or do not fit a page, a picture or `num_files` files.
+View begun_view(const StageviewOptions& options, const std::string& ending, std::size_t num_files);
 
 /// Adds a stage. A mesh that is not valid is reported. Throws FormatError if it breaks a rule, or was not made from one
 /// of those before nor one of them from it; UsageError for what cannot be compared.
