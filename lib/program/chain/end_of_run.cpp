@@ -108,16 +108,15 @@ void end_run(ChainState& chain) {
 }
 
 void end_failed_run(ChainState& chain, const ChainFailure& failure) {
-  const std::string name = chain.options.report == "-" ? "standard output" : chain.options.report;
-  const bool is_writable = !failure.message.starts_with(name + ": cannot be written");
-  if (!chain.options.report.empty() && is_writable && !chain.options.is_dry_run) {
+  if (!chain.options.report.empty() && !chain.options.is_dry_run) {
     io::ChainFacts facts = facts_of(chain);
     facts.exit_code = static_cast<int>(failure.code);
     facts.failed_stage = failure.stage;
     facts.error = failure.message;
     const cli::Outcome written = cli::outcome_of(
         [&] { io::write_output(chain.options.report, io::ChainReport(chain.runner.reports(), facts).text(), false); });
-    cli::print_failure("quadmesh", written);
+    // Of several outputs that cannot be written, one is told of; it may be the report.
+    if (failure.code != ExitCode::bad_output) cli::print_failure("quadmesh", written);
   }
   const bool may_be_the_shape = failure.code == ExitCode::no_result || failure.code == ExitCode::defect;
   if (may_be_the_shape && !chain.last.empty()) show_last_file(chain, failure.stage);
