@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "adams_bashforth.hpp"
 #include "check/check.hpp"
 #include "field/evaluate.hpp"
 #include "io/stage_files.hpp"
 #include "io/whole_file.hpp"
-#include "trace/adams_bashforth.hpp"
 #include "trace/launch.hpp"
 
 using namespace quadrille;

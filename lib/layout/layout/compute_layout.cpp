@@ -103,8 +103,7 @@ graph::CandidateLayout with_fine_tolerance(LayoutOptions options, Report& report
       return compute(options);
     } catch (const trace::FamilyOrderError&) {
       options.trace.tolerance /= refinement;
-      const bool has_tolerance = options.trace.integrator == trace::Integrator::runge_kutta;
-      if (!has_tolerance || options.trace.tolerance < finest_tolerance) throw;
+      if (options.trace.tolerance < finest_tolerance) throw;
       report.set("layout.tolerance", options.trace.tolerance);
       finer.emplace(report.progress(), "finer tolerance");
     }

@@ -16,7 +16,7 @@ using LayoutOfOptions = std::function<graph::CandidateLayout(const LayoutOptions
 
 /// compute(options); if it throws trace::FamilyOrderError, again with a tolerance 100 times finer, down to 1e-12
 /// diameters: where many lines approach one separatrix, their errors are larger than their distances. Reports
-/// layout.tolerance if it was changed. The integrator with a fixed step has no tolerance: its errors are not caught.
+/// layout.tolerance if it was changed.
 graph::CandidateLayout with_fine_tolerance(LayoutOptions options, Report& report, const LayoutOfOptions& compute);
 
 /// options.layout:

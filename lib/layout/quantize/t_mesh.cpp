@@ -33,10 +33,9 @@ constexpr FirstLengths first_lengths{};
 
 constexpr int max_cuts = 100;
 
-// Traces all lines to the first length, always by the Runge-Kutta integrator.
+// Traces all lines to the first length.
 trace::LineTracer first_lines(const field::FieldEvaluator& evaluator, const CriticalPoints& points,
-                              const std::vector<Vec2>& nodes, trace::TraceOptions options, Progress* progress) {
-  options.integrator = trace::Integrator::runge_kutta;
+                              const std::vector<Vec2>& nodes, const trace::TraceOptions& options, Progress* progress) {
   trace::LineTracer tracer(evaluator, points, nodes, options);
   tracer.follow_all_to(first_lengths.of(trace::num_launches(points)) * evaluator.field().mesh.face.diameter, progress);
   return tracer;

@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/tolerance.hpp"
 #include "curve/symmetry.hpp"
-#include "trace/adams_bashforth.hpp"
 #include "trace/launch.hpp"
 
 namespace quadrille::trace {
@@ -21,9 +20,8 @@ constexpr double most_deviation = 0.01;  // radians: of the field from a straigh
 
 // Relative to the diameter.
 struct TraceLengths {
-  double hit_distance = 1e-7;  // a line this near to a node ends in it
-  double max_step = 0.05;      // unless the options prescribe another
-  double fixed_step = 0.002;
+  double hit_distance = 1e-7;   // a line this near to a node ends in it
+  double max_step = 0.05;       // unless the options prescribe another
   double launch_radius = 1e-6;  // of a line from a point that is no node
 };
 constexpr TraceLengths relative{};
@@ -108,8 +106,7 @@ LineTracer::LineTracer(const field::FieldEvaluator& evaluator, const CriticalPoi
 
 AdvanceOptions LineTracer::bounds(double length) const {
   const double d = evaluator_.field().mesh.face.diameter;
-  const bool is_fixed = options_.integrator == Integrator::adams_bashforth;
-  const double step = options_.step > 0 ? options_.step : (is_fixed ? relative.fixed_step : relative.max_step) * d;
+  const double step = options_.step > 0 ? options_.step : relative.max_step * d;
   return {options_.tolerance * d, step, std::min(length, max_length_), relative.hit_distance * d};
 }
 
@@ -122,13 +119,10 @@ std::vector<double> LineTracer::reaches() const {
 
 void LineTracer::follow_all_to(double length, Progress* progress) {
   const Progress::Part part(progress, "lines", static_cast<int>(lines_.size() + launches_.size()));
-  const bool is_fixed = options_.integrator == Integrator::adams_bashforth;
-  if (!is_fixed)
-    for (int i = 0; i < static_cast<int>(lines_.size()); ++i, part.advance()) follow_to(i, length);
-  const double reach = is_fixed ? max_length_ : length;
-  const AdvanceOptions options = bounds(reach);
+  for (int i = 0; i < static_cast<int>(lines_.size()); ++i, part.advance()) follow_to(i, length);
+  const AdvanceOptions options = bounds(length);
   for (const Launch& launch : launches_) {
-    add_line(is_fixed ? advance_adams_bashforth(evaluator_, launch, nodes_, options) : traced(launch, options), reach);
+    add_line(traced(launch, options), length);
     part.advance();
   }
   launches_.clear();

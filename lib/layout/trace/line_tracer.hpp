@@ -6,29 +6,17 @@
 // which round-off pushes it: images of one line would end at different places. Such lines are launched as straight
 // ones.
 
-#include <array>
 #include <vector>
 
-#include "base/enum_names.hpp"
 #include "base/progress.hpp"
 #include "model/critical_points.hpp"
 #include "trace/advance.hpp"
 
 namespace quadrille::trace {
 
-enum class Integrator {
-  runge_kutta,     ///< in reference space with error control (trace/advance.hpp)
-  adams_bashforth  ///< the paper's integrator with a fixed step, for comparison (trace/adams_bashforth.hpp)
-};
-
-constexpr auto enum_names(Integrator) { return std::to_array({"rk", "ab4"}); }
-
 struct TraceOptions {
-  Integrator integrator = Integrator::runge_kutta;
   double tolerance = 1e-10;  ///< bound of a step's estimated error, in diameters
-  /// File units: the greatest step of the Runge-Kutta integrator (0: diameter / 20), every step of the fixed-step one
-  /// (0: diameter / 500).
-  double step = 0;
+  double step = 0;           ///< greatest one, file units; 0: diameter / 20
   /// Degrees: head-on separatrices are merged if neither changes its direction by more. On all benchmark shapes 15
   /// removes most thin chords and does not reduce the least scaled Jacobian of the mesh.
   double merge_angle = 15;
@@ -58,10 +46,9 @@ class LineTracer {
              const TraceOptions& options);
 
   /// Follows all lines that have no end yet to a length, at most options.max_length.
-  /// Integrator::adams_bashforth follows them to options.max_length at once.
   void follow_all_to(double length, Progress* progress = nullptr);
 
-  /// Continues one line that was traced before, by the Runge-Kutta integrator.
+  /// Continues one line that was traced before.
   void follow_to(int line, double length);
 
   /// Adds a line from a point of the boundary (a cut), followed to a length.

@@ -19,7 +19,7 @@
 
 namespace quadrille::trace {
 
-/// The `elem` of a step whose coordinates are positions in the plane.
+/// The `elem` of a step whose coordinates are positions in the plane, as those of tests/benchmarks/adams_bashforth.
 inline constexpr int in_the_plane = -1;
 
 /// An accepted step, or the part of it up to the element's edge.

@@ -131,11 +131,7 @@ void propose_other_grids(const CadFace& face, const SeparatrixOptions& separatri
 
 void declare(Options& o, SeparatrixOptions& options) {
   o.number("--tolerance", options.trace.tolerance, 1e-14, 1e-3, "diameters", "greatest error of one integration step");
-  o.choice("--integrator", options.trace.integrator,
-           "integrator of the separatrices: Runge-Kutta in reference space with error control, or, for comparison, the "
-           "paper's Adams-Bashforth in physical space with a fixed step");
-  o.number("--step", options.trace.step, 0, 1e300, "file units",
-           "greatest step, 0: diameter / 20; with ab4 the fixed step, 0: diameter / 500");
+  o.number("--step", options.trace.step, 0, 1e300, "file units", "greatest step of the integration, 0: diameter / 20");
   o.number("--merge-angle", options.trace.merge_angle, 0, 40, "degrees",
            "merge head-on separatrices if their direction changes by less than this");
   o.number("--merge-distance", options.trace.merge_distance, 0, 1e300, "file units",

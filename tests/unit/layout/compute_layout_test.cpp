@@ -46,15 +46,10 @@ TEST(FineTolerance, IsRefinedWhileLinesOfOneFamilyCrossAndReported) {
   EXPECT_EQ(c.report.entries().front().first, "layout.tolerance");
 }
 
-TEST(FineTolerance, IsNotRefinedBelowRoundOffNorForAFixedStep) {
+TEST(FineTolerance, IsNotRefinedBelowRoundOff) {
   Computation c{0};
   EXPECT_THROW(c.run(), trace::FamilyOrderError);
   EXPECT_EQ(c.tried.size(), 2u);
-  Computation fixed{0};
-  LayoutOptions options;
-  options.trace.integrator = trace::Integrator::adams_bashforth;
-  EXPECT_THROW(fixed.run(options), trace::FamilyOrderError);
-  EXPECT_EQ(fixed.tried.size(), 1u);
 }
 
 /// Two reflex corners, whose four lines cross once: six blocks, two of them thin.

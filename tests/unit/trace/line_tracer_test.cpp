@@ -106,17 +106,6 @@ TEST_F(FiveRays, LinesAreFollowedInRounds) {
   for (const Streamline& line : tracer.lines()) EXPECT_EQ(line.end, Streamline::End::boundary);
 }
 
-TEST_F(FiveRays, TheFixedStepIntegratorFollowsLinesToTheirEndsAtOnce) {
-  options.integrator = Integrator::adams_bashforth;
-  LineTracer tracer(evaluator, points, nodes, options);
-  tracer.follow_all_to(0.3);
-  EXPECT_EQ(tracer.reaches(), std::vector(5, 0.));
-  for (const Streamline& line : tracer.lines()) {
-    EXPECT_EQ(line.end, Streamline::End::boundary);
-    EXPECT_EQ(line.steps.front().elem, in_the_plane);
-  }
-}
-
 TEST_F(FiveRays, ACutStartsOnTheBoundary) {
   LineTracer tracer(evaluator, points, nodes, options);
   tracer.follow_all_to(10);

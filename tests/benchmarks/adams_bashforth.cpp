@@ -1,4 +1,4 @@
-#include "trace/adams_bashforth.hpp"
+#include "adams_bashforth.hpp"
 
 #include <fmt/format.h>
 
