@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -13,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
+#include "base/number_list.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/named_places.hpp"
 #include "curve/select_curves.hpp"
@@ -213,14 +212,6 @@ void rename_curves(CadFace& face, const std::vector<NameRule>& rules, const std:
 
 namespace {
 
-template <class Number>
-std::optional<Number> number_of(const std::string& text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 /// "4" or "3-6": the first number and the last; nothing for other texts.
 std::optional<std::pair<int, int>> range_of(const std::string& item) {
   if (item.empty() || item.find_first_not_of("0123456789-") != std::string::npos) return std::nullopt;
@@ -253,11 +244,7 @@ NameRule rule_of_point(const std::string& point, const std::string& where) {
   NameRule rule;
   rule.kind = NameRule::Kind::position;
   rule.max_distance = max_option_distance;
-  for (const std::string& item : split_at_commas(point)) {
-    const auto number = number_of<double>(item);
-    if (!number || !std::isfinite(*number)) throw UsageError(where + ": a point is X,Y or X,Y,Z, in file units");
-    rule.position.push_back(*number);
-  }
+  rule.position = numbers_of(point);
   if (rule.position.size() < 2 || rule.position.size() > 3)
     throw UsageError(where + ": a point is X,Y or X,Y,Z, in file units");
   return rule;

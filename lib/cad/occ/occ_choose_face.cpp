@@ -13,13 +13,14 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
+#include "base/number_list.hpp"
 #include "occ/occ_face.hpp"
 #include "occ/occ_one_surface.hpp"
 #include "sew/one_sheet.hpp"
@@ -198,11 +199,8 @@ std::vector<int> numbers_of(const std::vector<PlacedFace>& faces, Condition cond
 }
 
 std::optional<int> as_number(const std::string& choice, int num_faces) {
-  int number = -1;
-  const char* end = choice.data() + choice.size();
-  const auto read = std::from_chars(choice.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || number < 0 || number >= num_faces) return std::nullopt;
-  return number;
+  const std::optional<int> number = quadrille::number_of<int>(choice);
+  return number && *number >= 0 && *number < num_faces ? number : std::nullopt;
 }
 
 // "cover.1" is piece 1 of the face with the name "cover".

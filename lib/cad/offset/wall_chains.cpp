@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
+#include "base/number_list.hpp"
 #include "curve/named_places.hpp"
 #include "surface/positions.hpp"
 
@@ -21,11 +22,11 @@ OffsetRequest request_of(const std::string& option) {
   if (equal == std::string::npos || equal == 0)
     throw UsageError(where + ": expected NAME=T, with the distance T in file units");
   OffsetRequest request{split_at_commas(option.substr(0, equal)), 0, where};
-  const char *begin = option.data() + equal + 1, *end = option.data() + option.size();
-  const auto [stop, error] = std::from_chars(begin, end, request.distance);
-  if (error != std::errc() || stop != end || !std::isfinite(request.distance))
-    throw UsageError(where + ": '" + std::string(begin, end) + "' is not a number");
-  if (!(request.distance > 0)) throw UsageError(where + ": the distance must be positive");
+  const std::string text = option.substr(equal + 1);
+  const std::optional<double> distance = finite_number_of(text);
+  if (!distance) throw UsageError(where + ": '" + text + "' is not a number");
+  if (*distance <= 0) throw UsageError(where + ": the distance must be positive");
+  request.distance = *distance;
   for (const std::string& name : request.names)
     if (name.empty()) throw UsageError(where + ": the name of a boundary is empty");
   return request;

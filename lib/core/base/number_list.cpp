@@ -1,24 +1,25 @@
 #include "base/number_list.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <cstddef>
-#include <system_error>
+
+#include "base/message_text.hpp"
+#include "base/name_text.hpp"
 
 namespace quadrille {
 
+std::optional<double> finite_number_of(std::string_view text) {
+  const std::optional<double> number = number_of<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
 std::vector<double> numbers_of(std::string_view list) {
   std::vector<double> numbers;
-  for (;;) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(list.data(), list.data() + list.size(), number);
-    if (error != std::errc() || !std::isfinite(number)) return {};
-    numbers.push_back(number);
-    list.remove_prefix(static_cast<std::size_t>(end - list.data()));
-    if (list.empty()) return numbers;
-    if (list.front() != ',') return {};
-    list.remove_prefix(1);
+  for (const std::string& part : split_at_commas(list)) {
+    const std::optional<double> number = finite_number_of(part);
+    if (!number) return {};
+    numbers.push_back(*number);
   }
+  return numbers;
 }
 
 }  // namespace quadrille

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 
 #include "base/error.hpp"
@@ -97,10 +96,7 @@ void keep_boundary(const CadFace& face, std::vector<int>& curves) {
 std::vector<int> named_curves(const CadFace& face, const std::string& name, const std::string& option) {
   std::vector<int> curves = selected_curves(face, name, option);
   if (std::ranges::find(face.curve_names, name) == face.curve_names.end()) keep_boundary(face, curves);
-  int number = -1;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  const bool is_number = error == std::errc() && end == name.data() + name.size();
-  if (curves.empty() && is_number) curves = curves_of_number(face, number);
+  if (const auto number = number_of<int>(name); number && curves.empty()) curves = curves_of_number(face, *number);
   if (!curves.empty()) return curves;
   if (const std::size_t at = name.rfind('@'); at != std::string::npos && face.num_regions() > 1)
     return curves_of_region(face, name, at, option);

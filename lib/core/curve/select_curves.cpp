@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/name_text.hpp"
+#include "base/number_list.hpp"
 #include "base/point_grid.hpp"
 #include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
@@ -22,9 +22,6 @@ namespace quadrille::curve {
 namespace {
 
 constexpr int points_per_curve = 64;
-/// Of the radius, for splines of CAD programs that stand for circles, and of the face's diameter, for curves on the
-/// border of a box.
-constexpr double closeness = 1e-6;
 constexpr double equal_diameters = 1e-3;  // of the diameter
 constexpr double smooth_turn = radians(1);
 
@@ -54,9 +51,7 @@ std::optional<std::string> arguments_of(const std::string& text, const std::stri
 }
 
 double number_in(const std::string& text, const std::string& where, const std::string& expected) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) return value;
+  if (const std::optional<double> value = finite_number_of(text)) return *value;
   throw UsageError(fmt::format("{}: '{}' is not a number: expected {}", where, text, expected));
 }
 
@@ -69,7 +64,7 @@ std::vector<int> curves_in_box(const CadFace& face, const std::string& arguments
   if (in_plane && face.chart) throw UsageError(where + ": the face is curved: give box(X0,Y0,Z0,X1,Y1,Z1) in space");
   const auto [low, high] = in_plane ? std::pair{Vec3{x[0], x[1], 0}, Vec3{x[2], x[3], 0}}
                                     : std::pair{Vec3{x[0], x[1], x[2]}, Vec3{x[3], x[4], x[5]}};
-  const double border = closeness * (face.chart ? surface::diameter(*face.chart) : face.diameter);
+  const double border = tolerance::same_point * (face.chart ? surface::diameter(*face.chart) : face.diameter);
   const auto is_between = [&](double value, double a, double b) {
     return value >= std::min(a, b) - border && value <= std::max(a, b) + border;
   };
@@ -93,9 +88,9 @@ std::optional<double> circle_diameter(const CadFace& face, int loop) {
   const Vec3 a = points[0], u = points[points.size() / 3] - a, v = points[points.size() * 2 / 3] - a, w = cross(u, v);
   if (!(norm2(w) > 0)) return std::nullopt;
   const Vec3 centre = a + (norm2(v) * cross(w, u) + norm2(u) * cross(v, w)) / (2 * norm2(w));
-  const double radius = distance(a, centre), tolerance = closeness * radius;
+  const double radius = distance(a, centre), slack = tolerance::same_point * radius;
   const auto is_on_circle = [&, normal = normalized(w)](Vec3 p) {
-    return std::abs(distance(p, centre) - radius) <= tolerance && std::abs(dot(p - centre, normal)) <= tolerance;
+    return std::abs(distance(p, centre) - radius) <= slack && std::abs(dot(p - centre, normal)) <= slack;
   };
   if (!std::ranges::all_of(points, is_on_circle)) return std::nullopt;
   return 2 * radius;

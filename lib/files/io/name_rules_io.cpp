@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
 #include "io/json_archive.hpp"
 
@@ -67,10 +67,9 @@ NameRule rule_of_key(const std::string& key, const Dialect& dialect, const std::
   if (const auto rest = rule_of_rest(key, dialect)) return *rest;
   NameRule rule;
   rule.text = key;
-  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), rule.number);
-  const bool is_number = error == std::errc() && end == key.data() + key.size();
-  if (!is_number) rule.number = -1;
-  if (!is_number && !dialect.has_old_names) throw FormatError(where + ": must be the number of a block, or \"*\"");
+  const std::optional<int> number = number_of<int>(key);
+  rule.number = number.value_or(-1);
+  if (!number && !dialect.has_old_names) throw FormatError(where + ": must be the number of a block, or \"*\"");
   rule.kind = dialect.has_old_names ? NameRule::Kind::key : NameRule::Kind::number;
   return rule;
 }

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
+#include "base/number_list.hpp"
 
 namespace quadrille::io {
 
@@ -27,12 +27,6 @@ std::vector<std::string> words_of(std::string_view line) {
     begin = line.find_first_not_of(separators, end);
   }
   return words;
-}
-
-std::optional<double> number_of(const std::string& word) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() ? std::optional<double>(value) : std::nullopt;
 }
 
 std::vector<std::string> in_small_letters(std::vector<std::string> words) {
@@ -75,14 +69,14 @@ class TableReader {
 
  private:
   void read_line(const std::vector<std::string>& words) {
-    if (rows_.empty() && !has_heading_ && !number_of(words[0])) return read_heading(words);
+    if (rows_.empty() && !has_heading_ && !number_of<double>(words[0])) return read_heading(words);
     const std::size_t needed = *std::max_element(columns_.begin(), columns_.end()) + 1;
     if (words.size() < needed || (!has_heading_ && words.size() != needed))
       fail(fmt::format("expected {} numbers, found {}", needed, words.size()));
     TableRow row{line_, {}};
     for (const std::size_t column : columns_) {
-      const std::optional<double> value = number_of(words[column]);
-      if (!value || !std::isfinite(*value)) fail(fmt::format("'{}' is not a number", words[column]));
+      const std::optional<double> value = finite_number_of(words[column]);
+      if (!value) fail(fmt::format("'{}' is not a number", words[column]));
       row.values.push_back(*value);
     }
     rows_.push_back(std::move(row));
@@ -121,7 +115,7 @@ bool is_point_table(const InputFile& file) {
 std::vector<std::string> table_heading(const InputFile& file) {
   std::vector<std::string> heading;
   for_each_line(file.bytes, [&](int, const std::vector<std::string>& words) {
-    if (!number_of(words[0])) heading = in_small_letters(words);
+    if (!number_of<double>(words[0])) heading = in_small_letters(words);
     return false;
   });
   return heading;

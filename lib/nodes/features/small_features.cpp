@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/number_list.hpp"
 #include "base/tolerance.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
@@ -192,9 +192,8 @@ double automatic_feature_size(const CadFace& face) {
 
 std::optional<double> parse_feature_size(const std::string& text) {
   if (text == "auto") return std::nullopt;
-  double size = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-  if (error != std::errc() || end != text.data() + text.size() || !(size >= 0) || !std::isfinite(size))
+  const std::optional<double> size = finite_number_of(text);
+  if (!size || *size < 0)
     throw UsageError(fmt::format("--feature-size {}: expected \"auto\" or a length in file units, 0 or above", text));
   return size;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -22,10 +21,8 @@ namespace quadrille::guide {
 namespace {
 
 std::optional<int> whole_number(const std::string& text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_whole = error == std::errc() && end == text.data() + text.size() && value >= 0;
-  return is_whole ? std::optional<int>(value) : std::nullopt;
+  const std::optional<int> value = number_of<int>(text);
+  return value && *value >= 0 ? value : std::nullopt;
 }
 
 std::string name_of(const CadFace& face, const Corner& c) {

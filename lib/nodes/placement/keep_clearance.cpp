@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "base/number_list.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "curve/face_boundary.hpp"
@@ -296,11 +296,9 @@ NamedClearance parse_clearance(const std::string& text) {
   NamedClearance result;
   if (equals != std::string::npos) {
     result.name = text.substr(0, equals);
-    const char* end = text.data() + text.size();
-    const auto read = std::from_chars(text.data() + equals + 1, end, result.clearance);
-    if (read.ec != std::errc() || read.ptr != end) result.clearance = 0;
+    result.clearance = finite_number_of(text.substr(equals + 1)).value_or(0);
   }
-  if (result.name.empty() || !(result.clearance > 0) || !std::isfinite(result.clearance))
+  if (result.name.empty() || !(result.clearance > 0))
     throw UsageError(fmt::format("--clearance: '{}' is not NAME=L with a length L > 0", text));
   return result;
 }

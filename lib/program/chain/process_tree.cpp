@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <charconv>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/message_text.hpp"
 
 namespace quadrille::chain {
 
@@ -38,10 +39,7 @@ pid_t parent_of(pid_t process) {
 std::set<pid_t> present_processes() {
   std::set<pid_t> processes;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    const std::string name = entry.path().filename();
-    pid_t process = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
-    if (error == std::errc() && *end == '\0') processes.insert(process);
+    if (const auto process = number_of<pid_t>(entry.path().filename().native())) processes.insert(*process);
   }
   return processes;
 }

@@ -6,10 +6,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "base/error.hpp"
+#include "base/message_text.hpp"
 #include "base/name_text.hpp"
 #include "base/options.hpp"
 
@@ -17,27 +17,24 @@ namespace quadrille::cli {
 
 namespace {
 
-/// The whole of `text` as a number; a leading + is allowed.
+/// The whole of `text` as a number, with kind `what` in the refusal; a leading + is allowed.
 template <typename T>
-bool parse_number(const std::string& text, T& value) {
-  const char* const begin = text.c_str() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
-  const char* const end = text.c_str() + text.size();
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  return error == std::errc() && stop == end && begin != end;
+T parsed_number(const std::string& flag, const std::string& text, const char* what) {
+  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  if (const std::optional<T> number = number_of<T>(text.substr(has_plus ? 1 : 0))) return *number;
+  throw UsageError(fmt::format("{}: '{}' is not {}", flag, text, what));
 }
 
 }  // namespace
 
 double number_within(const std::string& flag, const std::string& text, double low, double high) {
-  double given = 0;
-  if (!parse_number(text, given)) throw UsageError(fmt::format("{}: '{}' is not a number", flag, text));
+  const auto given = parsed_number<double>(flag, text, "a number");
   require_in_interval(flag, given, text, low, high);
   return given;
 }
 
 int integer_within(const std::string& flag, const std::string& text, int low, int high) {
-  int given = 0;
-  if (!parse_number(text, given)) throw UsageError(fmt::format("{}: '{}' is not an integer", flag, text));
+  const auto given = parsed_number<int>(flag, text, "an integer");
   require_in_interval(flag, given, text, low, high);
   return given;
 }

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -13,6 +11,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "base/number_list.hpp"
 #include "base/options.hpp"
 #include "cad/curve_names.hpp"
 #include "cad/file_kind.hpp"
@@ -33,11 +32,10 @@ namespace {
 /// As heal::BluntOptions::width.
 double blunt_width(const std::string& text) {
   if (text == "auto") return heal::automatic_width;
-  double width = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), width);
-  if (error != std::errc() || end != text.data() + text.size() || !(width >= 0) || !std::isfinite(width))
+  const std::optional<double> width = finite_number_of(text);
+  if (!width || *width < 0)
     throw UsageError(fmt::format("--blunt {}: expected \"auto\" or a width in file units, 0 or above", text));
-  return width;
+  return *width;
 }
 
 /// The texts of the options as what they mean.

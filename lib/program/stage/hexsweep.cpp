@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
+#include "base/number_list.hpp"
 #include "base/tolerance.hpp"
 #include "base/warning_codes.hpp"
 #include "check/check.hpp"
@@ -24,28 +25,24 @@ namespace {
 constexpr double usual_turn = 15;        ///< degrees of a layer at most, where the number of layers is free
 constexpr double greatest_error = 1e-2;  ///< diameters of the body from the motion, beyond which there is a warning
 
-/// Numbers with commas between them; empty unless there are as many as one of `counts`.
-std::vector<double> numbers_of(const std::string& option, const std::string& text, const std::vector<int>& counts,
-                               const std::string& form) {
-  std::vector<double> numbers;
-  for (const std::string& part : split_at_commas(text))
-    if (const std::optional<double> number = number_of<double>(part); number && std::isfinite(*number))
-      numbers.push_back(*number);
-  const auto count = static_cast<int>(numbers.size());
-  if (numbers.size() != split_at_commas(text).size() || std::ranges::find(counts, count) == counts.end())
+/// Numbers with commas between them, as many as one of `counts`.
+std::vector<double> required_numbers(const std::string& option, const std::string& text, const std::vector<int>& counts,
+                                     const std::string& form) {
+  std::vector<double> numbers = numbers_of(text);
+  if (std::ranges::find(counts, std::ssize(numbers)) == counts.end())
     throw UsageError(fmt::format("{}: '{}' is not {}", option, text, form));
   return numbers;
 }
 
 Vec3 parsed_along(const std::string& text) {
-  const std::vector<double> x = numbers_of("--along", text, {3}, "X,Y,Z");
+  const std::vector<double> x = required_numbers("--along", text, {3}, "X,Y,Z");
   const Vec3 along{x[0], x[1], x[2]};
   if (!(norm(along) > 0)) throw UsageError("--along: the vector must not be zero");
   return along;
 }
 
 std::vector<double> parsed_axis(const std::string& text) {
-  return numbers_of("--axis", text, {4, 6}, "X1,Y1,X2,Y2, two points in the plane of the face, nor six numbers");
+  return required_numbers("--axis", text, {4, 6}, "X1,Y1,X2,Y2, two points in the plane of the face, nor six numbers");
 }
 
 void require_one_motion(const HexsweepOptions& options) {
@@ -144,7 +141,7 @@ double usual_size(const QuadMesh& quads, const std::vector<Vec3>& nodes) {
 
 Vec3 centre_of(const QuadMesh& quads, const std::string& text) {
   if (!text.empty()) {
-    const std::vector<double> x = numbers_of("--centre", text, {2}, "X,Y");
+    const std::vector<double> x = required_numbers("--centre", text, {2}, "X,Y");
     return in_plane(quads.face, x[0], x[1]);
   }
   Vec2 low = quads.nodes.front(), high = low;
@@ -259,7 +256,7 @@ void HexsweepOptions::validate() const {
   require_closed_turn(*this);
   if (!along.empty()) parsed_along(along);
   if (!axis.empty()) parsed_axis(axis);
-  if (!centre.empty()) numbers_of("--centre", centre, {2}, "X,Y");
+  if (!centre.empty()) required_numbers("--centre", centre, {2}, "X,Y");
   if (!centre.empty() && twist == 0 && taper == 1)
     throw UsageError("--centre is of --twist and --taper: give one of them");
   if (!terrain_file.empty() && !(height > 0)) throw UsageError("--terrain needs --height, that of the top");

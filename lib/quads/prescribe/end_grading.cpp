@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "base/number_list.hpp"
 #include "base/warning_codes.hpp"
 #include "mesh/chords.hpp"
 #include "prescribe/log_spacing.hpp"
@@ -253,8 +254,8 @@ void warn_if_steep(const std::string& boundary, double ratio, double growth, Rep
 
 std::optional<double> length_of(const std::string& text) {
   if (text.empty()) return 0;
-  const std::optional<double> value = number_of<double>(text);
-  return value && *value >= 0 && std::isfinite(*value) ? value : std::nullopt;
+  const std::optional<double> value = finite_number_of(text);
+  return value && *value >= 0 ? value : std::nullopt;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "base/number_list.hpp"
 #include "curve/named_places.hpp"
 #include "curve/symmetry_lines.hpp"
 #include "model/name_rules.hpp"
@@ -53,8 +54,8 @@ constexpr double least_curvature_size = 1e-4;  // diameters
 
 /// A finite number above 0.
 std::optional<double> length_of(const std::string& text) {
-  const std::optional<double> length = number_of<double>(text);
-  return length && *length > 0 && std::isfinite(*length) ? length : std::nullopt;
+  const std::optional<double> length = finite_number_of(text);
+  return length && *length > 0 ? length : std::nullopt;
 }
 
 /// The parts of a text before and behind the last =.
