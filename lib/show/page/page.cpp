@@ -12,23 +12,21 @@ namespace quadrille::page {
 
 namespace {
 
+/// nullptr: it has none, as hexahedra and some critical points.
 const CadFace* face_of(const StageModel& stage) {
   return std::visit(
       [](const auto& model) -> const CadFace* {
-        using Model = std::decay_t<decltype(model)>;
-        if constexpr (std::is_same_v<Model, HexMesh>)
-          return nullptr;
-        else if constexpr (std::is_same_v<Model, CriticalPoints>)
-          return model.face.curves.empty() ? nullptr : &model.face;
-        else if constexpr (std::is_same_v<Model, Field>)
+        if constexpr (requires { model.mesh.face; })
           return &model.mesh.face;
+        else if constexpr (requires { model.face; })
+          return model.face.curves.empty() ? nullptr : &model.face;
         else
-          return &model.face;
+          return nullptr;
       },
       stage);
 }
 
-/// The first face of the stages; nullptr if only critical points or hexahedra are shown.
+/// The first face of the stages; nullptr if none has one.
 const CadFace* first_face(const std::vector<StageModel>& stages) {
   for (const StageModel& stage : stages)
     if (const CadFace* face = face_of(stage)) return face;
