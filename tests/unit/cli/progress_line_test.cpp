@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <regex>
 
@@ -199,7 +200,8 @@ TEST(ProgressTicker, UpdatesTheLineWithoutBeingAsked) {
   line.begin_phase("work");
   part.advance(5);
   std::unique_lock lock(mutex);
-  changed.wait(lock, [&] { return shown(written) == "sample: work, steps 5, N s"; });
+  EXPECT_TRUE(
+      changed.wait_for(lock, std::chrono::seconds(60), [&] { return shown(written) == "sample: work, steps 5, N s"; }));
 }
 
 TEST(ProgressLine, ASignalErasesIt) {
