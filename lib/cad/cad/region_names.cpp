@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/message_text.hpp"
 #include "base/name_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/project.hpp"
 #include "mesh/given_position.hpp"
 #include "outline/extent.hpp"
@@ -22,9 +23,6 @@
 namespace quadrille::cad {
 
 namespace {
-
-/// Diameters: a point as near to a curve is on it.
-constexpr double on_boundary = 1e-6;
 
 std::vector<std::string> names_of(const CadFace& face) {
   return face.region_names.empty() ? std::vector<std::string>{face.name} : face.region_names;
@@ -47,7 +45,7 @@ std::vector<int> region_around(const CadFace& face, const NameRule& rule) {
   const Vec2 x = mesh::given_position(face, rule.position, rule.where);
   const std::string text = fmt::format("({:.6g})", fmt::join(rule.position, ", "));
   for (const Nurbs& curve : face.curves)
-    if (curve::project(curve, x).distance <= on_boundary * face.diameter)
+    if (curve::project(curve, x).distance <= tolerance::same_point * face.diameter)
       throw FormatError(fmt::format("{}: {} is on the boundary of a region: give a point inside", rule.where, text));
   std::vector<int> winding(face.num_regions(), 0);
   for (int l = 0; l < face.num_loops(); ++l) winding[face.region_of_loop(l)] += winding_number(face, l, x);

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/tolerance.hpp"
 #include "base/vec3.hpp"
 #include "surface/nurbs_surface.hpp"
 
@@ -45,9 +46,8 @@ struct Extent {
 
 /// `is_closed`, `is_periodic`: the surface in this direction.
 Extent extent(double begin, double end, double least, double most, bool is_closed, bool is_periodic) {
-  constexpr double near = 1e-6;
   Extent e{begin, end, least, most, is_periodic ? most - least : 0, false};
-  e.is_closed = is_closed && end - begin > (most - least) * (1 - near);
+  e.is_closed = is_closed && end - begin > (most - least) * (1 - tolerance::same_point);
   if (e.is_closed) e.begin = least, e.end = most;  // parameters of the face may be whole periods away
   return e;
 }

@@ -21,6 +21,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "base/tolerance.hpp"
 #include "occ/occ_completed_face.hpp"
 #include "occ/occ_one_surface.hpp"
 #include "occ/occ_shared_edges.hpp"
@@ -118,7 +119,6 @@ class EdgeCollector {
 enum class Closing { none, u, v };
 
 Closing closing_along(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surface) {
-  constexpr double near = 1e-6;
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   surface->Bounds(u0, u1, v0, v1);
   const Handle(ShapeAnalysis_Surface) analysis = new ShapeAnalysis_Surface(surface);
@@ -129,7 +129,7 @@ Closing closing_along(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surf
     const gp_Pnt2d uv = analysis->ValueOfUV(curve.Value(first + part * (last - first)), 0);
     const auto is_near = [&](double t, double begin, double end) {
       const double turns = (t - begin) / (end - begin);
-      return std::abs(turns - std::round(turns)) < near;
+      return std::abs(turns - std::round(turns)) < tolerance::same_point;
     };
     is_u = is_u && is_near(uv.X(), u0, u1), is_v = is_v && is_near(uv.Y(), v0, v1);
   }
@@ -137,11 +137,11 @@ Closing closing_along(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surf
 }
 
 bool goes_round(const TopoDS_Face& face, Closing direction) {
-  constexpr double near = 1e-6;
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0, a = 0, b = 0, c = 0, d = 0;
   BRep_Tool::Surface(face)->Bounds(u0, u1, v0, v1);
   BRepTools::UVBounds(face, a, b, c, d);
-  return direction == Closing::u ? b - a > (u1 - u0) * (1 - near) : d - c > (v1 - v0) * (1 - near);
+  return direction == Closing::u ? b - a > (u1 - u0) * (1 - tolerance::same_point)
+                                 : d - c > (v1 - v0) * (1 - tolerance::same_point);
 }
 
 /// The faces and the edges that bound them, as long as it is not known which of the others are seams.

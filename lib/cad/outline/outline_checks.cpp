@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "base/vec2.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
@@ -71,9 +72,8 @@ std::vector<Piece> simple_pieces(const std::vector<Nurbs>& loop, int loop_id) {
 
 // Whether a, which ends where b starts, and b leave their common point in one direction, within rounding.
 bool form_cusp(const Nurbs& a, const Nurbs& b) {
-  constexpr double rounding = 1e-6;
   const Vec2 back = -curve::tangent(a, a.end(), true), ahead = curve::tangent(b, b.begin());
-  return std::abs(std::atan2(cross(back, ahead), dot(back, ahead))) <= rounding;
+  return std::abs(std::atan2(cross(back, ahead), dot(back, ahead))) <= tolerance::same_angle;
 }
 
 // Where two pieces meet, with the parameters there.
@@ -165,8 +165,7 @@ class ContactSearch {
                q = cone(std::next(b.poles.begin()), b.poles.end());
     if (p.high - p.low > 3 || q.high - q.low > 3) return false;
     const double between = wrap_two_pi(std::atan2(cross(p.axis, q.axis), dot(p.axis, q.axis)));
-    constexpr double margin = 1e-9;
-    return between + q.low > p.high + margin && between + q.high < 2 * pi + p.low - margin;
+    return between + q.low > p.high + tolerance::round_off && between + q.high < 2 * pi + p.low - tolerance::round_off;
   }
 
   double tol_;

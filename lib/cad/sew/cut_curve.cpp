@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/message_text.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "curve/pole_box.hpp"
 #include "outline/outline_checks.hpp"
@@ -27,9 +28,6 @@ Nurbs joined_curve(const Nurbs& a, const Nurbs& b) {
 
 namespace {
 
-/// Part of the parameter interval: a cut as near to a knot or the seam is at it, so that no piece has a span as short.
-constexpr double rounding = 1e-9;
-
 double at_inner_knot(const Nurbs& curve, double t, double near) {
   for (const double knot : curve.knots)
     if (std::abs(knot - t) <= near && knot > curve.begin() && knot < curve.end()) return knot;
@@ -50,7 +48,8 @@ std::vector<CutPiece> open_pieces(const Nurbs& curve, const std::vector<Cut>& cu
 }  // namespace
 
 std::vector<CutPiece> cut_curve(const Nurbs& curve, std::vector<Cut> cuts, int start) {
-  const double near = rounding * (curve.end() - curve.begin());
+  // A cut as near to a knot or the seam is at it, so that no piece has a span as short.
+  const double near = tolerance::round_off * (curve.end() - curve.begin());
   for (Cut& cut : cuts) cut.t = at_inner_knot(curve, cut.t, near);
   std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.t < b.t; });
   if (start >= 0 || cuts.empty()) return open_pieces(curve, cuts, start);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/tolerance.hpp"
 #include "curve/nurbs.hpp"
 #include "heal/joint_target.hpp"
 #include "sew/cut_curve.hpp"
@@ -69,10 +70,6 @@ std::vector<std::vector<Nurbs>> loop_curves(const Region& region) {
 }
 
 namespace {
-
-/// Ends of curves that are moved by no more than this part of the curve's size keep the shape of the curve up to
-/// rounding; others are moved as healing moves them.
-constexpr double rounding = 1e-9;
 
 /// The start of a curve.
 struct Start {
@@ -218,7 +215,8 @@ Nurbs curve_to_places(const Placed& placed, CurveId id) {
   const Vec2 start = placed.positions[from];
   const Vec2 end = placed.positions[placed.places[id.region][region.next_in_loop(id.curve)]];
   const double moved = std::max(distance(start, curve.poles.front()), distance(end, curve.poles.back()));
-  if (moved > rounding * curve::pole_box(curve).diagonal())
+  // Otherwise the curve keeps its shape up to rounding.
+  if (moved > tolerance::round_off * curve::pole_box(curve).diagonal())
     if (std::vector<Nurbs> pieces = heal::moved_curve(curve, start, end); pieces.size() == 1) return pieces.front();
   return moved > 0 ? curve::with_ends(curve, start, end) : curve;
 }

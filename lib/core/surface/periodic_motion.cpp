@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/tolerance.hpp"
 #include "spectral/quadrature.hpp"
 #include "surface/nurbs_surface.hpp"
 
@@ -12,7 +13,6 @@ namespace quadrille::surface {
 namespace {
 
 constexpr double least_area = 1e-3;  ///< of the square of the distance of both ends: else the side is a line
-constexpr double rounding = 1e-9;    ///< a component of an axis below it is 0
 
 /// An end of a side, where the surface has this normal, of any length.
 struct SideEnd {
@@ -81,7 +81,7 @@ std::array<Columns, 2> frames(const SideShape& a, const SideShape& b) {
 
 Vec3 without_rounding(Vec3 direction) {
   for (double* const x : {&direction.x, &direction.y, &direction.z})
-    if (std::abs(*x) < rounding) *x = 0;
+    if (std::abs(*x) < tolerance::round_off) *x = 0;
   return normalized(direction);
 }
 
@@ -112,10 +112,10 @@ Vec3 original(const SpaceMotion& motion, Vec3 y) {
 }
 
 double snapped_to_fraction(double angle) {
-  constexpr double same_angle = 1e-9;
   constexpr int most_parts = 720;
   for (int n = 1; n <= most_parts; ++n)
-    if (const double whole = 2 * pi * std::round(angle * n / (2 * pi)) / n; std::abs(angle - whole) < same_angle)
+    if (const double whole = 2 * pi * std::round(angle * n / (2 * pi)) / n;
+        std::abs(angle - whole) < tolerance::round_off)
       return whole;
   return angle;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/parallel.hpp"
+#include "spectral/bernstein_tables.hpp"
 #include "spectral/hex_map.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
@@ -16,7 +17,6 @@ namespace quadrille::sweep {
 
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
 constexpr double node_ulps = 64;   ///< of a node from the exact motion, of the greatest coordinate
 constexpr double equal_steps = 4;  ///< units of rounding by which layers differ that are one
 constexpr int chunk = 64;          ///< elements of one piece of work
@@ -65,7 +65,8 @@ std::vector<Figures> straight_figures(const SweptQuads& swept, Vec3 along) {
   for (int q = 0; q < quads.num_elems(); ++q) {
     auto [a, b] = derivative_bounds(quads, q, d);
     if (swept.is_mirrored()) std::swap(a, b);
-    figures[q].bounds = {quads.elem_jacobian_bound[q] * rise / 2 * (1 - 16 * unit_roundoff), {a, b, norm(along) / 2}};
+    figures[q].bounds = {quads.elem_jacobian_bound[q] * rise / 2 * (1 - 16 * spectral::unit_roundoff),
+                         {a, b, norm(along) / 2}};
     figures[q].scaled_jacobian =
         quads.elem_scaled_jacobian[q] * (quads.elem_scaled_jacobian[q] > 0 ? rise / norm(along) : 1);
   }
@@ -78,7 +79,7 @@ std::vector<int> first_equals(const std::vector<double>& ends) {
   for (std::size_t l = 0; l + 1 < ends.size(); ++l) {
     int first = 0;
     while (first < static_cast<int>(l) &&
-           std::abs((ends[first + 1] - ends[first]) - (ends[l + 1] - ends[l])) > equal_steps * unit_roundoff)
+           std::abs((ends[first + 1] - ends[first]) - (ends[l + 1] - ends[l])) > equal_steps * spectral::unit_roundoff)
       ++first;
     firsts.push_back(first);
   }
@@ -93,7 +94,7 @@ double rounding_of(const SweptQuads& swept, const SweepMotion& motion, const Hex
   for (const Vec3 x : mesh.nodes) include(x);
   if (motion.shape().axis) include(motion.shape().axis->point);
   include(motion.shape().centre);
-  return node_ulps * unit_roundoff * greatest;
+  return node_ulps * spectral::unit_roundoff * greatest;
 }
 
 class Measure {
