@@ -30,7 +30,7 @@ strip() { printf '%s\n' "0 0" "10 0" "10 $1" "0 $1" | "$ROOT/pipelines/points2st
 @test "the line ends with a verdict, which names an option that makes the mesh better, and so does the report" {
   strip 0.2
   run -0 --separate-stderr "$quadmesh" strip.step --size 0.5 -o out.msh --workdir . --report before.json
-  assert_output --regexp '; usable: resolution ratio [.0-9]+ near \(.*\), elements there are [.0-9]+ by [.0-9]+ prescribed lengths; give --size 0.25 \(about [0-9]+ quads\) for a lower resolution ratio$'
+  assert_output --regexp '; usable: resolution ratio [.0-9]+ near \(.*\), elements there are [.0-9]+ by [.0-9]+ prescribed lengths, chord [0-9]+ has [0-9]+ % of the error; give --size 0.25 \(about [0-9]+ quads\) for a lower resolution ratio$'
   assert_equal "$(jq -r '.verdict.text' before.json)" "${output#*; }"
   run -0 jq -c '.verdict | [.grade, .limit, .option, (.position | length), .value > 10]' before.json
   assert_output '["usable","resolution ratio","--size 0.25",2,true]'

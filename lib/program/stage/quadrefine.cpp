@@ -287,7 +287,7 @@ QuadMesh quadrefine(const QuadrefineInput& input, const QuadrefineOptions& optio
   QuadMesh mesh = refine::refine(layout, refine, run.report());
   mesh.provenance = with_step(layout.provenance, "quadrefine", options, std::move(inputs));
   report_worst(mesh, run);
-  run.info(sizing::report_verdict(mesh, without_curves, sizes, run.report()));
+  run.info(sizing::report_verdict(measured, mesh, without_curves, sizes, run.report()));
   run.end_phase();
   return mesh;
 }

@@ -64,6 +64,15 @@ std::vector<double> chord_parts(const MeasuredLayout& measured, const QuadMesh& 
   return parts;
 }
 
+/// Adds the chord with the greatest part of the error to what is said of a resolution ratio that is not good.
+void name_chord(const MeasuredLayout& measured, const QuadMesh& mesh, mesh::Verdict& verdict) {
+  const auto fault = std::ranges::find(verdict.faults, mesh::Limit::resolution, &mesh::Fault::limit);
+  if (fault == verdict.faults.end()) return;
+  const std::vector<double> parts = chord_parts(measured, mesh, mesh::resolution(mesh));
+  const auto most = std::ranges::max_element(parts);
+  fault->cause += fmt::format(", chord {} has {:.0f} % of the error", most - parts.begin(), 100 * *most);
+}
+
 }  // namespace
 
 void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions, const SizeField& sizes,
@@ -109,9 +118,10 @@ void report_resolution(const MeasuredLayout& measured, const QuadMesh& mesh, Rep
   report.set("resolution.chord.part", chord_parts(measured, mesh, measure));
 }
 
-std::string report_verdict(const QuadMesh& mesh, const SizeOptions& prescribed, const SizeOptions& applied,
-                           Report& report) {
-  const mesh::Verdict verdict = mesh::verdict_of(mesh);
+std::string report_verdict(const MeasuredLayout& measured, const QuadMesh& mesh, const SizeOptions& prescribed,
+                           const SizeOptions& applied, Report& report) {
+  mesh::Verdict verdict = mesh::verdict_of(mesh);
+  name_chord(measured, mesh, verdict);
   const std::optional<Advice> advice = advice_for(mesh, verdict, prescribed, applied);
   std::string text = mesh::describe(verdict, mesh.face) + (advice ? describe(*advice) : "");
   report.set("verdict.grade", enum_name(verdict.grade()));

@@ -20,9 +20,10 @@ void report_sizes(const MeasuredLayout& measured, const ArcDivisions& divisions,
 /// of their blocks.
 void report_resolution(const MeasuredLayout& measured, const QuadMesh& mesh, Report& report);
 
-/// Sets verdict.* and returns the verdict in words, with the advice (mesh/verdict, sizing/advice, whose arguments
-/// `prescribed` and `applied` are). A mesh that is poor by the sizes of its elements issues a warning.
-std::string report_verdict(const QuadMesh& mesh, const SizeOptions& prescribed, const SizeOptions& applied,
-                           Report& report);
+/// Sets verdict.* and returns the verdict in words, with the chord that has most of the error, and the advice
+/// (mesh/verdict, sizing/advice, whose arguments `prescribed` and `applied` are). A mesh that is not good by the sizes
+/// of its elements issues a warning.
+std::string report_verdict(const MeasuredLayout& measured, const QuadMesh& mesh, const SizeOptions& prescribed,
+                           const SizeOptions& applied, Report& report);
 
 }  // namespace quadrille::sizing

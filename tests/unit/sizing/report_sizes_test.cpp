@@ -52,7 +52,7 @@ Report verdict_on(int count0, int count1, double scaled_jacobian = 1) {
   SizeOptions sizes;
   sizes.per_curve = 0;
   Report result;
-  report_verdict(mesh, sizes, sizes, result);
+  report_verdict(MeasuredLayout(layout), mesh, sizes, sizes, result);
   return result;
 }
 
@@ -65,6 +65,10 @@ TEST(ReportSizes, TheVerdictIsReportedWithWhatLimitsTheMesh) {
   ASSERT_EQ(report.warnings().size(), 1U);
   EXPECT_EQ(report.warnings()[0].code, "W-QUA-005");
   EXPECT_EQ(report.warnings()[0].message, "the mesh is " + std::get<std::string>(value(report, "verdict.text")));
+  EXPECT_NE(report.warnings()[0].message.find(" prescribed lengths, chord 0 has 100 % of the error"),
+            std::string::npos);
+  report = verdict_on(12, 4);
+  EXPECT_NE(report.warnings().at(0).message.find(", chord 1 has 100 % of the error"), std::string::npos);
   report = verdict_on(4, 4);
   EXPECT_TRUE(report.warnings().empty());
   EXPECT_EQ(std::get<std::string>(value(report, "verdict.text")), "good");
