@@ -74,8 +74,8 @@ std::vector<EdgeError> rough_edges(const RelaxProblem& problem, const VertexMove
 /// Makes the element at an edge that misses the tolerance shorter.
 void shorten(const EdgeError& rough, const RelaxProblem& problem, SizeRelaxer& relaxer) {
   const SlidingEdge& edge = problem.boundary.edges()[rough.edge];
-  relaxer.shorten(edge.elem, edge.side,
-                  size_constants.shorter * std::pow(rough.error, -1.0 / (problem.start.order + 1)));
+  relaxer.shorter(edge.elem, edge.side) *=
+      size_constants.shorter * std::pow(rough.error, -1.0 / (problem.start.order + 1));
 }
 
 /// Makes an edge that misses the tolerance shorter, or fixes ends where they began: an end that left a break of its
@@ -95,8 +95,19 @@ bool tame_edge(const EdgeError& rough, int round, RelaxProblem& problem, SizeRel
   return is_any;
 }
 
+/// Where an end was fixed since, elements have their sizes again.
+void lengthen(const std::vector<bool>& was_fixed, const RelaxProblem& problem, SizeRelaxer& relaxer) {
+  const auto is_fixed_since = [&](int end) {
+    const int v = problem.follow.vertex_of(end);
+    return problem.is_fixed[v] && !was_fixed[v];
+  };
+  for (const SlidingEdge& edge : problem.boundary.edges())
+    if (is_fixed_since(edge.from) || is_fixed_since(edge.to)) relaxer.shorter(edge.elem, edge.side) = 1;
+}
+
 /// Relaxes until all edges meet the tolerance. Returns whether that is possible with an energy of at most `most`.
 bool relax_within_tolerance(const SizeRelaxation& options, double most, RelaxProblem& problem, SizeRelaxer& relaxer) {
+  const std::vector<bool> was_fixed = problem.is_fixed;
   relaxer.run();
   for (int round = 0; relaxer.value <= most; ++round) {
     const std::vector<EdgeError> rough = rough_edges(problem, relaxer.moves, options.tolerance);
@@ -104,6 +115,7 @@ bool relax_within_tolerance(const SizeRelaxation& options, double most, RelaxPro
     if (relaxer.is_exhausted()) return false;
     bool is_any_fixed = false;
     for (const EdgeError& edge : rough) is_any_fixed |= tame_edge(edge, round, problem, relaxer);
+    if (is_any_fixed && round >= size_constants.shortenings) lengthen(was_fixed, problem, relaxer);
     if (is_any_fixed ? !relaxer.begin_again() : round >= size_constants.shortenings) return false;
     relaxer.run();
   }
@@ -190,6 +202,7 @@ bool VertexRelaxation::run(double least_progress, SizeRelaxed& result) {
   if (is_any_worse(options_, shaped_, relaxed.mesh, relaxer_.energy)) {
     if (passes_joints_ || !options_.even_curves.empty()) return relaxer_.is_exhausted();
     halve_moves(problem_, options_, shaped_, relaxer_, relaxed.mesh);
+    relaxed.energy_after = relaxer_.energy.value(relaxer_.moves) / std::max(1, shaped_.num_elems());
   }
   relaxed.sweeps = relaxer_.num_sweeps;
   for (const Vec2 move : relaxer_.moves) relaxed.largest_move = std::max(relaxed.largest_move, norm(move));

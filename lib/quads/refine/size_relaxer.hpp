@@ -58,8 +58,8 @@ class SizeRelaxer {
   bool begin_again();
   /// What each element stands for: that many elements along s and t.
   void set_counts(std::vector<Vec2> counts);
-  /// Shortens the size of an element along a side.
-  void shorten(int elem, int side, double factor) { (side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y) *= factor; }
+  /// Factor of the size of an element along a side, at first 1.
+  double& shorter(int elem, int side) { return side % 2 == 0 ? shorter_[elem].x : shorter_[elem].y; }
 
   /// Whether the work of all runs is SizeRelaxation::most_work: no run goes on.
   bool is_exhausted() const { return work_ > options_.most_work; }

@@ -233,6 +233,17 @@ TEST(RelaxSizes, VerticesAreNotPutAtJointsWhereTheyWouldBeCrowded) {
   }
 }
 
+TEST(RelaxSizes, EdgesThatKeepTheirEndsHaveTheirSizesAgain) {
+  // No edge on the circles keeps this tolerance.
+  const sizing::SizeField sizes(0.25);
+  for (const double centre : {0.2, 0.4}) {
+    const QuadMesh mesh = mesh_of(hand_made::cut_annulus(2, 0.5, {centre, 0}), 0.25, 2);
+    const SizeRelaxed relaxed = relax_to_sizes(mesh, {.sizes = sizes, .tolerance = 5e-6});
+    EXPECT_GT(relaxed.sweeps, 0);
+    EXPECT_LT(relaxed.energy_after, relaxed.energy_before);
+  }
+}
+
 TEST(RelaxSizes, MirrorImagesStayMirrorImages) {
   QuadMesh mesh = mesh_of(hand_made::quarter_annulus(), 0.25, 3);
   const sizing::SizeField sizes(0.25);
