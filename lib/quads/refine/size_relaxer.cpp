@@ -218,7 +218,8 @@ EnergyDerivatives SizeRelaxer::begin(bool is_first) {
 
 void SizeRelaxer::run() {
   set_sizes();
-  int slow = 0, kept = 0, first_sweeps = step_constants.first_sweeps;
+  // Of many elements factors take longer.
+  int slow = 0, kept = 0, first_sweeps = std::max(step_constants.first_sweeps, static_cast<int>(steps_of_factors()));
   const int num_elems = problem_.start.num_elems();
   EnergyDerivatives at = begin(true);
   for (int sweep = 0; sweep < options_.sweeps && !is_exhausted(); ++sweep, ++kept) {
