@@ -29,7 +29,7 @@ TopoDS_Face only_face(const TopoDS_Shape& shape, const std::string& file) {
 
 /// With `is_seam`: adds the seam of a closed surface, else parameter curves and poles. The kernel loses the parameter
 /// curves if it does both at once.
-TopoDS_Face completed(const TopoDS_Face& face, bool is_seam, const std::string& file) {
+TopoDS_Face completed_in_part(const TopoDS_Face& face, bool is_seam, const std::string& file) {
   const Handle(ShapeFix_Face) fix = new ShapeFix_Face(face);
   fix->FixSmallAreaWireMode() = 0, fix->FixIntersectingWiresMode() = 0, fix->FixSplitFaceMode() = 0;
   fix->RemoveSmallAreaFaceMode() = 0;
@@ -45,7 +45,7 @@ TopoDS_Face completed(const TopoDS_Face& face, bool is_seam, const std::string& 
 }  // namespace
 
 TopoDS_Face completed(const TopoDS_Face& face, const std::string& file) {
-  return completed(completed(split_at_poles(face), false, file), true, file);
+  return completed_in_part(completed_in_part(split_at_poles(face), false, file), true, file);
 }
 
 double box_diagonal(const TopoDS_Face& face) {

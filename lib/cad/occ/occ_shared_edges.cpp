@@ -18,7 +18,7 @@ namespace quadrille::occ {
 
 namespace {
 
-constexpr int num_samples = 8;
+constexpr int num_pieces = 8;
 
 /// Replaces parts of each face by known ones: those of the faces before it and, if they are edges, those of the face
 /// itself. `replacement`: of a part, as it is oriented forward, by a known one; null: none.
@@ -61,8 +61,8 @@ bool lies_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double tolera
   if (curve.IsNull()) return false;
   const BRepAdaptor_Curve samples(edge);
   const double first = samples.FirstParameter(), last = samples.LastParameter();
-  for (int i = 1; i < num_samples; ++i) {
-    const GeomAPI_ProjectPointOnCurve foot(samples.Value(first + (last - first) * i / num_samples), curve, begin, end);
+  for (int i = 1; i < num_pieces; ++i) {
+    const GeomAPI_ProjectPointOnCurve foot(samples.Value(first + (last - first) * i / num_pieces), curve, begin, end);
     if (foot.NbPoints() == 0 || foot.LowerDistance() > tolerance) return false;
   }
   return true;

@@ -40,13 +40,11 @@ TColStd_Array1OfReal weights_of(const std::vector<double>& weights) {
   return all;
 }
 
-gp_Pnt point_of(Vec3 x) { return {x.x, x.y, x.z}; }
-
 }  // namespace
 
 Handle(Geom_BSplineCurve) occ_spline(const SpaceCurve& curve) {
   TColgp_Array1OfPnt poles(1, static_cast<int>(curve.poles.size()));
-  for (int i = 0; i < poles.Length(); ++i) poles.SetValue(i + 1, point_of(curve.poles[i]));
+  for (int i = 0; i < poles.Length(); ++i) poles.SetValue(i + 1, occ_point(curve.poles[i]));
   const Knots knots(curve.knots);
   return new Geom_BSplineCurve(poles, weights_of(curve.weights), knots.values, knots.multiplicities, curve.degree);
 }
@@ -65,7 +63,7 @@ Handle(Geom_BSplineSurface) occ_spline(const NurbsSurface& surface) {
   TColStd_Array2OfReal weights(1, nu, 1, nv);
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j) {
-      poles.SetValue(i + 1, j + 1, point_of(surface.poles[i * nv + j]));
+      poles.SetValue(i + 1, j + 1, occ_point(surface.poles[i * nv + j]));
       weights.SetValue(i + 1, j + 1, surface.weights[i * nv + j]);
     }
   const Knots u(surface.knots_u), v(surface.knots_v);

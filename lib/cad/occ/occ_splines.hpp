@@ -4,10 +4,13 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <gp_Pnt.hxx>
 
 #include "model/cad_face.hpp"
 
 namespace quadrille::occ {
+
+inline gp_Pnt occ_point(Vec3 x) { return {x.x, x.y, x.z}; }
 
 Handle(Geom_BSplineCurve) occ_spline(const SpaceCurve& curve);
 /// The curve, moved by `shift`.

@@ -23,11 +23,8 @@
 namespace quadrille::occ {
 namespace {
 
-constexpr std::array both{Parameter::u, Parameter::v};
 constexpr double rounding = 1e-9;  // of a period
 
-gp_Pnt point_of(Vec3 x) { return {x.x, x.y, x.z}; }
-gp_Pnt2d point_of(Vec2 x) { return {x.x, x.y}; }
 Parameter other(Parameter p) { return p == Parameter::u ? Parameter::v : Parameter::u; }
 
 /// An edge on the boundary of a block in the parameters of the surface, `shift` from those of its piece.
@@ -86,7 +83,7 @@ class SurfaceBlocks : public BlockGeometry {
     builder_.Add(edge, to.Oriented(TopAbs_REVERSED));
     builder_.Range(edge, made.space.begin(), made.space.end());
     for (const auto& [vertex, end] : {std::pair{from, made.space.poles.front()}, {to, made.space.poles.back()}})
-      if (const double gap = BRep_Tool::Pnt(vertex).Distance(point_of(end)); gap > tolerance_ / 2)
+      if (const double gap = BRep_Tool::Pnt(vertex).Distance(occ_point(end)); gap > tolerance_ / 2)
         builder_.UpdateVertex(vertex, 2 * gap);
     edge_pieces_.emplace(key(edge), made);
     return edge;
@@ -107,7 +104,7 @@ class SurfaceBlocks : public BlockGeometry {
 
   TopoDS_Vertex vertex(const SurfaceNode& node) {
     TopoDS_Vertex v;
-    builder_.MakeVertex(v, point_of(node.position), tolerance_);
+    builder_.MakeVertex(v, occ_point(node.position), tolerance_);
     nodes_.emplace(key(v), node);
     return v;
   }
@@ -228,9 +225,9 @@ class SurfaceBlocks : public BlockGeometry {
     builder_.Add(edge, pole.Oriented(TopAbs_REVERSED));
     builder_.Degenerated(edge, true);
     const Vec2 along = normalized(to - from);
-    return {
-        {edge, false},
-        new Geom2d_TrimmedCurve(new Geom2d_Line(point_of(from), gp_Dir2d(along.x, along.y)), 0, distance(from, to))};
+    return {{edge, false},
+            new Geom2d_TrimmedCurve(new Geom2d_Line(gp_Pnt2d(from.x, from.y), gp_Dir2d(along.x, along.y)), 0,
+                                    distance(from, to))};
   }
 
   /// Adds a seam from the start of the loop to the pole inside, the pole, and the seam back.

@@ -36,9 +36,9 @@ namespace quadrille::occ {
 
 namespace {
 
-constexpr double deflection = 1e-3;  // of the triangles from the surface, in diameters
-constexpr double angle = 0.2;        // between neighbours, radians
-constexpr double least_side = 1e-3;  // diameters
+constexpr double deflection = 1e-3;     // of the triangles from the surface, in diameters
+constexpr double greatest_angle = 0.2;  // between neighbours, radians
+constexpr double least_side = 1e-3;     // diameters
 
 /// The triangulation of a face by the kernel, which has a node for each pair of parameters; one vertex for each point.
 class Triangles {
@@ -87,7 +87,7 @@ class Triangles {
     const double size = box_diagonal(face_);
     IMeshTools_Parameters parameters;
     parameters.Deflection = parameters.DeflectionInterior = deflection * size;
-    parameters.Angle = parameters.AngleInterior = angle;
+    parameters.Angle = parameters.AngleInterior = greatest_angle;
     parameters.MinSize = least_side * size;
     const BRepMesh_IncrementalMesh mesher(face_, parameters);
     mesh_ = BRep_Tool::Triangulation(face_, location_);

@@ -1,7 +1,6 @@
 #include "occ/surface_piece.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -19,7 +18,6 @@ namespace {
 
 constexpr int num_samples = 64;     ///< of a piece: the parameters turn by less than half a period between two of them
 constexpr double near_pole = 1e-3;  ///< of a piece: nearer to a pole its parameter is extrapolated
-constexpr std::array both{Parameter::u, Parameter::v};
 
 bool is_closed(const NurbsSurface& surface, Parameter p) {
   return p == Parameter::u ? surface.is_closed_u : surface.is_closed_v;

@@ -2,6 +2,8 @@
 // A piece of an arc of a block layout on a curved face: the same curve in space and in the parameters of the surface.
 // No OpenCASCADE types.
 
+#include <array>
+
 #include "mesh/chart_map.hpp"
 #include "model/block_layout.hpp"
 
@@ -9,6 +11,7 @@ namespace quadrille::occ {
 
 /// A direction of the parameters of a surface, or both.
 enum class Parameter { none, u, v };
+inline constexpr std::array both{Parameter::u, Parameter::v};
 
 /// One of the two numbers.
 constexpr double& part(Vec2& uv, Parameter p) { return p == Parameter::u ? uv.x : uv.y; }
