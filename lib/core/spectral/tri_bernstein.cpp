@@ -187,15 +187,16 @@ std::vector<double> bernstein_product(int order_a, const std::vector<double>& a,
 std::vector<double> bernstein_elevate(int order, const std::vector<double>& coefs) {
   const int n = order + 1;
   std::vector<double> result(num_bernstein(n));
-  for (int k = 0, at = 0; k <= n; ++k)
-    for (int j = 0; j + k <= n; ++j, ++at) {
-      const int i = n - j - k;
-      double sum = 0;
-      if (i > 0) sum += i * coefs[bernstein_index(order, j, k)];
-      if (j > 0) sum += j * coefs[bernstein_index(order, j - 1, k)];
-      if (k > 0) sum += k * coefs[bernstein_index(order, j, k - 1)];
-      result[at] = sum / n;
-    }
+  double* to = result.data();
+  const double *row = coefs.data(), *below = row;  // of the third exponents k and k - 1
+  for (int k = 0; k <= n; ++k) {
+    const int last = n - k;
+    // Between the ends every neighbour exists: a loop without branches, for vector instructions.
+    for (int j = 1; j < last; ++j) to[j] = ((last - j) * row[j] + j * row[j - 1] + k * below[j]) / n;
+    to[0] = ((last > 0 ? last * row[0] : 0) + (k > 0 ? k * below[0] : 0)) / n;
+    if (last > 0) to[last] = (last * row[last - 1] + (k > 0 ? k * below[last] : 0)) / n;
+    below = row, row += last, to += last + 1;
+  }
   return result;
 }
 
