@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "spectral/modified_basis.hpp"
+#include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
 
 namespace quadrille::stiffness {
@@ -55,6 +56,12 @@ struct CollapsedMetric {
   Eigen::MatrixXd h11, h12, h22;
 };
 
+Vec2 collapsed_point(const spectral::FactoredModes& modes, int i, int j) {
+  const double t = (1 - modes.eta2.points[j]) / 2, s = (1 + modes.eta1.points[i]) / 2;
+  return {2 * s * t - 1, modes.eta2.points[j]};
+}
+
+// `metric_at(i, j)`: at the points eta1[i] and eta2[j].
 template <class MetricAt>
 CollapsedMetric collapsed_metric(const spectral::FactoredModes& modes, const MetricAt& metric_at) {
   const int n = static_cast<int>(modes.eta1.points.size());
@@ -62,7 +69,7 @@ CollapsedMetric collapsed_metric(const spectral::FactoredModes& modes, const Met
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const double t = (1 - modes.eta2.points[j]) / 2, s = (1 + modes.eta1.points[i]) / 2;
-      const Metric g = metric_at(Vec2{2 * s * t - 1, modes.eta2.points[j]});
+      const Metric g = metric_at(i, j);
       // d1 = (1 / t) d/deta1, d2 = (s / t) d/deta1 + d/deta2
       const double weight = modes.eta1.weights[i] * modes.eta2.weights[j] / 2;
       h.h11(i, j) = weight * (g.g11 + 2 * s * g.g12 + s * s * g.g22) / (t * t);
@@ -104,7 +111,6 @@ class ScaledModes {
   Eigen::MatrixXd slopes_, mixed_, values_;  // points eta2 x pairs of factors
 };
 
-// metric_at(xi): the metric at a point of the reference triangle.
 template <class MetricAt>
 Eigen::MatrixXd integrate_stiffness(int order, int num_points, const MetricAt& metric_at) {
   const FactorTable& table = factor_table(order, num_points);
@@ -133,7 +139,7 @@ struct ReferenceMatrices {
 
 ReferenceMatrices make_reference_matrices(int order) {
   const auto integrate = [&](const Metric& metric) {
-    return integrate_stiffness(order, order + 1, [&](Vec2) { return metric; });
+    return integrate_stiffness(order, order + 1, [&](int, int) { return metric; });
   };
   return {integrate({1, 0, 0}), integrate({0, 1, 0}), integrate({0, 0, 1})};
 }
@@ -157,12 +163,34 @@ Eigen::MatrixXd affine_stiffness(const spectral::TriMap& map, int order) {
   return g.g11 * reference.k11 + g.g12 * reference.k12 + g.g22 * reference.k22;
 }
 
+// The derivatives of the modes of maps of one order at a collapsed Gauss rule: a column per point, eta1 fastest.
+struct MapSlopes {
+  Eigen::MatrixXd by_xi1, by_xi2;
+};
+
+MapSlopes make_map_slopes(const spectral::FactoredModes& modes, int map_order) {
+  const int n = static_cast<int>(modes.eta1.points.size()), num_modes = spectral::num_tri_modes(map_order);
+  MapSlopes slopes{Eigen::MatrixXd(num_modes, n * n), Eigen::MatrixXd(num_modes, n * n)};
+  Eigen::VectorXd values(num_modes);
+  for (int k = 0; k < n * n; ++k)
+    spectral::orthogonal_gradients(map_order, collapsed_point(modes, k % n, k / n), values.data(),
+                                   slopes.by_xi1.col(k).data(), slopes.by_xi2.col(k).data());
+  return slopes;
+}
+
+const MapSlopes& map_slopes(int order, int num_points, int map_order) {
+  static spectral::PerOrder<MapSlopes> tables(
+      [](int key) { return make_map_slopes(factor_table(key / 100000, key / 100 % 1000).modes, key % 100); });
+  return tables[100 * (1000 * order + num_points) + map_order];
+}
+
 Eigen::MatrixXd curved_stiffness(const spectral::TriMap& map, int order, int num_points) {
-  return integrate_stiffness(order, num_points, [&](Vec2 xi) {
-    Vec2 x;
-    Mat2 j;
-    map.evaluate(xi, x, j);
-    return metric_of(j);
+  const MapSlopes& slopes = map_slopes(order, num_points, map.order());
+  const Eigen::Map<const Eigen::VectorXd> x(map.coefs_x().data(), slopes.by_xi1.rows()),
+      y(map.coefs_y().data(), x.size());
+  return integrate_stiffness(order, num_points, [&](int i, int j) {
+    const auto by_xi1 = slopes.by_xi1.col(i + num_points * j), by_xi2 = slopes.by_xi2.col(i + num_points * j);
+    return metric_of({x.dot(by_xi1), x.dot(by_xi2), y.dot(by_xi1), y.dot(by_xi2)});
   });
 }
 
