@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -171,26 +172,25 @@ void CondensedCholesky::downwards(const std::function<void(int)>& f) const {
 void CondensedCholesky::add_elements(const CondensedElements& elements, int node) {
   Part& part = parts_[node];
   const int k = part.num_eliminated;
-  std::vector<int> positions;  // of the element's modes in part.dofs, -1: not free
-  for (int position = tree_->nodes[node].begin; position < tree_->nodes[node].end; ++position) {
-    const int elem = tree_->elements[position], offset = map_->elem2offset[elem];
-    const int n = map_->elem2offset[elem + 1] - offset;
-    const Eigen::MatrixXd schur = elements[elem]->schur.dense();
+  std::vector<std::pair<int, int>> free;  // positions in part.dofs, ascending, and modes of the element
+  for (int place = tree_->nodes[node].begin; place < tree_->nodes[node].end; ++place) {
+    const int elem = tree_->elements[place], offset = map_->elem2offset[elem];
     const double* signs = &map_->elem2signs[offset];
-    positions.assign(n, -1);
-    for (int i = 0; i < n; ++i) {
+    const stiffness::SymmetricMatrix& schur = elements[elem]->schur;
+    free.clear();
+    for (int i = 0; i < map_->elem2offset[elem + 1] - offset; ++i) {
       const int dof = map_->elem2dofs[offset + i];
       if (dof < 0 || dof >= map_->num_unknowns) continue;
-      positions[i] = static_cast<int>(std::lower_bound(part.dofs.begin(), part.dofs.end(), dof) - part.dofs.begin());
+      const auto position = std::lower_bound(part.dofs.begin(), part.dofs.end(), dof) - part.dofs.begin();
+      free.emplace_back(static_cast<int>(position), i);
     }
-    for (int j = 0; j < n; ++j) {
-      const int column = positions[j];
-      if (column < 0) continue;
+    std::sort(free.begin(), free.end());
+    for (auto from = free.begin(); from != free.end(); ++from) {
+      const auto [column, j] = *from;
       double* const target =
           column < k ? part.front.panel.col(column).data() : part.front.rest.col(column - k).data() - k;
-      for (int i = 0; i < n; ++i) {
-        if (positions[i] >= column) target[positions[i]] += signs[i] * signs[j] * schur(i, j);
-      }
+      for (auto to = from; to != free.end(); ++to)
+        target[to->first] += signs[to->second] * signs[j] * schur(to->second, j);
     }
   }
 }

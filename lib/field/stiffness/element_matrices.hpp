@@ -3,6 +3,7 @@
 // condensation, which eliminates the interior modes (Karniadakis and Sherwin, sec. 4.1.6).
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,6 +29,10 @@ class SymmetricMatrix {
   explicit SymmetricMatrix(const Eigen::MatrixXd& lower);
 
   Eigen::Index rows() const { return rows_; }
+  double operator()(Eigen::Index i, Eigen::Index j) const {
+    const Eigen::Index row = std::max(i, j), column = std::min(i, j);
+    return columns_[column * (2 * rows_ - column - 1) / 2 + row];
+  }
   /// All entries.
   Eigen::MatrixXd dense() const;
   Eigen::MatrixXd operator*(const Eigen::MatrixXd& x) const;

@@ -101,6 +101,8 @@ TEST(SymmetricMatrix, IsMadeFromTheLowerTriangle) {
   all << 1, 2, 4, 2, 3, 5, 4, 5, 6;
   lower << 1, 7, 7, 2, 3, 7, 4, 5, 6;
   EXPECT_EQ(SymmetricMatrix(lower).dense(), all);
+  for (int i = 0; i < all.rows(); ++i)
+    for (int j = 0; j < all.cols(); ++j) EXPECT_EQ(SymmetricMatrix(lower)(i, j), all(i, j));
   EXPECT_EQ(SymmetricMatrix(lower).rows(), 3);
 }
 
