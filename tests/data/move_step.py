@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Writes a planar STEP file again after a motion, to hold the tools to their symmetries.
 
-    move_step.py [--mirror] [--rotate DEGREES] [--scale S] [--move X Y] IN.step OUT.step
+    move_step.py [--mirror] [--rotate DEGREES] [--scale S] [--move X Y] [--start N] IN.step OUT.step
 
-Mirrored in the x-axis first, then turned about the origin, scaled, moved. The file's faces lie in z = const, in the
-entities that this project's shapes use: points, directions, placements, circles, ellipses, splines, vectors."""
+Mirrored in the x-axis first, then turned about the origin, scaled, moved. Loops begin with their edge N, from 0. The
+file's faces lie in z = const, in the entities that this project's shapes use: points, directions, placements, circles,
+ellipses, splines, vectors."""
 import argparse, math, re
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -12,6 +13,7 @@ parser.add_argument("--mirror", action="store_true")
 parser.add_argument("--rotate", type=float, default=0)
 parser.add_argument("--scale", type=float, default=1)
 parser.add_argument("--move", type=float, nargs=2, default=(0, 0))
+parser.add_argument("--start", type=int, default=0)
 parser.add_argument("source")
 parser.add_argument("target")
 options = parser.parse_args()
@@ -59,6 +61,12 @@ def radii(match):
     return match.group(1) + listed(options.scale * value for value in numbers(match.group(2))) + ")"
 
 
+def begun_later(match):
+    edges = match.group(2).split(",")
+    start = options.start % len(edges)
+    return match.group(1) + ",".join(edges[start:] + edges[:start]) + "))"
+
+
 def other_sense(match):
     return match.group(1) + {".T.": ".F.", ".F.": ".T."}[match.group(2)] + ")"
 
@@ -76,6 +84,7 @@ text = re.sub(r"((#\d+) = CARTESIAN_POINT\('[^']*',\()([^)]*)\)\)", point, text)
 text = re.sub(r"((#\d+) = DIRECTION\('[^']*',\()([^)]*)\)\)", direction, text)
 text = re.sub(r"((?:CIRCLE|ELLIPSE)\('[^']*',#\d+,)([^)]*)\)", radii, text)
 text = re.sub(r"(UNCERTAINTY_MEASURE_WITH_UNIT\(LENGTH_MEASURE\()([^)]*)\)", radii, text)
+text = re.sub(r"(EDGE_LOOP\('[^']*',\()([^)]*)\)\)", begun_later, text)
 if options.mirror:  # the loops run the other way now
     text = re.sub(r"(FACE_(?:OUTER_)?BOUND\('[^']*',#\d+,)(\.[TF]\.)\)", other_sense, text)
 open(options.target, "w").write(text)
