@@ -64,7 +64,7 @@ std::vector<double> chord_parts(const MeasuredLayout& measured, const QuadMesh& 
   return parts;
 }
 
-/// Adds the chord with the greatest part of the error to what is said of a resolution ratio that is not good.
+/// If the resolution ratio is a fault, its cause also names the chord that has the greatest part of E.
 void name_chord(const MeasuredLayout& measured, const QuadMesh& mesh, mesh::Verdict& verdict) {
   const auto fault = std::ranges::find(verdict.faults, mesh::Limit::resolution, &mesh::Fault::limit);
   if (fault == verdict.faults.end()) return;
