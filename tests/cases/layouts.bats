@@ -25,13 +25,11 @@ same() { run -0 "$BATS_TEST_DIRNAME/same_layout.py" "$@"; }
 same_when_moved() {
   local step=$DATA/$1.step
   layout "$step" original
-  while read -r motion; do
-    # shellcheck disable=SC2086  # a list of words
-    "$DATA/move_step.py" $motion "$step" moved.step
+  same_layout_moved() {
     layout moved.step moved
-    # shellcheck disable=SC2086
-    same $motion original.sep.json moved.sep.json 1e-7
-  done <<END
+    same "$@" original.sep.json moved.sep.json 1e-7
+  }
+  each_motion "$step" same_layout_moved <<END
 --rotate 37
 --mirror
 --mirror --rotate 71

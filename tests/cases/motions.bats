@@ -3,18 +3,16 @@ load ../tools/common
 
 # same_when_moved SHAPE
 same_when_moved() {
-  local step=$DATA/$1.step
+  local name=$1 step=$DATA/$1.step
   mkdir original
   quadmesh -q "$step" -o original.msh --workdir original
-  while read -r motion; do
-    # shellcheck disable=SC2086  # a list of words
-    "$DATA/move_step.py" $motion "$step" moved.step
+  same_mesh_moved() {
     mkdir moved
     quadmesh -q moved.step -o moved.msh --workdir moved
-    # shellcheck disable=SC2086
-    run -0 "$BATS_TEST_DIRNAME/same_corners.py" $motion "original/$1.quad.h5" moved/moved.quad.h5 1e-6
+    run -0 "$BATS_TEST_DIRNAME/same_corners.py" "$@" "original/$name.quad.h5" moved/moved.quad.h5 1e-6
     rm -r moved
-  done <<END
+  }
+  each_motion "$step" same_mesh_moved <<END
 --start 1
 --start 3
 --mirror

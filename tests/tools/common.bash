@@ -107,3 +107,15 @@ assert_on_space_curves() {
 reported_loss() {
   jq -r --arg what "$2" '[.warnings[].message | select(test($what)) | capture("\\((?<x>\\S+) of the diameter").x][0] // "0"' "$1"
 }
+
+# each_motion SHAPE.step COMMAND...: for each line of standard input, options of move_step.py, calls COMMAND with them
+# behind; moved.step is the shape after that motion.
+each_motion() {
+  local motion
+  while read -r motion; do
+    # shellcheck disable=SC2086  # a list of words
+    "$DATA/move_step.py" $motion "$1" moved.step
+    # shellcheck disable=SC2086
+    "${@:2}" $motion
+  done
+}
