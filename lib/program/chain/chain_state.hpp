@@ -84,12 +84,14 @@ struct NodeFiles {
         phase_solve(stem + ".phase.solve.h5"),
         phase(stem + ".phase.h5"),
         graph(stem + ".sep.json"),
-        blocks(stem + ".blocks.h5") {}
+        blocks(stem + ".blocks.h5"),
+        quads(stem + ".quad.h5") {}
 
   StageFile<CriticalPoints> nodes;
   StageFile<Field> phase_solve, phase;
   StageFile<SeparatrixGraph> graph;
   StageFile<BlockLayout> blocks;
+  StageFile<QuadMesh> quads;
 };
 
 /// All files of a run, STEM.tri.h5 and so on.
@@ -100,14 +102,12 @@ struct ChainFiles {
         solve(stem + ".solve.h5"),
         field(stem + ".field.h5"),
         of_nodes(stem),
-        quads(stem + ".quad.h5"),
         hexes(stem + ".hex.h5") {}
 
   std::string stem;
   StageFile<TriMesh> triangles;
   StageFile<Field> solve, field;
   NodeFiles of_nodes;
-  StageFile<QuadMesh> quads;
   StageFile<HexMesh> hexes;
 };
 

@@ -39,7 +39,7 @@ bool refine_blocks(ChainState& chain) {
     return stage::quadrefine({blocks.input(), sizes.input(), metric.input(), directions.input()},
                              chain.values.quadrefine, run);
   };
-  return make_file(chain, {ChainStage::quadrefine}, chain.files.quads, quads, blocks);
+  return make_file(chain, {ChainStage::quadrefine}, chain.files.of_nodes.quads, quads, blocks);
 }
 
 bool quads_of_triangles(ChainState& chain) {
@@ -50,9 +50,7 @@ bool quads_of_field(ChainState& chain) {
   NodeFiles& files = chain.files.of_nodes;
   if (!solve_field(chain) || !make_nodes(chain, files, {}) || !make_graph(chain, files)) return false;
   try_remedies(chain);
-  if (!make_blocks(chain, files)) return false;
-  try_better_nodes(chain);
-  return refine_blocks(chain);
+  return make_blocks(chain, files) && (try_better_nodes(chain) || refine_blocks(chain));
 }
 
 /// That the quads are made without a field.

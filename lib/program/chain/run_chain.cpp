@@ -108,7 +108,7 @@ void make_folder(const ChainOptions& options) {
 
 void sweep_quads(ChainState& chain) {
   if (!chain.options.is_swept) return;
-  StageFile<QuadMesh>& quads = chain.files.quads;
+  StageFile<QuadMesh>& quads = chain.files.of_nodes.quads;
   const auto hexes = [&](Run& run) {
     const stage::HexsweepOptions& options = chain.values.hexsweep;
     const auto curve = space_points(chain, options.curve_file), terrain = space_points(chain, options.terrain_file);
@@ -135,7 +135,8 @@ void export_mesh(ChainState& chain) {
     } else if (is_swept) {
       written = stage::quadexport(files.hexes.release(), files.hexes.path(), output, chain.values.quadexport, run);
     } else {
-      written = stage::quadexport(files.quads.release(), files.quads.path(), output, chain.values.quadexport, run);
+      written = stage::quadexport(files.of_nodes.quads.release(), files.of_nodes.quads.path(), output,
+                                  chain.values.quadexport, run);
     }
     for (const stage::OutputFile& file : written) io::write_output(file.path, file.bytes, file.is_binary);
   };
@@ -143,7 +144,7 @@ void export_mesh(ChainState& chain) {
     if (is_step)
       files.of_nodes.blocks.write();
     else
-      is_swept ? files.hexes.write() : files.quads.write();
+      is_swept ? files.hexes.write() : files.of_nodes.quads.write();
   };
   run_stage(chain, task);
 }
@@ -168,7 +169,7 @@ void write_stage_file(ChainState& chain) {
     case ChainStage::blocksplit:
       return write(files.of_nodes.blocks);
     case ChainStage::quadrefine:
-      return write(files.quads);
+      return write(files.of_nodes.quads);
     case ChainStage::hexsweep:
       return write(files.hexes);
     case ChainStage::quadexport:

@@ -44,9 +44,14 @@ std::vector<Remedy> remedies_of(const io::StageReport& report) {
 
 void remove_files(NodeFiles& files) {
   std::error_code ignored;
-  for (const std::string& path :
-       {files.nodes.path(), files.phase_solve.path(), files.phase.path(), files.graph.path(), files.blocks.path()})
+  for (const std::string& path : {files.nodes.path(), files.phase_solve.path(), files.phase.path(), files.graph.path(),
+                                  files.blocks.path(), files.quads.path()})
     std::filesystem::remove(path, ignored);
+}
+
+template <typename Model>
+bool exists(const StageFile<Model>& file) {
+  return file.is_in_memory() || std::filesystem::exists(file.path());
 }
 
 template <typename Model>
@@ -73,8 +78,9 @@ void take_remedy(ChainState& chain, NodeFiles& files, const Remedy& remedy, std:
   replace(usual.phase_solve, files.phase_solve);
   replace(usual.phase, files.phase);
   replace(usual.graph, files.graph);
-  const bool has_blocks = files.blocks.is_in_memory() || std::filesystem::exists(files.blocks.path());
+  const bool has_blocks = exists(files.blocks);
   if (has_blocks) replace(usual.blocks, files.blocks);
+  if (exists(files.quads)) replace(usual.quads, files.quads);
   chain.last = has_blocks ? usual.blocks.path() : usual.graph.path();
   chain.remedy = options_text(remedy);
   print_warnings(chain, first_run);
@@ -124,30 +130,39 @@ double good_resolution(const CadFace& face) {
   return has_far_field(face) ? trial_limits.poor_resolution : trial_limits.resolution;
 }
 
-/// `good`: the resolution ratio above which counts are sought that lower the error.
-stage::QuadrefineOptions trial_options(const ChainState& chain, double good) {
+/// Whether trials are the meshes of quadrefine without options. On surfaces and in far fields these take longer, and
+/// the limits are for coarser ones.
+bool has_whole_trials(const CadFace& face) { return !face.chart && !has_far_field(face); }
+
+stage::QuadrefineOptions trial_options(const ChainState& chain, const CadFace& face) {
   stage::QuadrefineOptions options;
-  options.refine.order = 2;
-  options.refine.good_resolution = good;
-  options.refine.least_progress = refine::coarse_progress;
-  options.refine.allow_invalid = true;
-  options.refine.keeps_to_surface = false;
-  options.refine.rings = refine::Rings::none;  // they lower another error than the one that is compared
-  options.relax = "size";
   options.align_strength = chain.values.quadrefine.align_strength;
   options.symmetry = chain.values.quadrefine.symmetry;
+  options.is_trial = true;
+  if (has_whole_trials(face)) return options;
+  options.refine.order = 2;
+  options.refine.least_progress = refine::coarse_progress;
+  options.refine.keeps_to_surface = false;
+  options.refine.rings = refine::Rings::none;
   return options;
 }
 
+/// Whether the meshes of trials are those of the run.
+bool makes_trials(const ChainState& chain, const CadFace& face) {
+  return has_whole_trials(face) && chain.is_due(ChainStage::quadrefine) &&
+         chosen_words(chain, ChainStage::quadrefine).empty();
+}
+
 /// Makes a trial mesh and appends its figures to chain.trials. Returns false if there is no mesh.
-bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options,
-              double good = refine::RefineOptions().good_resolution) {
+bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options) {
   const std::string last = chain.last;
-  StageFile<QuadMesh> mesh(chain.runner.scratch() + "/trial.quad.h5");
+  const CadFace& face = files.nodes.model().face;
   const auto quads = [&](Run& run) {
     const auto directions = directions_to_align_with(chain);
-    return stage::quadrefine({files.blocks.input(), {}, {}, directions.input()}, trial_options(chain, good), run);
+    return stage::quadrefine({files.blocks.input(), {}, {}, directions.input()}, trial_options(chain, face), run);
   };
+  StageFile<QuadMesh> other(chain.runner.scratch() + "/trial.quad.h5");
+  StageFile<QuadMesh>& mesh = makes_trials(chain, face) ? files.quads : other;
   const bool is_made = make_file(chain, {ChainStage::quadrefine}, mesh, quads, files.blocks);
   chain.last = last;
   if (!is_made) return false;
@@ -219,22 +234,35 @@ bool try_nodes(ChainState& chain, const Remedy& remedy, std::size_t first_replac
   return false;
 }
 
-void try_nodes_of_poor_mesh(ChainState& chain, std::size_t first_replaced) {
+/// The number of the run whose trial mesh is the best; none if there is no mesh.
+std::optional<std::size_t> best_trial(ChainState& chain, std::size_t first_replaced) {
   NodeFiles& usual = chain.files.of_nodes;
   const double good = good_resolution(usual.nodes.model().face);
-  if (!try_mesh(chain, usual, {}, good)) return;
-  if (chain.trials.back().resolution <= good && has_faults(chain.trials.back())) {
-    // Other counts may be without them.
-    chain.trials.pop_back();
-    if (!try_mesh(chain, usual, {})) return;
-  }
+  if (!try_mesh(chain, usual, {})) return std::nullopt;
   io::LayoutTrial best = chain.trials.back();
+  std::size_t run_of_best = chain.runner.reports().size() - 1;
   for (const auto& [remedy, is_for] : other_nodes(chain)) {
     if (!is_for(best, good)) continue;
-    if (try_nodes(chain, remedy, first_replaced, best)) best = chain.trials.back();
-    if (chain.given_up && chain.given_up->is_stopped) return;
+    if (try_nodes(chain, remedy, first_replaced, best)) {
+      best = chain.trials.back();
+      run_of_best = chain.runner.reports().size() - 1;
+    }
+    if (chain.given_up && chain.given_up->is_stopped) break;
     chain.given_up.reset();
   }
+  return run_of_best;
+}
+
+/// The mesh of a trial becomes that of the chain, if it is one and valid.
+bool keep_mesh(ChainState& chain, std::size_t run) {
+  std::vector<io::StageReport>& reports = chain.runner.reports();
+  NodeFiles& files = chain.files.of_nodes;
+  if (!makes_trials(chain, files.nodes.model().face) || io::value_of(reports[run], "valid") != "true") return false;
+  std::rotate(reports.begin() + run, reports.begin() + run + 1, reports.end());
+  reports.back().stage = enum_name(ChainStage::quadrefine);
+  chain.last = files.quads.path();
+  print_warnings(chain, reports.size() - 1);
+  return true;
 }
 
 }  // namespace
@@ -266,17 +294,19 @@ void try_remedies(ChainState& chain) {
   std::tie(chain.form, chain.num_nodes, chain.last) = before;
 }
 
-void try_better_nodes(ChainState& chain) {
-  if (!may_try_nodes(chain)) return;
+bool try_better_nodes(ChainState& chain) {
+  if (!may_try_nodes(chain)) return false;
   const std::vector<io::StageReport>& reports = chain.runner.reports();
   const auto first_replaced = std::ranges::find(reports, std::string("separatrix"), &io::StageReport::stage);
-  if (first_replaced == reports.end() || io::value_of(*first_replaced, "certificate.method") == "midpoint") return;
+  if (first_replaced == reports.end() || io::value_of(*first_replaced, "certificate.method") == "midpoint")
+    return false;
   chain.prefix = prefix_of_trials;
-  try_nodes_of_poor_mesh(chain, first_replaced - reports.begin());
+  const std::optional<std::size_t> best = best_trial(chain, first_replaced - reports.begin());
   chain.prefix.clear();
   // The report of a stage that was stopped says that the quads are made without a field; here the nodes stay.
   if (chain.given_up && chain.given_up->is_stopped) chain.runner.reports().pop_back();
   chain.given_up.reset();
+  return best && keep_mesh(chain, *best);
 }
 
 }  // namespace quadrille::chain

@@ -15,10 +15,11 @@ void try_remedies(ChainState& chain);
 /// resolution ratio above 50), or a resolution ratio above 2 outside far fields, nodes at the least energy are tried
 /// (critpoints --place energy), and taken if their mesh is better: with fewer faults, else with a resolution ratio that
 /// is less by 5 %. While the best mesh has faults, so are the fewest nodes (--nodes fewest), or in a far field the
-/// other grids (--topology). All have edges of diameter / 20, or of a far field, and order 2 whatever the user asks
-/// for, so that blocks do not depend on sizes, and vertices that are nearly in place; counts that lower the error are
-/// sought only where the first mesh is not good. Nothing changes with more than 24 nodes, with layers along walls, or
-/// where a user chose nodes or where they are placed. Needs the blocks.
-void try_better_nodes(ChainState& chain);
+/// other grids (--topology). All are made without options of quadrefine whatever the user asks for, so that blocks do
+/// not depend on sizes; on a curved face or in a far field with order 2, without rings, with vertices nearly in place,
+/// at any distance from the surface. Nothing changes with more than 24 nodes, with layers along walls, or where a user
+/// chose nodes or where they are placed. Needs the blocks. Returns whether the mesh of the run is made: on other faces,
+/// if the user gave no options, the best one is.
+bool try_better_nodes(ChainState& chain);
 
 }  // namespace quadrille::chain

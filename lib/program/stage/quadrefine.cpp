@@ -51,6 +51,7 @@ ParsedOptions parsed(const QuadrefineOptions& options) {
   auto& [refine, sizes] = all;
   sizes.per_curve = sizing::parse_per_curve(options.per_curve);
   refine.relax = refine::parse_relax(options.relax);
+  refine.allow_invalid |= options.is_trial;
   for (const std::string& text : options.near) sizes.near.push_back(sizing::parse_near_size(text));
   for (const std::string& text : options.counts) prescribe::parse_count(text, refine.counts, refine.boundary_counts);
   for (const std::string& text : options.gradings) refine.end_gradings.push_back(prescribe::parse_end_grading(text));
