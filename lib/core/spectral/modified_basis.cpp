@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "spectral/jacobi_polynomials.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"
@@ -214,10 +215,11 @@ Values points_of(const Quadrature& rule) {
 Eigen::MatrixXd weighted_orthogonal_factors(int order, int p, const Quadrature& eta2) {
   const int num_points = static_cast<int>(eta2.points.size());
   Eigen::MatrixXd values(num_points, order - p + 1);
+  const JacobiPolynomials polynomials(order - p, 2 * p + 1, 0);
   for (int j = 0; j < num_points; ++j) {
+    const std::vector<double> jacobi = polynomials.all(eta2.points[j]);
     const double t = std::pow((1 - eta2.points[j]) / 2, p) * eta2.weights[j] / 2;
-    for (int q = 0; q <= order - p; ++q)
-      values(j, q) = t * orthogonal_scale(p, q) * jacobi(q, 2 * p + 1, 0, eta2.points[j]);
+    for (int q = 0; q <= order - p; ++q) values(j, q) = t * orthogonal_scale(p, q) * jacobi[q];
   }
   return values;
 }
@@ -229,12 +231,15 @@ Eigen::MatrixXd make_to_orthogonal(int order) {
   Eigen::MatrixXd table = Eigen::MatrixXd::Zero(num_tri_modes(order), num_tri_modes(order));
   for (int p = 0; p <= order; ++p) {
     const Eigen::MatrixXd orthogonal = weighted_orthogonal_factors(order, p, modes.eta2);
+    const JacobiPolynomials legendre(p, 0, 0);
+    std::vector<double> values;
+    for (const double x : modes.eta1.points) values.push_back(legendre.last(x));
     for (int c = 0; c < modes.num_factors(); ++c) {
       const int degree = c < 3 ? (c + 1) / 2 : c - 1;
       if (p > degree || (c >= 3 && p != degree && p != degree - 2)) continue;
       double integral = 0;
       for (std::size_t i = 0; i < modes.eta1.points.size(); ++i)
-        integral += modes.eta1.weights[i] * modes.f(i, c) * jacobi(p, 0, 0, modes.eta1.points[i]);
+        integral += modes.eta1.weights[i] * modes.f(i, c) * values[i];
       const Eigen::MatrixXd block =
           integral * modes.g.middleCols(modes.first[c], modes.num_modes(c)).transpose() * orthogonal;
       for (int row = 0; row < block.rows(); ++row)

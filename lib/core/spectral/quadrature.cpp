@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "spectral/jacobi_polynomials.hpp"
 #include "spectral/per_order.hpp"
 
 namespace quadrille::spectral {
@@ -17,16 +18,7 @@ JacobiStep jacobi_step(int n, double alpha, double beta) {
           2 * (n + alpha) * (n + beta) * (s + 2) / scale};
 }
 
-double jacobi(int n, double alpha, double beta, double x) {
-  double previous = 0, value = 1;
-  for (int k = 0; k < n; ++k) {
-    const JacobiStep step = jacobi_step(k, alpha, beta);
-    const double next = (step.a * x + step.b) * value - step.c * previous;
-    previous = value;
-    value = next;
-  }
-  return value;
-}
+double jacobi(int n, double alpha, double beta, double x) { return JacobiPolynomials(n, alpha, beta).last(x); }
 
 double jacobi_derivative(int n, double alpha, double beta, double x) {
   if (n == 0) return 0;
@@ -37,6 +29,8 @@ namespace {
 
 // Zeros of P_n^{(alpha, beta)}, from Chebyshev points, by Newton's method with the known zeros divided out.
 std::vector<double> jacobi_zeros(int n, double alpha, double beta) {
+  const JacobiPolynomials polynomials(n, alpha, beta), slopes(n - 1, alpha + 1, beta + 1);
+  const auto slope = [&](double x) { return (n + alpha + beta + 1) / 2 * slopes.last(x); };
   std::vector<double> zeros(n);
   for (int k = 0; k < n; ++k) {
     double x = -std::cos((2 * k + 1) * std::numbers::pi / (2 * n));
@@ -44,13 +38,13 @@ std::vector<double> jacobi_zeros(int n, double alpha, double beta) {
     for (int iteration = 0; iteration < 50; ++iteration) {
       double poles = 0;
       for (int i = 0; i < k; ++i) poles += 1 / (x - zeros[i]);
-      const double value = jacobi(n, alpha, beta, x);
-      const double step = -value / (jacobi_derivative(n, alpha, beta, x) - poles * value);
+      const double value = polynomials.last(x);
+      const double step = -value / (slope(x) - poles * value);
       x += step;
       if (std::abs(step) < 1e-16) break;
     }
     // One step on the polynomial itself, because the deflated one has lost a few digits.
-    zeros[k] = x - jacobi(n, alpha, beta, x) / jacobi_derivative(n, alpha, beta, x);
+    zeros[k] = x - polynomials.last(x) / slope(x);
   }
   return zeros;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "spectral/jacobi_polynomials.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
@@ -27,14 +28,16 @@ struct EdgeRule {
 EdgeRule make_edge_rule(int order, int num_points) {
   EdgeRule edge{spectral::gauss_legendre(num_points), Eigen::MatrixXd(num_points, 2 * order)};
   std::vector<double> values(order);
+  const spectral::JacobiPolynomials legendre(order - 1, 0, 0);
   for (int i = 0; i < num_points; ++i) {
     const double s = edge.rule.points[i];
+    const std::vector<double> slopes = legendre.all(s);
     spectral::edge_mode_values(order, s, values.data());
     edge.modes(i, 0) = (1 - s) / 2;
     edge.modes(i, 1) = (1 + s) / 2;
     for (int d = 2; d <= order; ++d) {
       edge.modes(i, d) = values[d - 2];
-      edge.modes(i, order + d - 1) = -std::sqrt((2 * d - 1) / 2.0) * spectral::jacobi(d - 1, 0, 0, s);
+      edge.modes(i, order + d - 1) = -std::sqrt((2 * d - 1) / 2.0) * slopes[d - 1];
     }
   }
   return edge;
@@ -201,13 +204,15 @@ ProjectionTable make_projection_table(int order) {
   const int n = num_points(order);
   const spectral::Quadrature eta1 = spectral::gauss_legendre(n), eta2 = spectral::gauss_jacobi(n, 1, 0);
   ProjectionTable table{{}, Eigen::MatrixXd(order + 1, n), {}, make_trace(order)};
+  const spectral::JacobiPolynomials legendre(order, 0, 0);
+  for (int i = 0; i < n; ++i) table.across.col(i) = eta1.weights[i] * as_vector(legendre.all(eta1.points[i]));
   for (int p = 0; p <= order; ++p) {
     Eigen::MatrixXd upward(order - p + 1, n);
+    const spectral::JacobiPolynomials polynomials(order - p, 2 * p + 1, 0);
     for (int i = 0; i < n; ++i) {
-      table.across(p, i) = eta1.weights[i] * spectral::jacobi(p, 0, 0, eta1.points[i]);
       const double y = eta2.points[i], weight = std::pow((1 - y) / 2, p) * eta2.weights[i] / 2;
-      for (int q = 0; q <= order - p; ++q)
-        upward(q, i) = weight * spectral::orthogonal_scale(p, q) * spectral::jacobi(q, 2 * p + 1, 0, y);
+      const std::vector<double> values = polynomials.all(y);
+      for (int q = 0; q <= order - p; ++q) upward(q, i) = weight * spectral::orthogonal_scale(p, q) * values[q];
     }
     table.upward.push_back(std::move(upward));
   }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "spectral/jacobi_polynomials.hpp"
+
 namespace quadrille::spectral {
 
 namespace {
@@ -82,6 +84,18 @@ TEST(Jacobi, ValueAtOneIsABinomial) {
     EXPECT_NEAR(jacobi(n, 3, 0, 1) / binomial, 1, 1e-13);
     binomial *= (n + 4.0) / (n + 1.0);
   }
+}
+
+TEST(Jacobi, PolynomialsOfAllDegreesAreThoseOfEach) {
+  const double x = 0.3;
+  const std::vector<double> all = JacobiPolynomials(7, 3, 1).all(x);
+  ASSERT_EQ(all.size(), 8U);
+  for (int n = 0; n <= 7; ++n) {
+    EXPECT_EQ(all[n], jacobi(n, 3, 1, x)) << n;
+    EXPECT_EQ(all[n], JacobiPolynomials(n, 3, 1).last(x)) << n;
+  }
+  EXPECT_NEAR(all[2], 10 + 17.5 * (x - 1) + 7 * (x - 1) * (x - 1), 1e-13);
+  EXPECT_EQ(JacobiPolynomials(-1, 0, 0).all(x), std::vector<double>{1});
 }
 
 TEST(Jacobi, DerivativeMatchesCentralDifferences) {
