@@ -64,6 +64,22 @@ std::vector<double> modes_of_degree(int order) {
   return table;
 }
 
+/// Adds up to four modes, in their order: each sum is loaded and stored once for all.
+void add_modes(int num, const double* coefs, const double* modes, std::vector<double>& sums) {
+  const std::size_t size = sums.size();
+  double* const sum = sums.data();
+  if (num == 4) {
+    const double a = coefs[0], b = coefs[1], c = coefs[2], d = coefs[3];
+    const double *m = modes, *n = m + size, *o = n + size, *p = o + size;
+    for (std::size_t i = 0; i < size; ++i) sum[i] = sum[i] + a * m[i] + b * n[i] + c * o[i] + d * p[i];
+    return;
+  }
+  for (int k = 0; k < num; ++k, modes += size) {
+    const double coef = coefs[k];
+    for (std::size_t i = 0; i < size; ++i) sum[i] += coef * modes[i];
+  }
+}
+
 /// Position in the coefficients of entry t = 0..m on the line parallel to `edge` that has n - m as the third exponent.
 int line_index(int order, int edge, int m, int t) {
   if (edge == 0) return bernstein_index(order, t, order - m);
@@ -102,8 +118,11 @@ std::vector<double> bernstein_from_orthogonal(int order, const double* coefs) {
   for (int degree = 0; degree <= order; ++degree) {
     result = degree == 0 ? std::vector<double>{0.0} : bernstein_elevate(degree - 1, result);
     const double* mode = tables[degree].data();
-    for (int p = 0; p <= degree; ++p, mode += result.size(), ++coefs)
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] += *coefs * mode[i];
+    for (int p = 0; p <= degree;) {
+      const int num = std::min(4, degree + 1 - p);
+      add_modes(num, coefs, mode, result);
+      p += num, coefs += num, mode += num * result.size();
+    }
   }
   return result;
 }
