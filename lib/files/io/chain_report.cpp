@@ -291,6 +291,16 @@ std::optional<std::string> value_of(const StageReport& report, const std::string
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+LayoutTrial layout_trial(const StageReport& report, const std::string& options) {
+  const Json root = parsed(report.json);
+  return {options,
+          at(root, "valid") == true,
+          number_at(root, "greatest_edge_ratio.value"),
+          number_at(root, "least_scaled_jacobian"),
+          number_at(root, "resolution.ratio"),
+          static_cast<int>(number_at(root, "blocks"))};
+}
+
 ChainReport::ChainReport(const std::vector<StageReport>& stages, const ChainFacts& facts)
     : text_(json_text(composed(stages, facts))) {}
 

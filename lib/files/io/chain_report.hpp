@@ -29,6 +29,9 @@ struct LayoutTrial {
   int blocks = 0;
 };
 
+/// That of a report of quadrefine.
+LayoutTrial layout_trial(const StageReport& report, const std::string& options);
+
 /// What no stage reports.
 struct ChainFacts {
   std::optional<std::string> form;  ///< of the nodes; none: there are no nodes

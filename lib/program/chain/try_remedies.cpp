@@ -166,11 +166,7 @@ bool try_mesh(ChainState& chain, NodeFiles& files, const std::string& options) {
   const bool is_made = make_file(chain, {ChainStage::quadrefine}, mesh, quads, files.blocks);
   chain.last = last;
   if (!is_made) return false;
-  const io::StageReport& report = chain.runner.reports().back();
-  const auto number = [&](const char* key) { return std::stod(io::value_of(report, key).value_or("0")); };
-  chain.trials.push_back({options, io::value_of(report, "valid") == "true", number("greatest_edge_ratio.value"),
-                          number("least_scaled_jacobian"), number("resolution.ratio"),
-                          static_cast<int>(number("blocks"))});
+  chain.trials.push_back(io::layout_trial(chain.runner.reports().back(), options));
   return true;
 }
 
@@ -234,31 +230,33 @@ bool try_nodes(ChainState& chain, const Remedy& remedy, std::size_t first_replac
   return false;
 }
 
-/// The number of the run whose trial mesh is the best; none if there is no mesh.
-std::optional<std::size_t> best_trial(ChainState& chain, std::size_t first_replaced) {
+struct BestTrial {
+  io::LayoutTrial trial;
+  std::size_t run;  ///< its position among all
+};
+
+/// None if there is no mesh.
+std::optional<BestTrial> best_trial(ChainState& chain, std::size_t first_replaced) {
   NodeFiles& usual = chain.files.of_nodes;
   const double good = good_resolution(usual.nodes.model().face);
   if (!try_mesh(chain, usual, {})) return std::nullopt;
-  io::LayoutTrial best = chain.trials.back();
-  std::size_t run_of_best = chain.runner.reports().size() - 1;
+  const auto last_trial = [&] { return BestTrial{chain.trials.back(), chain.runner.reports().size() - 1}; };
+  BestTrial best = last_trial();
   for (const auto& [remedy, is_for] : other_nodes(chain)) {
-    if (!is_for(best, good)) continue;
-    if (try_nodes(chain, remedy, first_replaced, best)) {
-      best = chain.trials.back();
-      run_of_best = chain.runner.reports().size() - 1;
-    }
+    if (!is_for(best.trial, good)) continue;
+    if (try_nodes(chain, remedy, first_replaced, best.trial)) best = last_trial();
     if (chain.given_up && chain.given_up->is_stopped) break;
     chain.given_up.reset();
   }
-  return run_of_best;
+  return best;
 }
 
 /// The mesh of a trial becomes that of the chain, if it is one and valid.
-bool keep_mesh(ChainState& chain, std::size_t run) {
+bool keep_mesh(ChainState& chain, const BestTrial& best) {
   std::vector<io::StageReport>& reports = chain.runner.reports();
   NodeFiles& files = chain.files.of_nodes;
-  if (!makes_trials(chain, files.nodes.model().face) || io::value_of(reports[run], "valid") != "true") return false;
-  std::rotate(reports.begin() + run, reports.begin() + run + 1, reports.end());
+  if (!makes_trials(chain, files.nodes.model().face) || !best.trial.is_valid) return false;
+  std::rotate(reports.begin() + best.run, reports.begin() + best.run + 1, reports.end());
   reports.back().stage = enum_name(ChainStage::quadrefine);
   chain.last = files.quads.path();
   print_warnings(chain, reports.size() - 1);
@@ -301,7 +299,7 @@ bool try_better_nodes(ChainState& chain) {
   if (first_replaced == reports.end() || io::value_of(*first_replaced, "certificate.method") == "midpoint")
     return false;
   chain.prefix = prefix_of_trials;
-  const std::optional<std::size_t> best = best_trial(chain, first_replaced - reports.begin());
+  const std::optional<BestTrial> best = best_trial(chain, first_replaced - reports.begin());
   chain.prefix.clear();
   // The report of a stage that was stopped says that the quads are made without a field; here the nodes stay.
   if (chain.given_up && chain.given_up->is_stopped) chain.runner.reports().pop_back();

@@ -154,6 +154,21 @@ TEST(ChainReport, NamesTheFirstFailureAfterWhichARunWentOn) {
   EXPECT_EQ(composed(stages)["given_up"], "separatrix: no layout");
 }
 
+TEST(ChainReport, ATrialHasTheFiguresOfQuadrefine) {
+  const LayoutTrial trial = layout_trial(
+      {"trial_quadrefine", R"({"valid": true, "greatest_edge_ratio": {"value": 2.5}, "least_scaled_jacobian": 0.75,)"
+                           R"( "resolution": {"ratio": 3}, "blocks": 12})"},
+      "critpoints --place energy");
+  EXPECT_EQ(trial.options, "critpoints --place energy");
+  EXPECT_TRUE(trial.is_valid);
+  EXPECT_EQ(trial.edge_ratio, 2.5);
+  EXPECT_EQ(trial.scaled_jacobian, 0.75);
+  EXPECT_EQ(trial.resolution, 3);
+  EXPECT_EQ(trial.blocks, 12);
+  EXPECT_FALSE(layout_trial({"trial_quadrefine", R"({"valid": false})"}, "").is_valid);
+  EXPECT_FALSE(layout_trial({"trial_quadrefine", ""}, "").is_valid) << "an empty report";
+}
+
 TEST(ChainReport, RunsOfRemediesThatFailedCountWithTheirTimesAlone) {
   std::vector<StageReport> stages = usual_stages();
   stages.push_back(stage("trial_separatrix", "separatrix", 2,
