@@ -65,8 +65,10 @@ int hole_capacity(const CadFace& face, int loop) {
 
 /// Adds the bends of a loop below `size`; the bends of a hole that is one small run all round are part of the hole.
 void add_bends(const CadFace& face, int loop, double size, bool is_small_hole, std::vector<SmallFeature>& bends) {
+  const std::vector<CurvedRun> found = curved_runs(face, loop, 1 / size);
+  if (found.empty()) return;
   const std::vector<CurvedRun> runs = all_runs(face, loop);
-  for (const CurvedRun& bend : curved_runs(face, loop, 1 / size)) {
+  for (const CurvedRun& bend : found) {
     const CurvedRun& run = run_around(runs, bend);
     const int capacity = index_capacity_of(run.turning());
     if (bend.is_loop || (is_small_hole && run.is_loop) || capacity == 0) continue;
@@ -172,8 +174,9 @@ std::vector<SmallFeature> runs_of_any_size(const CadFace& face) {
 
 std::vector<std::vector<OwnedNode>> nodes_of_features(const CadFace& face, const FeatureState& state,
                                                       const std::vector<SmallFeature>& features) {
-  const std::vector<SmallFeature> runs = runs_of_any_size(face);
   std::vector<std::vector<OwnedNode>> owned(features.size());
+  if (features.empty()) return owned;
+  const std::vector<SmallFeature> runs = runs_of_any_size(face);
   for (size_t i = 0; i < state.nodes.size(); ++i) {
     const FeatureNode& node = state.nodes[i];
     if (!node.is_inside() || std::abs(node.index()) != 1) continue;
