@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "../chart_samples.hpp"
 #include "../region_layout_samples.hpp"
 #include "rules_of.hpp"
 
@@ -53,10 +52,6 @@ TEST(QuadMeshCheck, QuaR07EulerCount) {
 TEST(QuadMeshCheck, QuaR08IrregularNodesAgree) {
   EXPECT_EQ(broken([](auto& m) { m.num_irregular = 1; }), Rules{"QUA-R08"});
 }
-TEST(QuadMeshCheck, QuaR09JacobiansArePositive) {
-  EXPECT_EQ(broken([](auto& m) { m.nodes[4] = {-0.1, 0.4}; }), Rules{"QUA-R09"});
-}
-
 TEST(QuadMeshCheck, QuaR10RootTellsValidity) {
   EXPECT_EQ(broken([](auto& m) { m.least_jacobian_bound = 0.1; }), Rules{"QUA-R10"});
   EXPECT_EQ(broken([](auto& m) { m.is_valid = false; }), Rules{"QUA-R10"});
@@ -124,34 +119,6 @@ TEST(QuadMeshCheck, AMeshThatSaysItIsNotValidKeepsTheRules) {
     m.nodes[5] = {0, 0.1};
   };
   EXPECT_EQ(broken(with_another), Rules{"QUA-R09"});
-}
-
-/// The sample on the sphere: half as large in the chart.
-QuadMesh curved_sample() {
-  QuadMesh mesh = samples::quad_mesh();
-  mesh.face = samples::sphere_face(1, 2);
-  for (Vec2& x : mesh.nodes) x = x / 2;
-  for (const Vec2 x : mesh.nodes) mesh.space_nodes.push_back(samples::on_sphere(x));
-  return mesh;
-}
-
-TEST(QuadMeshCheck, NodesInSpaceAreChecked) {
-  const QuadMesh mesh = curved_sample();
-  EXPECT_EQ(broken_rules(mesh, [](QuadMesh&) {}), Rules{});
-  EXPECT_EQ(broken_rules(mesh, [](QuadMesh& m) { m.space_nodes.pop_back(); }), Rules{"QUA-R01"});
-  EXPECT_EQ(broken_rules(mesh, [](QuadMesh& m) { m.face.chart.reset(); }), Rules{"QUA-R01"});
-  EXPECT_TRUE(
-      broken_rules(mesh, [](QuadMesh& m) { std::swap(m.space_nodes[0], m.space_nodes[1]); }).contains("QUA-R09"))
-      << "folded";
-}
-
-TEST(QuadMeshCheck, QuaR15BoundaryNodesAreOnTheirCurvesInSpace) {
-  EXPECT_EQ(broken_rules(curved_sample(), [](QuadMesh& m) { m.space_nodes[4].z += 1e-8; }), Rules{"QUA-R15"});
-  EXPECT_EQ(broken_rules(curved_sample(),
-                         [](QuadMesh& m) {
-                           m.space_nodes[1] = samples::on_sphere({0.26, 0});
-                         }),
-            Rules{"QUA-R15"});
 }
 
 TEST(QuadMeshCheck, DoubtNamesTheWorstElement) {
