@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/angle.hpp"
-#include "spectral/bernstein_cube.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
@@ -141,17 +140,6 @@ TEST(HexMap, ScaledJacobianOfASkewedBoxIsItsVolume) {
     const auto nodes = sampled(order, [](double a, double b, double c) { return Vec3{2 * a + b, b, 5 * c}; });
     EXPECT_NEAR(hex_scaled_jacobian(order, nodes.data()), std::sqrt(0.5), 1e-12);
   }
-}
-
-TEST(BernsteinCube, BoundIsSharpenedByBisection) {
-  // 4 (x - 1/2)^2 + 1/8 on [0, 1], constant in y and z: coefficients 9/8, -7/8, 9/8.
-  BernsteinCube p{2, {}, 0};
-  for (int line = 0; line < 9; ++line) p.coefs.insert(p.coefs.end(), {9.0 / 8, -7.0 / 8, 9.0 / 8});
-  EXPECT_LT(lower_bound(p, 0), 0);
-  EXPECT_GT(lower_bound(p, 2), 0);
-  EXPECT_LE(lower_bound(p, 2), 1.0 / 8);
-  p.error = 0.2;
-  EXPECT_LE(lower_bound(p, 4), 0);
 }
 
 }  // namespace

@@ -184,43 +184,6 @@ TEST(QuadBernstein, LeastValueOfAConstantIsFoundAtOnce) {
   EXPECT_EQ(least_value({3, std::vector<double>(16, 0.7), 0}, 1e-300), 0.7);
 }
 
-/// The part of a cylinder of radius 1 over angles and heights.
-std::vector<Vec3> rolled(int order, const Map& map) {
-  std::vector<Vec3> nodes;
-  for (const Vec2 x : sampled(order, map)) nodes.push_back({std::cos(x.x), std::sin(x.x), x.y});
-  return nodes;
-}
-
-TEST(QuadMapInSpace, APlanarElementHasTheBoundsOfThePlane) {
-  for (const Map& map : {Map(ring), Map(wavy)}) {
-    const auto nodes = sampled(5, map);
-    std::vector<Vec3> turned;  // an orthonormal frame
-    for (const Vec2 x : nodes) turned.push_back(x.x * Vec3{0.6, 0, 0.8} + x.y * Vec3{0, 1, 0} + Vec3{1, 2, 3});
-    EXPECT_NEAR(quad_normal_lower_bound(5, turned.data()), quad_jacobian_lower_bound(5, nodes.data()), 1e-8);
-    const ScaledJacobianMinimum a = quad_scaled_jacobian_minimum(5, turned.data()),
-                                b = quad_scaled_jacobian_minimum(5, nodes.data());
-    EXPECT_NEAR(a.value, b.value, 1e-12);
-  }
-}
-
-TEST(QuadMapInSpace, ElementsAreProvedUntilTheyTurnByMoreThanARightAngle) {
-  const auto patch = [](double half) { return [half](double a, double b) { return Vec2{half * a, 0.3 * b}; }; };
-  // f = 0.3 half cos(angle from the centre), but for interpolation.
-  EXPECT_NEAR(quad_normal_lower_bound(8, rolled(8, patch(1)).data()), 0.3 * std::cos(1.0), 1e-5);
-  EXPECT_GT(quad_normal_lower_bound(8, rolled(8, patch(1.5)).data()), 0);
-  EXPECT_LE(quad_normal_lower_bound(8, rolled(8, patch(1.6)).data()), 0);
-  EXPECT_NEAR(quad_scaled_jacobian_minimum(8, rolled(8, patch(1)).data()).value, 1, 1e-4);
-  EXPECT_EQ(quad_scaled_jacobian_minimum(8, rolled(8, patch(1.6)).data()).value, -1);
-}
-
-TEST(QuadMapInSpace, FoldedAndCollapsedElementsAreNotProved) {
-  const auto folded = rolled(3, [](double a, double b) { return Vec2{0.3 * (a - a * a), 0.3 * b}; });
-  EXPECT_LE(quad_normal_lower_bound(3, folded.data()), 0);
-  const std::vector<Vec3> point(16, Vec3{1, 2, 3});
-  EXPECT_LE(quad_normal_lower_bound(3, point.data()), 0);
-  EXPECT_EQ(quad_scaled_jacobian_minimum(3, point.data()).value, -1);
-}
-
 }  // namespace
 
 }  // namespace quadrille::spectral
