@@ -3,43 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "../support/texts.hpp"
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "charted_square.hpp"
 #include "model/interfaces.hpp"
-#include "outline/face_of_loops.hpp"
-#include "regions.hpp"
 
 namespace quadrille::sew {
 namespace {
 
-using namespace testing_regions;
-
-SpaceCurve lifted(const Nurbs& curve) {
-  SpaceCurve result{curve.degree, curve.knots, {}, curve.weights};
-  for (const Vec2 p : curve.poles) result.poles.push_back({p.x, p.y, 3});
-  return result;
-}
-
-/// A square of side 2 in the plane z = 3, which is its own chart.
-CadFace charted_square() {
-  heal::RawFace raw;
-  const std::vector<heal::Loop> loops{rectangle({0, 0}, {2, 2})};
-  CadFace face = outline::face_of_loops(raw, loops, outline::curves_of(loops[0]), 0.01);
-  auto chart = std::make_shared<Chart>();
-  chart->elem2vertices = {{0, 1, 2}, {0, 2, 3}};
-  chart->nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 0}, {2, 2}, {0, 2}};
-  for (const Vec2 p : chart->nodes) chart->space_nodes.push_back({p.x, p.y, 3});
-  for (const Nurbs& curve : face.curves) chart->space_curves.push_back(lifted(curve));
-  face.chart = chart;
-  return face;
-}
-
-ChartCurve inner(const Nurbs& image, std::array<int, 2> faces = {0, 0}) { return {image, lifted(image), "", 9, faces}; }
-
-ChartCurve line(Vec2 a, Vec2 b, std::array<int, 2> faces = {0, 0}) { return inner(curve::segment(a, b), faces); }
+using namespace testing_charts;
+using testing_regions::circle;
 
 CadFace divided(const std::vector<ChartCurve>& curves, const std::vector<int>& curve_faces = {0, 0, 0, 0}) {
   Report report;
