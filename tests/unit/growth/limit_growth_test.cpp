@@ -5,11 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../hand_made.hpp"
-#include "block/extract_blocks.hpp"
-#include "growth/smooth_divisions.hpp"
-#include "refine/divide_arcs.hpp"
-#include "sizing/grade_chords.hpp"
+#include "divided.hpp"
 
 namespace quadrille::growth {
 namespace {
@@ -42,39 +38,9 @@ TEST(RecountChord, BreaksRemainEndsAndAllArcsGetOneCount) {
   }
 }
 
-struct Divided {
-  Divided(const SeparatrixGraph& graph, double size, const std::vector<int>& counts = {})
-      : layout(block::extract_blocks(graph, report)), measured(layout) {
-    std::vector<sizing::ChordCount> prescribed;
-    for (std::size_t block = 0; block < counts.size(); ++block)
-      prescribed.push_back({measured.chord_of(layout.block2arcs[block][0].arc), counts[block]});
-    const auto plans = sizing::grade_chords(measured, sizing::SizeField(size), sizing::SizeRule::nearest, prescribed);
-    divisions = refine::divide_arcs(measured, plans, {4, 1e-3});
-  }
-  GrowthInput input(double limit = 1.3) const { return {measured, limit, 4, 1e-3}; }
-  int arc(int block, int side) const { return layout.block2arcs[block][side].arc; }
-  int count(int block) const { return divisions[arc(block, 0)].num_intervals(); }
-  double length(int block, int k) const {
-    const sizing::ArcDivision& bottom = divisions[arc(block, 0)];
-    return (bottom.high(k) - bottom.low(k)) * measured.length(arc(block, 0));
-  }
-
-  Report report;
-  BlockLayout layout;
-  sizing::MeasuredLayout measured;
-  sizing::ArcDivisions divisions;
-};
-
 void expect_within(const Divided& d, double limit) {
   for (const IntervalPair& pair : adjacent_intervals(d.input(), d.divisions))
     EXPECT_LE(std::abs(log_growth(d.input(), d.divisions, pair)), std::log(limit) * (1 + 1e-5));
-}
-
-double greatest_ratio(const Divided& d, const sizing::ArcDivisions& divisions) {
-  double greatest = 1;
-  for (const IntervalPair& pair : adjacent_intervals(d.input(), divisions))
-    greatest = std::max(greatest, std::exp(std::abs(log_growth(d.input(), divisions, pair))));
-  return greatest;
 }
 
 TEST(LimitGrowth, DivisionsWithinTheLimitKeepTheirCounts) {
@@ -123,24 +89,6 @@ TEST(LimitGrowth, CountsStayWhereMoreIntervalsCanShareTheGrowth) {
   expect_within(d, 1.3);
 }
 
-TEST(LimitGrowth, WeightOfTheExcessReducesTheGreatestRatioOnly) {
-  Divided d(hand_made::row({1, 1}), 0.1, {40, 4});
-  sizing::ArcDivisions now = d.divisions;
-  DivisionSmoother(d.input(), d.divisions).smooth({}, now);
-  double before = greatest_ratio(d, now);
-  for (const double weight : {10, 30, 90}) {
-    DivisionSmoother(d.input(), d.divisions).smooth({weight, 0.97}, now);
-    EXPECT_LT(greatest_ratio(d, now), before) << weight;
-    before = greatest_ratio(d, now);
-  }
-  // Within the limit it changes nothing.
-  Divided even(hand_made::row({1, 1}), 0.1, {20, 16});
-  sizing::ArcDivisions free = even.divisions, weighted = even.divisions;
-  DivisionSmoother(even.input(), even.divisions).smooth({}, free);
-  DivisionSmoother(even.input(), even.divisions).smooth({90, 0.97}, weighted);
-  for (std::size_t arc = 0; arc < free.size(); ++arc) EXPECT_EQ(free[arc].ends, weighted[arc].ends);
-}
-
 TEST(LimitGrowth, PrescribedCountsStay) {
   Divided d(hand_made::row({1, 1}), 0.1, {30, 1});
   GrowthInput input = d.input();
@@ -149,8 +97,6 @@ TEST(LimitGrowth, PrescribedCountsStay) {
   EXPECT_EQ(d.count(1), 1);
   EXPECT_GT(outcome.worst, 1.3);
 }
-
-bool starts_at_left(const Divided& d, int arc) { return d.layout.nodes[d.layout.arcs[arc].from].position.x < 0.5; }
 
 TEST(LimitGrowth, LayersDoNotMoveAndIntervalsGrowFromThem) {
   Divided d(hand_made::row({1, 1}), 0.1);
