@@ -15,7 +15,7 @@ constexpr double coarsest_deviation = 45;
 
 void LayoutOptions::validate() const {
   trace.validate();
-  if (max_deviation < 0) throw UsageError("the greatest deviation must not be negative");
+  if (!(max_deviation >= 0)) throw UsageError("the greatest deviation must not be negative");
   if (max_lines < 1) throw UsageError("the greatest number of arcs must be positive");
 }
 

@@ -12,7 +12,7 @@
 namespace quadrille::refine {
 
 void RefineOptions::validate() const {
-  if (size < 0) throw UsageError("--size must not be negative");
+  if (!(size >= 0)) throw UsageError("--size must not be negative");
   if (order < 1 || order > 20) throw UsageError("--order must lie in 1..20");
   if (!(min_scaled_jacobian >= 0 && min_scaled_jacobian <= 1))
     throw UsageError("--min-scaled-jacobian must lie in 0..1");

@@ -133,10 +133,10 @@ std::vector<SizeSegment> segments_by_curves(const CadFace& face, int per_curve, 
 }
 
 void SizeOptions::validate() const {
-  if (size < 0) throw UsageError("--size must not be negative");
+  if (!(size >= 0)) throw UsageError("--size must not be negative");
   if (growth != 0 && !(growth > 1)) throw UsageError("--growth must be greater than 1");
   if (per_curve < 0 && per_curve != automatic) throw UsageError("--per-curve must not be negative");
-  if (curvature < 0) throw UsageError("--curvature must not be negative");
+  if (!(curvature >= 0)) throw UsageError("--curvature must not be negative");
 }
 
 double growth(const SizeOptions& options) {

@@ -133,6 +133,14 @@ TEST(MakeSizeField, ShortCurvesAreFinerWhereThatIsPrescribed) {
   EXPECT_THROW(options.validate(), UsageError);
 }
 
+TEST(MakeSizeField, NumbersThatAreNoneAreRefused) {
+  for (double SizeOptions::*member : {&SizeOptions::size, &SizeOptions::growth, &SizeOptions::curvature}) {
+    SizeOptions options;
+    options.*member = std::nan("");
+    EXPECT_THROW(options.validate(), UsageError);
+  }
+}
+
 TEST(MakeSizeField, ANumberOfElementsPerCurveIsRead) {
   EXPECT_EQ(parse_per_curve("auto"), SizeOptions::automatic);
   EXPECT_EQ(parse_per_curve("3"), 3);
