@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "base/name_text.hpp"
 #include "base/number_list.hpp"
-#include "cad/periodic_options.hpp"
 
 namespace quadrille::cad {
 namespace {
