@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/tolerance.hpp"
+#include "mesh/side_key.hpp"
 
 namespace quadrille::mesh {
 
@@ -51,7 +52,7 @@ EdgeGrowth edge_growth(const QuadMesh& mesh, double limit) {
   for (int elem = 0; elem < mesh.num_elems(); ++elem)
     for (int k = 0; k < 4; ++k) {
       const std::array<Beside, 2> own = beside_side(mesh, elem, k);
-      const auto [it, is_new] = open.try_emplace({own[0].vertex, own[1].vertex}, own);
+      const auto [it, is_new] = open.try_emplace(side_key(mesh, elem, k), own);
       if (is_new) continue;
       for (const int end : {0, 1}) {
         const double a = own[end].length, b = it->second[end].length, ratio = std::max(a / b, b / a);

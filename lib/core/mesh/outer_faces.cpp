@@ -1,8 +1,9 @@
 #include "mesh/outer_faces.hpp"
 
-#include <algorithm>
 #include <map>
 #include <utility>
+
+#include "mesh/side_key.hpp"
 
 namespace quadrille::mesh {
 
@@ -30,12 +31,11 @@ class UsedNodes {
 }  // namespace
 
 std::vector<Border> borders(const QuadMesh& mesh, const std::vector<int>& elem_group) {
-  std::map<std::pair<int, int>, ElementSide> seen;  // by the ends
+  std::map<std::pair<int, int>, ElementSide> seen;
   std::vector<Border> result;
   for (int e = 0; e < mesh.num_elems(); ++e)
     for (int side = 0; side < 4; ++side) {
-      const int a = side_start(mesh, e, side), b = side_node(mesh, e, side, mesh.order);
-      const auto [known, is_new] = seen.try_emplace({std::min(a, b), std::max(a, b)}, ElementSide{e, side});
+      const auto [known, is_new] = seen.try_emplace(side_key(mesh, e, side), ElementSide{e, side});
       if (!is_new && elem_group[known->second.elem] != elem_group[e]) result.push_back({known->second, {e, side}});
     }
   return result;

@@ -1,7 +1,9 @@
 #include "refine/tip_patch.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
+
+#include "mesh/side_key.hpp"
 
 namespace quadrille::refine {
 namespace {
@@ -12,12 +14,10 @@ constexpr QuadSide no_side{-1, 0};
 class Neighbours {
  public:
   explicit Neighbours(const QuadMesh& mesh) {
-    std::map<std::array<int, 3>, QuadSide> open;  // by ends and the inner node next to the lower one
+    std::map<std::pair<int, int>, QuadSide> open;
     for (int elem = 0; elem < mesh.num_elems(); ++elem)
       for (int side = 0; side < 4; ++side) {
-        const int from = side_node(mesh, elem, side, 0), to = side_node(mesh, elem, side, mesh.order);
-        const int inner = side_node(mesh, elem, side, from < to ? 1 : mesh.order - 1);
-        const auto [at, is_new] = open.try_emplace({std::min(from, to), std::max(from, to), inner}, elem, side);
+        const auto [at, is_new] = open.try_emplace(mesh::side_key(mesh, elem, side), elem, side);
         if (!is_new) beyond_[{elem, side}] = at->second, beyond_[at->second] = {elem, side};
       }
   }

@@ -10,6 +10,7 @@
 #include "curve/chain.hpp"
 #include "curve/face_boundary.hpp"
 #include "curve/nurbs.hpp"
+#include "mesh/side_key.hpp"
 
 namespace quadrille::sizing {
 namespace {
@@ -92,22 +93,17 @@ class SharedSides {
  public:
   explicit SharedSides(const QuadMesh& mesh) : mesh_(mesh) {
     for (int elem = 0; elem < mesh.num_elems(); ++elem)
-      for (int side = 0; side < 4; ++side) sides_[key({elem, side})].push_back({elem, side});
+      for (int side = 0; side < 4; ++side) sides_[mesh::side_key(mesh_, elem, side)].push_back({elem, side});
   }
 
   /// Element -1 on the boundary.
   ElementSide beyond(ElementSide at) const {
-    for (const ElementSide& side : sides_.at(key(at)))
+    for (const ElementSide& side : sides_.at(mesh::side_key(mesh_, at.elem, at.side)))
       if (side.elem != at.elem) return side;
     return {};
   }
 
  private:
-  /// The nodes next to its ends: two sides may have the same ends.
-  std::pair<int, int> key(ElementSide at) const {
-    return std::minmax({side_node(mesh_, at.elem, at.side, 1), side_node(mesh_, at.elem, at.side, mesh_.order - 1)});
-  }
-
   const QuadMesh& mesh_;
   std::map<std::pair<int, int>, std::vector<ElementSide>> sides_;
 };

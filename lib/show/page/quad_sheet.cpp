@@ -5,10 +5,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "mesh/element_sizes.hpp"
+#include "mesh/side_key.hpp"
 #include "model/quad_mesh.hpp"
 #include "page/sheet.hpp"
 #include "page/space_data.hpp"
@@ -86,21 +88,18 @@ Cells cells_of(const QuadMesh& mesh, const PageFrame& frame) {
   Cells cells;
   const SideSampler sampler(mesh.order);
   CornerNumbers corner(mesh, frame, cells.vertices);
-  std::unordered_map<std::int64_t, int> known;
+  std::map<std::pair<int, int>, int> known;
   for (int e = 0; e < mesh.num_elems(); ++e) {
     std::array<Vec2, 4> starts, ends;
     for (int side = 0; side < 4; ++side) {
-      const int a = side_node(mesh, e, side, 0), b = side_node(mesh, e, side, mesh.order);
       const SideSamples samples = sampler.samples(mesh, e, side);
       starts[side] = samples.front().derivative;
       ends[side] = samples.back().derivative;
       const int next = static_cast<int>(cells.ends.size() / 2);
-      const auto [edge, is_new] =
-          known.try_emplace((static_cast<std::int64_t>(std::min(a, b)) << 32) + std::max(a, b), next);
+      const auto [edge, is_new] = known.try_emplace(mesh::side_key(mesh, e, side), next);
       cells.elements.push_back(is_new ? edge->second + 1 : -edge->second - 1);
       if (!is_new) continue;
-      cells.ends.push_back(corner(a));
-      cells.ends.push_back(corner(b));
+      for (const int k : {0, mesh.order}) cells.ends.push_back(corner(side_node(mesh, e, side, k)));
       cells.bends.append(samples);
     }
     cells.skewness.push_back(skewness_of(starts, ends));
