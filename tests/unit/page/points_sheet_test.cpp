@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
-#include "../support/texts.hpp"
-#include "page/sheet.hpp"
+#include "sheet_samples.hpp"
 
 namespace quadrille::page {
 namespace {
-
-const PageFrame frame = page_frame({{0, 0}, {1, 1}});
 
 /// A zero of v = (x, -y), whose index is -1: five separatrices.
 CriticalPoint saddle() {
@@ -21,9 +18,7 @@ CriticalPoint saddle() {
 }
 
 std::string layer_of(const CriticalPoints& points, const std::string& key) {
-  for (const JsonObject& layer : stage_sheet(points, frame).layers)
-    if (count(layer.str(), "\"key\":\"" + key + '"') > 0) return layer.str();
-  return "";
+  return layer_of(stage_sheet(points, frame), key);
 }
 
 TEST(PointsSheet, NothingToShowGivesNoLayer) {
