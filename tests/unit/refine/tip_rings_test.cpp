@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "../samples.hpp"
 #include "check/check.hpp"
 #include "mesh/element_sizes.hpp"
 #include "refine/refine.hpp"
-#include "refine/tip_patch.hpp"
 #include "refine/validity.hpp"
 
 namespace quadrille::refine {
@@ -103,21 +101,6 @@ TEST(TipRings, RingsOfSeveralBlocksConform) {
 TEST(TipRings, ThereMustBeRoom) {
   const QuadMesh mesh = square(2);
   EXPECT_FALSE(with_tip_rings(mesh, node_at(mesh, {0, 0}), {20, 1}).has_value());
-}
-
-TEST(TipPatch, CountsFromTheTip) {
-  const QuadMesh mesh = square(2);
-  std::map<QuadSide, int> curves;
-  for (const QuadBoundaryEdge& e : mesh.boundary_edges) curves[{e.elem, e.side}] = e.curve;
-  const std::vector<TipPatch> patches = tip_patches(mesh, node_at(mesh, {1, 0}), 2, curves);
-  ASSERT_EQ(patches.size(), 1U);
-  const auto at = [&](int i, int j) { return mesh.nodes[patches[0].vertex(i, j)]; };
-  EXPECT_EQ(distance(at(0, 0), {1, 0}), 0);
-  EXPECT_EQ(at(0, 2).y, 0) << "the side that ends at the corner";
-  EXPECT_EQ(at(2, 0).x, 1) << "the side that starts there";
-  EXPECT_EQ(patches[0].outer_vertex(2), patches[0].vertex(2, 2));
-  EXPECT_EQ(curves.at(patches[0].wall_edge(true, 1)), 1);
-  EXPECT_EQ(curves.at(patches[0].wall_edge(false, 1)), 0);
 }
 
 }  // namespace
