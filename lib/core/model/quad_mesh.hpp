@@ -60,6 +60,7 @@ struct QuadMesh {
 
   int nodes_per_elem() const { return (order + 1) * (order + 1); }
   int num_elems() const { return static_cast<int>(elem_block.size()); }
+  int region_of(int elem) const { return block_region.empty() ? -1 : block_region[elem_block[elem]]; }
   int num_unproved() const {
     return static_cast<int>(
         std::count_if(elem_jacobian_bound.begin(), elem_jacobian_bound.end(), [](double b) { return !(b > 0); }));

@@ -69,9 +69,13 @@ const QuadMesh& CountRelaxer::moved(std::vector<Vec2> counts) {
   return mesh_;
 }
 
-mesh::Resolution CountRelaxer::resolution(const std::vector<Vec2>& greatest_lengths) const {
+mesh::Resolution CountRelaxer::resolution(const sizing::SizeField& sizes, const std::vector<Vec2>& greatest_lengths) {
   std::vector<double> lengths;
-  for (int elem = 0; elem < mesh_.num_elems(); ++elem) lengths.push_back(mesh::resolution_length(mesh_, elem));
+  for (int elem = 0; elem < mesh_.num_elems(); ++elem) {
+    double& length = mesh_.elem_prescribed_length[elem];
+    if (length > 0) length = sizes.at(mesh::centre(mesh_, elem), mesh_.region_of(elem));
+    lengths.push_back(length);
+  }
   return mesh::resolution(mesh_, greatest_lengths, relaxer_.energy.powers(lengths));
 }
 

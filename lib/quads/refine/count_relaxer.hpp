@@ -18,8 +18,8 @@ class CountRelaxer {
   /// element: k and l. Of scaled Jacobians it has those at corners.
   const QuadMesh& moved(std::vector<Vec2> counts);
   const QuadMesh& mesh() const { return mesh_; }
-  /// Of the mesh that was moved last; sides on curves are curved.
-  mesh::Resolution resolution(const std::vector<Vec2>& greatest_lengths) const;
+  /// Of the mesh that was moved last, with the sizes prescribed where its elements are; sides on curves are curved.
+  mesh::Resolution resolution(const sizing::SizeField& sizes, const std::vector<Vec2>& greatest_lengths);
   /// Vertices begin the next move where the last one ended.
   void keep() { kept_ = relaxer_.moves; }
   PlacedVertices kept() const { return {problem_, kept_}; }

@@ -122,7 +122,7 @@ CountTrials::Trial CountTrials::at(const std::vector<int>& counts) {
     factors.push_back({factor(0), factor(1)});
   }
   const QuadMesh& mesh = relaxer_.moved(factors);
-  mesh::Resolution resolution = relaxer_.resolution(ring_lengths_);
+  mesh::Resolution resolution = relaxer_.resolution(request_.sizes, ring_lengths_);
   double sum = 0;
   for (std::size_t elem = 0; elem < factors.size(); ++elem) {
     auto& [along_s, along_t] = resolution.parts[elem];

@@ -6,9 +6,9 @@
 // The first matrix of the method (refine/size_relaxer) has the moves of all levels of the blocks' grids
 // (refine/coarse_moves), so that the number of steps hardly grows with that of elements; where thin elements need more
 // steps, it is that of the Hessian itself (refine/factored_hessian). Where sizes differ, they are those at the middles
-// of elements, and are taken anew every few sweeps. Vertices on the boundary
-// slide across smooth joints of curves without given names; then the nearest ones are put at these
-// (refine/joint_vertices). Those on curves of equal elements are first put at equal lengths (refine/even_vertices).
+// of elements, taken anew with their gradients every few sweeps. Vertices on the boundary slide across smooth joints of
+// curves without given names; then the nearest ones are put at these (refine/joint_vertices). Those on curves of equal
+// elements are first put at equal lengths (refine/even_vertices).
 
 #include <limits>
 #include <memory>

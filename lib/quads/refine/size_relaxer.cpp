@@ -53,6 +53,7 @@ SizeRelaxer::SizeRelaxer(const RelaxProblem& problem, const QuadMesh& shaped, co
       shorter_(shaped.num_elems(), {1, 1}),
       counts_(shorter_),
       known_sizes_(shaped.num_elems()),
+      known_sizes_at_vertices_(problem.num_vertices()),
       inverse_(problem) {
   if (options.keeps_lengths)
     for (auto* weights : {&energy.shape_weights, &energy.skew_weights})
@@ -69,36 +70,50 @@ void SizeRelaxer::begin_at(const PlacedVertices& start) {
 void SizeRelaxer::set_sizes() {
   const QuadMesh& mesh = problem_.start;
   const std::vector<Vec2> middles = energy.middles(moves);
-  const sizing::ChartScale* const scale = options_.keeps_lengths ? nullptr : options_.sizes.scale().get();
+  const bool has_gradients = !options_.keeps_lengths && !options_.sizes.is_uniform();
   std::vector<Vec2> sizes, log_size_gradients;
   size_.clear(), energy.stretches.clear();
   for (int elem = 0; elem < mesh.num_elems(); ++elem) {
     const sizing::DirectedSize of = options_.keeps_lengths
                                         ? sizing::DirectedSize{std::max(lengths_[elem].x, lengths_[elem].y)}
-                                        : prescribed_size(elem, middles[elem]);
+                                        : prescribed_size(elem, middles[elem], known_sizes_[elem]);
     const Vec2 own = lengths_.empty() ? Vec2{of.size, of.size}
                                       : Vec2{std::min(of.size, lengths_[elem].x), std::min(of.size, lengths_[elem].y)};
     // A side that is bent in the chart may be straight on the surface.
-    const bool is_bent = !options_.keeps_lengths && scale == nullptr;
+    const bool is_bent = !options_.keeps_lengths && !options_.sizes.scale();
     const Vec2 bend = is_bent ? energy.bend_factors(elem, of.size) : Vec2{1, 1};
     const Vec2 shorter = shorter_[elem], count = counts_[elem];
     sizes.push_back({own.x * shorter.x * count.x * bend.x, own.y * shorter.y * count.y * bend.y});
     size_.push_back(of.least());
     if (options_.sizes.has_metric()) energy.stretches.push_back(of.stretch);
-    if (scale != nullptr) log_size_gradients.push_back(-scale->gradient(middles[elem]));
+    if (has_gradients) log_size_gradients.push_back(log_size_gradient(elem, middles[elem]));
   }
   if (options_.directions) set_directions();
   energy.set_sizes(sizes, std::move(log_size_gradients));
 }
 
 /// Runs that begin at the same vertices (refine/count_relaxer) have the same sizes at first.
-const sizing::DirectedSize& SizeRelaxer::prescribed_size(int elem, Vec2 middle) {
-  const QuadMesh& mesh = problem_.start;
-  KnownSize& known = known_sizes_[elem];
-  if (known.size.size > 0 && known.at == middle) return known.size;
-  const int region = mesh.block_region.empty() ? -1 : mesh.block_region[mesh.elem_block[elem]];
-  known = {middle, options_.sizes.directed(middle, region)};
+const sizing::DirectedSize& SizeRelaxer::prescribed_size(int elem, Vec2 at, KnownSize& known) {
+  const int region = problem_.start.region_of(elem);
+  if (!(known.size.size > 0 && known.at == at && known.region == region))
+    known = {at, region, options_.sizes.directed(at, region)};
   return known.size;
+}
+
+/// The mean over the element, by the sizes at its corners: sizes have kinks halfway between their sources. In a chart
+/// that of its scale alone: sources there are where elements miss the surface, and have to stay.
+Vec2 SizeRelaxer::log_size_gradient(int elem, Vec2 middle) {
+  if (const auto& scale = options_.sizes.scale()) return -scale->gradient(middle);
+  const auto& v = problem_.follow.elem_vertices()[elem];
+  const std::vector<Vec2>& x = energy.positions();
+  const auto at = [&](int c) { return std::log(prescribed_size(elem, x[v[c]], known_sizes_at_vertices_[v[c]]).size); };
+  const std::array<double, 4> log_size{at(0), at(1), at(2), at(3)};
+  const auto along = [&](const auto& of) { return of(1) - of(0) + of(2) - of(3); };
+  const auto across = [&](const auto& of) { return of(3) - of(0) + of(2) - of(1); };
+  const auto position = [&](int c) { return x[v[c]]; };
+  const auto size = [&](int c) { return log_size[c]; };
+  const Vec2 s = along(position), t = across(position);
+  return (along(size) * Vec2{t.y, -t.x} + across(size) * Vec2{-s.y, s.x}) / cross(s, t);
 }
 
 /// Means over elements, which may be larger than the features that prescribe directions.

@@ -71,14 +71,16 @@ class SizeRelaxer {
   int num_sweeps = 0;
 
  private:
-  /// Of an element, and where its middle was then.
+  /// Of an element, where its middle or corner was then.
   struct KnownSize {
     Vec2 at;
+    int region = -1;
     sizing::DirectedSize size = {};
   };
 
   void set_sizes();
-  const sizing::DirectedSize& prescribed_size(int elem, Vec2 middle);
+  const sizing::DirectedSize& prescribed_size(int elem, Vec2 at, KnownSize& known);
+  Vec2 log_size_gradient(int elem, Vec2 middle);
   void set_directions();
   EnergyDerivatives begin(bool is_first);
   double longest_step(const VertexMoves& direction) const;
@@ -93,7 +95,7 @@ class SizeRelaxer {
   std::vector<double> size_;   ///< by element: the least
   std::vector<Vec2> shorter_;  ///< by element: factors of the size along s and t
   std::vector<Vec2> counts_;   ///< by element: of those along s and t for which it stands
-  std::vector<KnownSize> known_sizes_;  ///< by element: the last ones
+  std::vector<KnownSize> known_sizes_, known_sizes_at_vertices_;  ///< by element, by vertex: the last ones
   std::optional<VertexSymmetry> symmetry_;
   InverseHessian inverse_;
   double work_ = 0;  ///< elements, each as often as it was moved

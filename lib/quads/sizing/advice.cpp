@@ -33,7 +33,7 @@ class LengthRatios {
   double greatest() const { return applied_.greatest_in_space(); }
   double of(int elem, const SizeField& other) const {
     const Vec2 x = mesh::centre(mesh_, elem);
-    const int region = mesh_.block_region.empty() ? -1 : mesh_.block_region[mesh_.elem_block[elem]];
+    const int region = mesh_.region_of(elem);
     return applied_.at(x, region) / other.at(x, region);
   }
   std::vector<double> of(const SizeOptions& options) const {
