@@ -129,7 +129,7 @@ void interfaces_are_closed(const BlockLayout& layout, Findings& findings) {
   }
 }
 
-constexpr Rule<BlockLayout> rules[] = {
+constexpr Rule<BlockLayout> block_layout_rules[] = {
     {"BLK-R01", RuleKind::structure, [](const auto& b, Findings& f) { splines_are_sound(b, f); }},
     {"BLK-R02", RuleKind::structure, [](const auto& b, Findings& f) { graph_indices_exist(b, f); }},
     {"BLK-R03", RuleKind::structure, [](const auto& b, Findings& f) { pieces_are_sound(b, f); }},
@@ -152,7 +152,7 @@ constexpr Rule<BlockLayout> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const BlockLayout& layout, CheckDepth depth) {
-  return apply_rules_after(layout.face, rules, layout, depth);
+  return apply_rules_after(layout.face, block_layout_rules, layout, depth);
 }
 
 template std::vector<Violation> check_stage(const BlockLayout&, CheckDepth);

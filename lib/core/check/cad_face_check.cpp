@@ -223,7 +223,7 @@ void periodic_pairs_agree(const CadFace& face, Findings& findings) {
   }
 }
 
-constexpr Rule<CadFace> rules[] = {
+constexpr Rule<CadFace> cad_face_rules[] = {
     {"FAC-R01", RuleKind::structure, arrays_agree},       {"FAC-R02", RuleKind::structure, loops_are_sound},
     {"FAC-R03", RuleKind::structure, curves_fit},         {"FAC-R04", RuleKind::structure, curves_are_sound},
     {"FAC-R05", RuleKind::structure, numbers_are_finite}, {"FAC-R06", RuleKind::quick, curves_meet},
@@ -235,7 +235,7 @@ constexpr Rule<CadFace> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const CadFace& face, CheckDepth depth) {
-  const std::vector<Violation> violations = apply_rules(rules, face, depth);
+  const std::vector<Violation> violations = apply_rules(cad_face_rules, face, depth);
   return violations.empty() ? chart_violations(face, depth) : violations;
 }
 

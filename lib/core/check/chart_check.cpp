@@ -22,7 +22,7 @@ void charted_face_has_a_chart(const ChartedFace& charted, Findings& findings) {
   if (!charted.face.chart) findings.add("the face has no chart");
 }
 
-void arrays_agree(const CadFace& face, Findings& findings) {
+void chart_arrays_agree(const CadFace& face, Findings& findings) {
   const Chart& chart = *face.chart;
   if (chart.order < 1 || chart.order > 20) return findings.add("order {} is outside 1 to 20", chart.order);
   const std::size_t elems = chart.elem2vertices.size(), nodes = elems * chart.nodes_per_elem();
@@ -83,7 +83,7 @@ void splines_are_sound(const CadFace& face, Findings& findings) {
       findings.add("curve {} in space: {}", i, fault);
 }
 
-void numbers_are_finite(const CadFace& face, Findings& findings) {
+void chart_numbers_are_finite(const CadFace& face, Findings& findings) {
   const Chart& chart = *face.chart;
   if (!are_finite(chart.nodes)) findings.add("nodes contain a number that is not finite");
   if (!are_finite(chart.space_nodes)) findings.add("space_nodes contain a number that is not finite");
@@ -203,10 +203,14 @@ void boundaries_agree(const CadFace& face, Findings& findings) {
 
 constexpr Rule<ChartedFace> charted_rules[] = {{"CHA-R01", RuleKind::structure, charted_face_has_a_chart}};
 constexpr Rule<CadFace> chart_rules[] = {
-    {"CHA-R02", RuleKind::structure, arrays_agree},       {"CHA-R03", RuleKind::structure, splines_are_sound},
-    {"CHA-R04", RuleKind::structure, numbers_are_finite}, {"CHA-R05", RuleKind::quick, space_curves_fit},
-    {"CHA-R06", RuleKind::full, elements_are_valid},      {"CHA-R07", RuleKind::full, nodes_lie_on_their_surface},
-    {"CHA-R08", RuleKind::full, vertices_are_shared},     {"CHA-R09", RuleKind::full, boundaries_agree},
+    {"CHA-R02", RuleKind::structure, chart_arrays_agree},
+    {"CHA-R03", RuleKind::structure, splines_are_sound},
+    {"CHA-R04", RuleKind::structure, chart_numbers_are_finite},
+    {"CHA-R05", RuleKind::quick, space_curves_fit},
+    {"CHA-R06", RuleKind::full, elements_are_valid},
+    {"CHA-R07", RuleKind::full, nodes_lie_on_their_surface},
+    {"CHA-R08", RuleKind::full, vertices_are_shared},
+    {"CHA-R09", RuleKind::full, boundaries_agree},
 };
 
 }  // namespace

@@ -212,7 +212,7 @@ void changes_keep_the_index_sum(const CriticalPoints& points, Findings& findings
   }
 }
 
-constexpr Rule<CriticalPoints> rules[] = {
+constexpr Rule<CriticalPoints> critical_points_rules[] = {
     {"CRT-R01", RuleKind::structure, numbers_are_finite},
     {"CRT-R02", RuleKind::quick, valences_fit_indices},
     {"CRT-R03", RuleKind::quick, elements_are_sound},
@@ -292,8 +292,8 @@ constexpr Rule<PointsOfMesh> rules_with_field[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const CriticalPoints& points, CheckDepth depth) {
-  if (points.face.curves.empty()) return apply_rules(rules, points, depth);
-  return apply_rules_after(points.face, rules, points, depth);
+  if (points.face.curves.empty()) return apply_rules(critical_points_rules, points, depth);
+  return apply_rules_after(points.face, critical_points_rules, points, depth);
 }
 
 std::vector<Violation> check_critical_points_of(const CriticalPoints& points, const TriMesh& mesh) {

@@ -245,7 +245,7 @@ void terms_are_prescribed(const Field& field, Findings& findings) {
   }
 }
 
-constexpr Rule<Field> rules[] = {
+constexpr Rule<Field> field_rules[] = {
     {"FLD-R01", RuleKind::structure, arrays_agree},      {"FLD-R02", RuleKind::structure, coefficients_fit},
     {"FLD-R03", RuleKind::structure, joints_exist},      {"FLD-R04", RuleKind::structure, numbers_are_finite},
     {"FLD-R05", RuleKind::quick, kinds_are_known},       {"FLD-R06", RuleKind::quick, liftings_fit},
@@ -257,7 +257,7 @@ constexpr Rule<Field> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const Field& field, CheckDepth depth) {
-  return apply_rules_after(field.mesh, rules, field, depth);
+  return apply_rules_after(field.mesh, field_rules, field, depth);
 }
 
 template std::vector<Violation> check_stage(const Field&, CheckDepth);

@@ -223,7 +223,7 @@ void hex_names_are_unique(const HexMesh& mesh, Findings& findings) {
       findings.add("the name '{}' of a group is empty, or that of another one", group.name);
 }
 
-constexpr Rule<HexMesh> rules[] = {
+constexpr Rule<HexMesh> hex_mesh_rules[] = {
     {"HEX-R01", RuleKind::structure, hex_arrays_agree},       {"HEX-R02", RuleKind::structure, hex_indices_exist},
     {"HEX-R03", RuleKind::structure, hex_numbers_are_finite}, {"HEX-R04", RuleKind::quick, hex_bounds_are_positive},
     {"HEX-R05", RuleKind::quick, hex_root_tells_validity},    {"HEX-R06", RuleKind::quick, hex_names_are_unique},
@@ -242,7 +242,9 @@ std::string validity_warning(const HexMesh& mesh) {
                      mesh.num_elems(), worst, place(mesh, worst));
 }
 
-std::vector<Violation> violations_of(const HexMesh& mesh, CheckDepth depth) { return apply_rules(rules, mesh, depth); }
+std::vector<Violation> violations_of(const HexMesh& mesh, CheckDepth depth) {
+  return apply_rules(hex_mesh_rules, mesh, depth);
+}
 
 template std::vector<Violation> check_stage(const HexMesh&, CheckDepth);
 

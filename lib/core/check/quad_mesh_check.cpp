@@ -284,7 +284,7 @@ void interfaces_are_closed(const QuadMesh& mesh, Findings& findings) {
   add_edges(mesh.interface_edges, true, "is shared, though the interface is open");
 }
 
-constexpr Rule<QuadMesh> rules[] = {
+constexpr Rule<QuadMesh> quad_mesh_rules[] = {
     {"QUA-R01", RuleKind::structure, arrays_agree},
     {"QUA-R02", RuleKind::structure, indices_exist},
     {"QUA-R03", RuleKind::structure, numbers_are_finite},
@@ -314,7 +314,7 @@ std::string validity_warning(const QuadMesh& mesh) {
 }
 
 std::vector<Violation> violations_of(const QuadMesh& mesh, CheckDepth depth) {
-  return apply_rules_after(mesh.face, rules, mesh, depth);
+  return apply_rules_after(mesh.face, quad_mesh_rules, mesh, depth);
 }
 
 template std::vector<Violation> check_stage(const QuadMesh&, CheckDepth);

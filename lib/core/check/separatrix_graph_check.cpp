@@ -129,7 +129,7 @@ void certified_layout_conforms(const SeparatrixGraph& graph, Findings& findings)
     findings.add("a {} layout has faces without four corners or T-junctions", enum_name(*c.method));
 }
 
-constexpr Rule<SeparatrixGraph> rules[] = {
+constexpr Rule<SeparatrixGraph> separatrix_graph_rules[] = {
     {"SEP-R01", RuleKind::structure, [](const auto& g, Findings& f) { splines_are_sound(g, f); }},
     {"SEP-R02", RuleKind::structure, [](const auto& g, Findings& f) { graph_indices_exist(g, f); }},
     {"SEP-R03", RuleKind::structure, lines_exist},
@@ -149,7 +149,7 @@ constexpr Rule<SeparatrixGraph> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const SeparatrixGraph& graph, CheckDepth depth) {
-  return apply_rules_after(graph.face, rules, graph, depth);
+  return apply_rules_after(graph.face, separatrix_graph_rules, graph, depth);
 }
 
 template std::vector<Violation> check_stage(const SeparatrixGraph&, CheckDepth);

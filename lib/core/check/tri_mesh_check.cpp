@@ -287,7 +287,7 @@ void regions_are_apart(const TriMesh& mesh, Findings& findings) {
   }
 }
 
-constexpr Rule<TriMesh> rules[] = {
+constexpr Rule<TriMesh> tri_mesh_rules[] = {
     {"TRI-R01", RuleKind::structure, arrays_agree},
     {"TRI-R02", RuleKind::structure, vertices_exist},
     {"TRI-R03", RuleKind::structure, curved_elems_exist},
@@ -307,7 +307,7 @@ constexpr Rule<TriMesh> rules[] = {
 }  // namespace
 
 std::vector<Violation> violations_of(const TriMesh& mesh, CheckDepth depth) {
-  return apply_rules_after(mesh.face, rules, mesh, depth);
+  return apply_rules_after(mesh.face, tri_mesh_rules, mesh, depth);
 }
 
 template std::vector<Violation> check_stage(const TriMesh&, CheckDepth);
