@@ -11,7 +11,7 @@ namespace quadrille::refine {
 namespace {
 
 constexpr double degenerate = 1e-8;  ///< ratio of the lengths of the derivatives
-constexpr double beside = 1e-3;      ///< of the way to another vertex, on which normals of a smooth surface hardly turn
+constexpr double small_step = 1e-3;  ///< of the way to another vertex, on which normals of a smooth surface hardly turn
 constexpr double least_turn = 0.05;  ///< radians
 
 /// The normal beside a vertex where the parameters degenerate, on the way to another one; none where they do not. The
@@ -20,7 +20,7 @@ std::optional<Vec3> normal_beside(const NurbsSurface& surface, Vec2 vertex, Vec2
   const surface::SurfacePoint at = surface::evaluate(surface, vertex);
   const double along_u = norm(at.xu), along_v = norm(at.xv);
   if (std::min(along_u, along_v) > degenerate * std::max(along_u, along_v)) return std::nullopt;
-  Vec2 uv = vertex + beside * (other - vertex);
+  Vec2 uv = vertex + small_step * (other - vertex);
   (along_u < along_v ? uv.x : uv.y) = along_u < along_v ? other.x : other.y;
   const surface::SurfacePoint near = surface::evaluate(surface, uv);
   const Vec3 normal = cross(near.xu, near.xv);

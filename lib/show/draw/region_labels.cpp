@@ -12,7 +12,7 @@ namespace quadrille::draw {
 namespace {
 
 /// Pixels.
-constexpr double font_size = 13, half_region_height = 9, mark_radius = 12;  // of marks round texts
+constexpr double font_size = 13, half_region_height = 9, node_mark_radius = 12;  // of marks round texts
 
 /// The loops of a region as polygons.
 std::vector<std::vector<Vec2>> polygons(const CadFace& face, int region) {
@@ -99,7 +99,8 @@ void label_regions(Picture& picture, const CadFace& face) {
     for (std::size_t i = 0; i < std::min(num_tries, places.size()); ++i) {
       const TextBox box{picture.at(places[i].position), {0.5 * text_width(name, font_size) + 3, half_region_height}};
       const std::vector<TextBox>& texts = picture.text_boxes();
-      const TextBox with_room{box.centre, box.half + Vec2{mark_radius, mark_radius}};  // texts may be inside of marks
+      const TextBox with_room{box.centre,
+                              box.half + Vec2{node_mark_radius, node_mark_radius}};  // texts may be inside of marks
       const bool is_covered =
           std::any_of(texts.begin(), texts.end(), [&](const TextBox& text) { return text.overlaps(with_room); });
       if (is_covered || places[i].clearance * picture.scale() < half_region_height || meets_side(picture, loops, box))
