@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "spectral/jacobi_polynomials.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"
 #include "spectral/quadrature.hpp"

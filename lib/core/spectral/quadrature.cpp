@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "spectral/jacobi_polynomials.hpp"
 #include "spectral/per_order.hpp"
 
 namespace quadrille::spectral {

@@ -2,6 +2,7 @@
 // Jacobi polynomials P_n^{(alpha, beta)} on [-1, 1] by their three-term recurrence, and quadrature rules for any number
 // of points, by Newton's method to round-off (Karniadakis and Sherwin, app. A and B).
 
+#include <utility>
 #include <vector>
 
 namespace quadrille::spectral {
@@ -12,6 +13,37 @@ struct JacobiStep {
 };
 
 JacobiStep jacobi_step(int n, double alpha, double beta);
+
+/// P_0 .. P_n^{(alpha, beta)}, P_0 alone if n < 0, for many points: the steps of the recurrence are made once.
+class JacobiPolynomials {
+ public:
+  JacobiPolynomials(int n, double alpha, double beta) {
+    for (int k = 0; k < n; ++k) steps_.push_back(jacobi_step(k, alpha, beta));
+  }
+  /// P_n(x).
+  double last(double x) const {
+    double before = 0, value = 1;
+    for (const JacobiStep& step : steps_) advance(step, x, before, value);
+    return value;
+  }
+  /// P_0(x) .. P_n(x).
+  std::vector<double> all(double x) const {
+    double before = 0, value = 1;
+    std::vector<double> values{value};
+    for (const JacobiStep& step : steps_) {
+      advance(step, x, before, value);
+      values.push_back(value);
+    }
+    return values;
+  }
+
+ private:
+  static void advance(const JacobiStep& step, double x, double& before, double& value) {
+    before = std::exchange(value, (step.a * x + step.b) * value - step.c * before);
+  }
+
+  std::vector<JacobiStep> steps_;
+};
 
 /// P_n^{(alpha, beta)}(x), n >= 0, alpha, beta > -1. Linear in n.
 double jacobi(int n, double alpha, double beta, double x);

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "spectral/jacobi_polynomials.hpp"
 #include "spectral/modified_basis.hpp"
 #include "spectral/orthogonal_basis.hpp"
 #include "spectral/per_order.hpp"

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "spectral/jacobi_polynomials.hpp"
-
 namespace quadrille::spectral {
 
 namespace {
