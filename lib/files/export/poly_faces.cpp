@@ -37,7 +37,8 @@ std::vector<PolyFace> inner_faces(const HexNumbering& numbering) {
 }
 
 /// The entries of a translation or of a rotation about an axis from a patch to its neighbour; no value for others.
-std::optional<std::string> transform_entries(const SpaceMotion& motion, double scale, bool is_forth) {
+/// `diameter`: of the mesh, which rounding errors of the motion are parts of.
+std::optional<std::string> transform_entries(const SpaceMotion& motion, double diameter, double scale, bool is_forth) {
   const auto& [x, y, z] = motion.matrix;
   if (is_translation(motion)) {
     const Vec3 way = (is_forth ? scale : -scale) * motion.shift;
@@ -48,7 +49,7 @@ std::optional<std::string> transform_entries(const SpaceMotion& motion, double s
   const double sine = norm(twice_sine) / 2, cosine = (x.x + y.y + z.z - 1) / 2;
   if (sine < tolerance::same_angle) return std::nullopt;
   const Vec3 axis = normalized(twice_sine);
-  if (std::abs(dot(axis, motion.shift)) > tolerance::round_off * norm(motion.shift)) return std::nullopt;  // a screw
+  if (std::abs(dot(axis, motion.shift)) > tolerance::round_off * diameter) return std::nullopt;  // a screw
   const Vec3 centre = 0.5 * scale * (motion.shift + (1 + cosine) / sine * cross(axis, motion.shift));
   return fmt::format("        transform rotational;\n        rotationAxis {};\n        rotationCentre {};\n",
                      vector_text(axis), vector_text(centre));
@@ -98,7 +99,7 @@ class FaceSorter {
   bool couple_pair(const HexFaceGroup& group, int from, const std::vector<PeriodicFaces>& faces) {
     const int to = result_.groups.curve2boundary[group.periodic_with];
     const double metres = metres_or_one(mesh_.length_unit);
-    const std::optional<std::string> forth = transform_entries(group.motion, metres, true);
+    const std::optional<std::string> forth = transform_entries(group.motion, mesh_.diameter, metres, true);
     PolyPatch &first = result_.patches[from], &second = result_.patches[to];
     const std::vector<std::string>& names = result_.groups.boundary_names;
     if (!forth || from == to || is_type_chosen(names[from], types_) || is_type_chosen(names[to], types_) ||
@@ -114,7 +115,7 @@ class FaceSorter {
     first.is_first = true;
     first.motion = second.motion = group.motion;
     first.entries = *forth;
-    second.entries = *transform_entries(group.motion, metres, false);
+    second.entries = *transform_entries(group.motion, mesh_.diameter, metres, false);
     return true;
   }
 
