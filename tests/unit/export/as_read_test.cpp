@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "export/plate_mesh.hpp"
-#include "export/poly_faces.hpp"
 #include "two_hexes.hpp"
 #include "two_quads.hpp"
 
@@ -72,41 +70,6 @@ TEST(AsRead, PiecesKnowTheElementThatTheyAreOf) {
     }
     EXPECT_EQ(source_element(hexes, small, piece), (z > 1 ? 2 : 0) + (x > 2 ? 1 : 0)) << piece;
   }
-}
-
-TEST(StraightCells, AHexahedralMeshHasItsCornersAsCellsAndItsPeriodicFacesCoupled) {
-  HexMesh mesh = two_hexes({.order = 2});
-  join_ends(mesh, 1);
-  const mesh::StraightCells cells = straight_cells(mesh, poly_faces(mesh, {}));
-  EXPECT_EQ(cells.num_cells, 2);
-  EXPECT_EQ(cells.points.size(), 12U);
-  ASSERT_EQ(cells.faces.size(), 11U);
-  EXPECT_EQ(cells.faces[0].neighbour, 1);
-  const mesh::CellGeometry geometry = mesh::cell_geometry(cells, mesh::CellCentre::volume);
-  EXPECT_NEAR(geometry.volumes[0], 4, 1e-14);
-  ASSERT_EQ(cells.coupled.size(), 2U);
-  for (const mesh::CoupledFaces& pair : cells.coupled) {
-    EXPECT_EQ(geometry.face_centres[pair.first].z, 0);
-    EXPECT_EQ(geometry.face_centres[pair.first] + pair.motion.shift, geometry.face_centres[pair.second]);
-  }
-  EXPECT_TRUE(cells.planes.empty());
-  const mesh::StraightCells walls = straight_cells(mesh, poly_faces(mesh, {{"top", "symmetryPlane"}}));
-  EXPECT_TRUE(walls.coupled.empty());
-  ASSERT_EQ(walls.planes.size(), 1U);
-  ASSERT_EQ(walls.planes[0].size(), 2U);
-  for (const int face : walls.planes[0])
-    EXPECT_EQ(mesh::cell_geometry(walls, mesh::CellCentre::volume).face_centres[face].z, 1);
-}
-
-TEST(StraightCells, AQuadMeshIsAPlateOneCellThick) {
-  const QuadMesh mesh = two_quads();
-  const mesh::StraightCells cells = straight_cells(mesh, {});
-  EXPECT_TRUE(cells.is_plate);
-  EXPECT_EQ(cells.num_cells, 2);
-  EXPECT_EQ(cells.faces.size(), 11U);
-  const mesh::CellGeometry geometry = mesh::cell_geometry(cells, mesh::CellCentre::volume);
-  EXPECT_NEAR(geometry.volumes[1], 4 * 0.5, 1e-14);
-  EXPECT_NEAR(geometry.centres[1].x, 3, 1e-14);
 }
 
 }  // namespace

@@ -2,22 +2,11 @@
 
 #include "cell_masks.hpp"
 #include "export/cgns_request.hpp"
-#include "export/merge_blocks.hpp"
 #include "export/writers.hpp"
 #include "two_quads.hpp"
 
 namespace quadrille::exports {
 namespace {
-
-TEST(CgnsRequest, ReadsBackWhatWasWritten) {
-  const QuadMesh mesh = two_quads();
-  const Frame frame = plane_frame(mesh.face);
-  for (const std::string& bytes : {cgns_unstructured(mesh, frame).bytes, cgns_structured(mesh, frame).bytes}) {
-    EXPECT_EQ(to_bytes(cgns_request(bytes)), bytes);
-    EXPECT_THROW(cgns_request(bytes.substr(0, bytes.size() - 1)), Defect);
-    EXPECT_THROW(cgns_request(bytes + "x"), Defect);
-  }
-}
 
 TEST(Cgns, SectionsAreRegionsAndBoundaries) {
   const QuadMesh mesh = two_quads();
@@ -65,29 +54,6 @@ TEST(Cgns, NodesOfOrderFourAreRings) {
   EXPECT_EQ(request.zones[0].sections[0].nodes,
             (std::vector<std::int64_t>{1,  5,  25, 21, 2, 3, 4,  10, 15, 20, 24, 23, 22,
                                        16, 11, 6,  7,  8, 9, 14, 19, 18, 17, 12, 13}));
-}
-
-/// Own index of a donor's point by the transform, as the standard defines it.
-TEST(Cgns, TransformsMapRangesOntoThoseOfTheDonor) {
-  for (const QuadMesh& mesh : {mesh_of_mask({"###", "#.#", "###"}), ring_of_cells(8, 3), ring_of_cells(3, 1)})
-    for (const QuadMesh& blocks : {mesh, merge_blocks(mesh)}) {
-      const CgnsRequest request = cgns_request(cgns_structured(blocks, plane_frame(mesh.face)).bytes);
-      int count = 0;
-      for (const CgnsZone& zone : request.zones)
-        for (const CgnsConnection& c : zone.connections) {
-          std::vector<std::int64_t> end{c.donor_range[0], c.donor_range[1]};
-          for (int own = 0; own < 2; ++own) {
-            const int donor = static_cast<int>(std::abs(c.transform[own])) - 1;
-            end[donor] += (c.transform[own] > 0 ? 1 : -1) * (c.range[2 + own] - c.range[own]);
-          }
-          EXPECT_EQ(end, (std::vector<std::int64_t>{c.donor_range[2], c.donor_range[3]}));
-          const std::array<bool, 2> negative{c.transform[0] < 0, c.transform[1] < 0};
-          const bool is_swapped = std::abs(c.transform[0]) == 2;
-          EXPECT_EQ(is_swapped, negative[0] != negative[1]) << "grids are counter-clockwise";
-          ++count;
-        }
-      EXPECT_GT(count, 0);
-    }
 }
 
 }  // namespace

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.hpp"
 #include "export/cgns_request.hpp"
-#include "export/layer_quads.hpp"
 #include "export/merge_blocks.hpp"
 #include "export/writers.hpp"
 #include "two_hexes.hpp"
@@ -53,24 +51,6 @@ TEST(MultiBlock, TheExampleOfThePage) {
   EXPECT_NE(page("plot3d.md").find("```\n" + map + "```\n"), std::string::npos) << map;
 }
 
-TEST(MultiBlock, CgnsHasFamiliesAndConnectionsInSpace) {
-  const CgnsRequest request = cgns_request(cgns_structured(two_hexes({.order = 2, .map = bent})).bytes);
-  EXPECT_TRUE(request.is_structured);
-  EXPECT_EQ(request.cell_dimension, 3);
-  ASSERT_EQ(request.zones.size(), 2u);
-  EXPECT_EQ(request.zones[0].family, "fluid");
-  EXPECT_EQ(request.zones[1].family, "solid");
-  EXPECT_EQ(request.zones[0].size, (std::vector<std::int64_t>{3, 3, 3}));
-  EXPECT_EQ(request.zones[0].x.at(2).size(), 27u);
-  EXPECT_EQ(request.zones[0].boundaries.size(), 5u);
-  ASSERT_EQ(request.zones[0].connections.size(), 1u);
-  const CgnsConnection& c = request.zones[0].connections[0];
-  EXPECT_EQ(c.donor, "block_1");
-  EXPECT_EQ(c.range, (std::vector<std::int64_t>{3, 1, 1, 3, 3, 3}));
-  EXPECT_EQ(c.donor_range, (std::vector<std::int64_t>{1, 1, 1, 1, 3, 3}));
-  EXPECT_EQ(c.transform, (std::vector<std::int64_t>{1, 2, 3}));
-}
-
 /// The last level of a full turn is the first.
 TEST(MultiBlock, AFullTurnIsItsOwnNeighbour) {
   HexMesh mesh = two_hexes({.layers = 3, .map = [](Vec3 x) {
@@ -102,17 +82,6 @@ TEST(MultiBlock, BlocksOfOneRegionAreMerged) {
   const CgnsRequest request = cgns_request(cgns_structured(mesh).bytes);
   ASSERT_EQ(request.zones.size(), 1u);
   EXPECT_EQ(request.zones[0].size, (std::vector<std::int64_t>{5, 3, 5}));
-}
-
-TEST(MultiBlock, NamesThatChangeFromLayerToLayerAreRefused) {
-  HexMesh mesh = two_hexes({.layers = 2});
-  for (std::size_t k = 0; k < mesh.face_groups[1].elems.size(); ++k)  // "outlet", in the upper layer "wall"
-    if (mesh.face_groups[1].elems[k] >= 2) {
-      mesh.face_groups[0].elems.push_back(mesh.face_groups[1].elems[k]);
-      mesh.face_groups[0].faces.push_back(mesh.face_groups[1].faces[k]);
-      mesh.face_groups[1].elems.pop_back(), mesh.face_groups[1].faces.pop_back();
-    }
-  EXPECT_THROW(quads_of_layer(mesh), ComputeError);
 }
 
 }  // namespace
