@@ -36,16 +36,18 @@ double distance_from(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt
   return surface->Value(surface->ValueOfUV(p, 0)).Distance(p);
 }
 
-// Two surfaces may meet in all edges of a face. Between the parameters of its boundary they differ.
+// Two surfaces may meet in all edges of a face. Between the parameters of its boundary they differ, and, where all
+// edges are at one distance from a pole, at the points nearest to the middles of chords.
 SurfaceGap gap_from_surface(const TopoDS_Face& face, const TopoDS_Face& of_surface) {
   const Handle(ShapeAnalysis_Surface) own = new ShapeAnalysis_Surface(basis_surface(face)),
                                       other = new ShapeAnalysis_Surface(basis_surface(of_surface));
   std::vector<gp_Pnt> samples = samples_on_edges(face);
   const std::size_t num_on_edges = samples.size();
   for (std::size_t i = 0; i < num_on_edges; ++i) {
-    const gp_Pnt2d a = own->ValueOfUV(samples[i], 0),
-                   b = own->ValueOfUV(samples[(i + num_on_edges / 2) % num_on_edges], 0);
+    const gp_Pnt p = samples[i], q = samples[(i + num_on_edges / 2) % num_on_edges];
+    const gp_Pnt2d a = own->ValueOfUV(p, 0), b = own->ValueOfUV(q, 0);
     samples.push_back(own->Value((a.X() + b.X()) / 2, (a.Y() + b.Y()) / 2));
+    samples.push_back(own->Value(own->ValueOfUV(gp_Pnt((p.XYZ() + q.XYZ()) / 2), 0)));
   }
   SurfaceGap greatest;
   for (const gp_Pnt& p : samples)
