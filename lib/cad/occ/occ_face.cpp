@@ -65,6 +65,8 @@ class EdgeReader {
     Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
     if (curve.IsNull() && BRepLib::BuildCurve3d(edge)) curve = BRep_Tool::Curve(edge, first, last);
     if (curve.IsNull()) throw FormatError(fmt::format("{}: edge {} has no curve", raw_.file, number));
+    if (Precision::IsInfinite(first) || Precision::IsInfinite(last))
+      throw FormatError(fmt::format("{}: edge {} is infinite", raw_.file, number));
 
     heal::RawEdge result;
     result.cad_edge = number;
