@@ -86,9 +86,24 @@ Handle(Geom_BSplineSurface) approximated(const Handle(Geom_Surface) & surface, d
   return fit.Surface();
 }
 
-Handle(Geom_BSplineSurface) spline_of(const Handle(Geom_Surface) & surface, const ParameterBox& box, double tolerance) {
+/// The kernel trims the surface below an offset one first, and moves that part into its first period.
+ParameterBox in_first_period(const Handle(Geom_OffsetSurface) & surface, ParameterBox box) {
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  surface->Bounds(u0, u1, v0, v1);
+  const auto move = [](double& low, double& high, double first, double period) {
+    const double shift = period * std::floor((low - first) / period);
+    low -= shift, high -= shift;
+  };
+  if (surface->IsUPeriodic()) move(box.u0, box.u1, u0, u1 - u0);
+  if (surface->IsVPeriodic()) move(box.v0, box.v1, v0, v1 - v0);
+  return box;
+}
+
+Handle(Geom_BSplineSurface) spline_of(const Handle(Geom_Surface) & surface, ParameterBox box, double tolerance) {
+  const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface);
+  if (!offset.IsNull()) box = in_first_period(offset, box);
   const Handle(Geom_Surface) part = new Geom_RectangularTrimmedSurface(surface, box.u0, box.u1, box.v0, box.v1);
-  if (surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface))) return approximated(part, tolerance);
+  if (!offset.IsNull()) return approximated(part, tolerance);
   Handle(Geom_BSplineSurface) spline = GeomConvert::SurfaceToBSplineSurface(part);
   if (spline.IsNull()) spline = approximated(part, tolerance);
   if (spline->IsUPeriodic()) spline->SetUNotPeriodic();
