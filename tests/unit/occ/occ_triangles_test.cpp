@@ -1,3 +1,5 @@
+#include "occ/occ_triangles.hpp"
+
 #include <gtest/gtest.h>
 
 #include <BRepTools.hxx>
@@ -196,59 +198,6 @@ TEST(ReadSpaceFace, seams_and_regions_of_iges_are_those_of_step) {
 
 TEST(ReadSpaceFace, closed_faces_are_refused) {
   expect_contains(message_of<FormatError>([] { read("sphere.step"); }), "sphere.step: face 0: the face is closed");
-}
-
-TEST(ReadFace, a_curved_face_is_named_with_what_to_do) {
-  Report report;
-  cad::LoadOptions options;
-  options.face = "0";
-  const std::string bytes = test_bytes("curved/half_cylinder.step");
-  const std::string message =
-      message_of<FormatError>([&] { read_face(step_format(), bytes, "a.step", options, report); });
-  expect_contains(message, "a.step: the face is not planar (a cylinder): cad2chart --face 0 makes a chart of it");
-}
-
-TEST(ReadFace, several_curved_faces_are_named_with_what_to_do) {
-  const std::string bytes = test_bytes("curved_regions/halves.step");
-  for (const std::string choice : {"", "0,1"}) {
-    Report report;
-    cad::LoadOptions options;
-    options.face = choice;
-    const std::string message =
-        message_of<FormatError>([&] { read_face(step_format(), bytes, "a.step", options, report); });
-    expect_contains(message, "a.step: the face is not planar (a cylinder): cad2chart --face 0,1 makes a chart of it");
-    expect_contains(message, "quadmesh --face 0,1 does both");
-  }
-}
-
-TEST(Answer, is_the_kind_of_the_face_or_the_face_in_space) {
-  cad::CadRequest request;
-  request.task = cad::CadTask::kind;
-  request.bytes = test_bytes("curved/half_cylinder.step");
-  request.options.face = "0";
-  EXPECT_EQ(answer_request(step_format(), cad::to_bytes(request)), "cylinder");
-  request.options.face = "1";
-  EXPECT_EQ(answer_request(step_format(), cad::to_bytes(request)), "plane");
-  request.task = cad::CadTask::load_space;
-  Report report;
-  const SpaceFace face = cad::space_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
-  expect_valid(face);
-  EXPECT_EQ(cad::to_bytes(face, report), answer_request(step_format(), cad::to_bytes(request)));
-}
-
-TEST(Answer, is_a_face_in_the_plane_or_in_space_of_one_reading) {
-  cad::CadRequest request;
-  request.task = cad::CadTask::load_any;
-  request.bytes = test_bytes("curved/half_cylinder.step");
-  request.options.face = "0";
-  Report report;
-  const cad::AnyFace curved = cad::any_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
-  ASSERT_TRUE(std::holds_alternative<SpaceFace>(curved));
-  expect_valid(std::get<SpaceFace>(curved));
-  request.options.face = "1";
-  const cad::AnyFace planar = cad::any_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
-  ASSERT_TRUE(std::holds_alternative<cad::LoadedFace>(planar));
-  EXPECT_EQ(std::get<cad::LoadedFace>(planar).face.num_curves(), 3);
 }
 
 }  // namespace

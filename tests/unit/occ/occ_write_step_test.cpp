@@ -1,5 +1,3 @@
-#include "occ/write_cad.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "base/error.hpp"
 #include "cad/load_face.hpp"
 #include "curve/nurbs.hpp"
+#include "occ/write_cad.hpp"
 
 namespace quadrille::occ {
 namespace {

@@ -56,6 +56,59 @@ TEST(Answer, is_the_face_the_list_or_the_file_that_the_request_is_for) {
   EXPECT_THROW(answer_request(iges_format(), cad::to_bytes(request)), Defect);
 }
 
+TEST(ReadFace, a_curved_face_is_named_with_what_to_do) {
+  Report report;
+  cad::LoadOptions options;
+  options.face = "0";
+  const std::string bytes = test_bytes("curved/half_cylinder.step");
+  const std::string message =
+      message_of<FormatError>([&] { read_face(step_format(), bytes, "a.step", options, report); });
+  expect_contains(message, "a.step: the face is not planar (a cylinder): cad2chart --face 0 makes a chart of it");
+}
+
+TEST(ReadFace, several_curved_faces_are_named_with_what_to_do) {
+  const std::string bytes = test_bytes("curved_regions/halves.step");
+  for (const std::string choice : {"", "0,1"}) {
+    Report report;
+    cad::LoadOptions options;
+    options.face = choice;
+    const std::string message =
+        message_of<FormatError>([&] { read_face(step_format(), bytes, "a.step", options, report); });
+    expect_contains(message, "a.step: the face is not planar (a cylinder): cad2chart --face 0,1 makes a chart of it");
+    expect_contains(message, "quadmesh --face 0,1 does both");
+  }
+}
+
+TEST(Answer, is_the_kind_of_the_face_or_the_face_in_space) {
+  cad::CadRequest request;
+  request.task = cad::CadTask::kind;
+  request.bytes = test_bytes("curved/half_cylinder.step");
+  request.options.face = "0";
+  EXPECT_EQ(answer_request(step_format(), cad::to_bytes(request)), "cylinder");
+  request.options.face = "1";
+  EXPECT_EQ(answer_request(step_format(), cad::to_bytes(request)), "plane");
+  request.task = cad::CadTask::load_space;
+  Report report;
+  const SpaceFace face = cad::space_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
+  EXPECT_EQ(face.curves.size(), 3U);
+  EXPECT_EQ(cad::to_bytes(face, report), answer_request(step_format(), cad::to_bytes(request)));
+}
+
+TEST(Answer, is_a_face_in_the_plane_or_in_space_of_one_reading) {
+  cad::CadRequest request;
+  request.task = cad::CadTask::load_any;
+  request.bytes = test_bytes("curved/half_cylinder.step");
+  request.options.face = "0";
+  Report report;
+  const cad::AnyFace curved = cad::any_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
+  ASSERT_TRUE(std::holds_alternative<SpaceFace>(curved));
+  EXPECT_EQ(std::get<SpaceFace>(curved).curves.size(), 4U);
+  request.options.face = "1";
+  const cad::AnyFace planar = cad::any_face_from_bytes(answer_request(step_format(), cad::to_bytes(request)), report);
+  ASSERT_TRUE(std::holds_alternative<cad::LoadedFace>(planar));
+  EXPECT_EQ(std::get<cad::LoadedFace>(planar).face.num_curves(), 3);
+}
+
 }  // namespace
 
 }  // namespace quadrille::occ
