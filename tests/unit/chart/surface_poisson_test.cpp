@@ -9,7 +9,7 @@
 namespace quadrille::chart {
 namespace {
 
-constexpr int order = 5;
+constexpr int order = 3;
 
 /// A face with its forms.
 struct PoissonSample {

@@ -14,15 +14,15 @@ namespace quadrille::chart {
 
 /// Two radians of a cylinder of radius 2, 3 high: 4 x 3 when it is unrolled.
 inline SpaceFace cylinder_patch() {
-  return tests::face_of(tests::revolved(tests::line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 12, 5);
+  return tests::face_of(tests::revolved(tests::line({2, 0, 0}, {2, 0, 3}), 0, 2), {{0, 1, 2, 3}}, 8, 4);
 }
 /// A whole cylinder of radius 1, 1 high: loop 0 below, loop 1 above.
 inline SpaceFace tube() {
-  return tests::face_of(tests::revolved(tests::line({1, 0, 0}, {1, 0, 1})), {{0}, {2}}, 24, 4);
+  return tests::face_of(tests::revolved(tests::line({1, 0, 0}, {1, 0, 1})), {{0}, {2}}, 12, 2);
 }
 /// The cap of the unit sphere whose rim has radius 0.8.
 inline SpaceFace cap() {
-  return tests::face_of(tests::revolved(tests::profile_arc(0, 1, std::acos(0.8), std::numbers::pi / 2)), {{0}}, 24, 8);
+  return tests::face_of(tests::revolved(tests::profile_arc(0, 1, std::acos(0.8), std::numbers::pi / 2)), {{0}}, 12, 4);
 }
 
 /// The fine triangles of a face, with an approximate image, and the same triangles of an order.
