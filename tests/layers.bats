@@ -184,6 +184,31 @@ begins() {
   assert_output ''
 }
 
+# Sources without a test under their own name, and why.
+untested='
+base/version                one text
+occ/occ_no_healing          settings of the kernel: without healing, occ_load_* read what the files say
+occ/occ_quiet               switches the prints of the kernel off
+occ/occ_write_brep          calls the writer of the kernel: read_face
+api/fields                  passes settings to stages: tests/consumer
+api/files                   the same
+api/layouts                 the same
+api/triangles               the same
+stage/solver_table          a table: solver_check
+stage/triangulate_face      calls two functions: cad2tri
+refine/count_relaxer        seen through refine alone so far
+refine/inverse_hessian      factored_hessian
+refine/lower_error          seen through refine alone so far
+refine/size_hessian         the other half of size_energy, whose gradient it differentiates: relax_problem
+'
+
+@test "each source that decides something has a test under its own name" {
+  run -0 comm -3 <(awk '{ print $1 }' <<<"$untested" | sort -u | sed '/^$/d') \
+    <(comm -23 <(cd "$ROOT/lib" && printf '%s\n' */*/*.cpp | sed -E 's|^[a-z]+/(.*)\.cpp$|\1|' | sort) \
+      <(cd "$ROOT/tests/unit" && printf '%s\n' */*_test.cpp | sed 's/_test\.cpp$//' | sort))
+  assert_output ''
+}
+
 @test "no main has more than 90 lines" {
   run -0 bash -c 'wc -l "$1"/tools/*.cpp | awk "\$1 > 90 && \$2 != \"total\""' - "$ROOT"
   assert_output ''
