@@ -30,7 +30,7 @@ PAGES="cad-face $(stagecheck --list-formats | jq -r '.formats[].name' | tr '\n' 
     in_code=$(grep -oE '"[A-Z]{3}-R[0-9]+", RuleKind' "$ROOT/lib/core/check/${stem}_check.cpp" | cut -d'"' -f2 | sort)
     assert_equal "$in_page" "$in_code"
     for rule in $in_page; do
-      grep -q "\"$rule\"" "$ROOT/tests/unit/check/${stem}_check_test.cpp" || fail "$rule has no test"
+      grep -q "\"$rule\"" "$ROOT/tests/unit/check/${stem}"_*_test.cpp || fail "$rule has no test"
     done
   done
 }
