@@ -203,8 +203,9 @@ struct Trial {
   Blocks blocks = {};
 
   void measure() {
-    blocks.layout = blocks_of(subdivision);
-    blocks.measures = measure_blocks(blocks.layout, progress);
+    BlockLayout layout = blocks_of(subdivision);
+    std::vector<BlockMeasure> measures = measure_blocks(layout, progress, blocks);
+    blocks = {std::move(layout), std::move(measures)};
   }
 };
 

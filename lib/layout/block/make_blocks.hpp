@@ -45,11 +45,6 @@ std::optional<double> opposite_point_offset(const DirectedCurve& a, const Direct
 /// without any change if the chord crosses itself or prescribes integer lengths.
 bool split_chord(graph::Subdivision& subdivision, int arc, const std::vector<bool>& is_sound);
 
-struct Blocks {
-  BlockLayout layout;  ///< with its measures
-  std::vector<BlockMeasure> measures;
-};
-
 /// subdivision_into_blocks, then split_bad_chords, then all measures, which are written to `report`.
 Blocks make_blocks(const SeparatrixGraph& graph, Report& report);
 

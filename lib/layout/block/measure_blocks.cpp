@@ -107,14 +107,26 @@ double area_left_of(const BlockLayout& layout, const GraphArc& arc) {
   return sum / 2;
 }
 
-std::vector<double> areas_left_of_arcs(const BlockLayout& layout) {
-  std::vector<double> areas;
-  for (const GraphArc& arc : layout.arcs) areas.push_back(area_left_of(layout, arc));
-  return areas;
+/// Whether a block has the half-edges that it had in a layout before: a block that is cut has a new one.
+bool is_in(const BlockLayout& before, const BlockLayout& layout, int block) {
+  return block < before.num_blocks() && layout.block2arcs[block] == before.block2arcs[block];
 }
 
-BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, const std::vector<double>& arc_areas,
-                           int block) {
+/// area_left_of the arcs of a layout, each computed once.
+class ArcAreas {
+ public:
+  explicit ArcAreas(const BlockLayout& layout) : layout_(&layout), areas_(layout.arcs.size()) {}
+  double left_of(int arc) {
+    if (!areas_[arc]) areas_[arc] = area_left_of(*layout_, layout_->arcs[arc]);
+    return *areas_[arc];
+  }
+
+ private:
+  const BlockLayout* layout_;
+  std::vector<std::optional<double>> areas_;
+};
+
+BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, ArcAreas& areas, int block) {
   BlockMeasure m;
   const mesh::TransfiniteMap map = maps.map(block);
   const mesh::BlockShape shape = mesh::block_shape(map);
@@ -129,7 +141,7 @@ BlockMeasure measure_block(const BlockLayout& layout, const BlockMaps& maps, con
     const curve::Chain& chain = maps.arc(a);
     if (chain.length() < (1 - tolerance::tied) * m.shortest_side)
       m.shortest_side = chain.length(), m.shortest_side_index = k;
-    m.area += (directed.is_backwards ? -1 : 1) * arc_areas[a];
+    m.area += (directed.is_backwards ? -1 : 1) * areas.left_of(a);
     if (is_on_cad_curve(layout, layout.arcs[a])) measure_boundary_distance(layout, chain, layout.arcs[a], m);
   }
   return m;
@@ -157,13 +169,13 @@ mesh::TransfiniteMap BlockMaps::map(int block) const {
   return mesh::TransfiniteMap(sides, backwards);
 }
 
-std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress) {
+std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress, const Blocks& known) {
   const BlockMaps maps(layout);
-  const std::vector<double> arc_areas = areas_left_of_arcs(layout);
+  ArcAreas areas(layout);
   const Progress::Part part(progress, "blocks", layout.num_blocks());
   std::vector<BlockMeasure> measures;
   for (int b = 0; b < layout.num_blocks(); ++b, part.advance())
-    measures.push_back(measure_block(layout, maps, arc_areas, b));
+    measures.push_back(is_in(known.layout, layout, b) ? known.measures[b] : measure_block(layout, maps, areas, b));
   return measures;
 }
 

@@ -44,7 +44,16 @@ struct BlockMeasure {
   int shortest_side_index = 0;      ///< 0 to 3; the first of sides equal within 1e-6
 };
 
-std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress = nullptr);
+/// A layout and the measures of its blocks.
+struct Blocks {
+  BlockLayout layout;
+  std::vector<BlockMeasure> measures;
+};
+
+/// The measures of a layout's blocks. `known`: those before chords were split (block/make_blocks.hpp, split_chord);
+/// blocks that were not cut keep theirs.
+std::vector<BlockMeasure> measure_blocks(const BlockLayout& layout, Progress* progress = nullptr,
+                                         const Blocks& known = {});
 
 /// Copies the measures that the file contains into the layout.
 void store_measures(const std::vector<BlockMeasure>& measures, BlockLayout& layout);

@@ -62,6 +62,26 @@ TEST(SplitChord, StaysConforming) {
     EXPECT_EQ(block_samples::faults(layout), "");
 }
 
+TEST(SplitChord, LeavesTheMeasuresOfBlocksThatItDoesNotCut) {
+  graph::Subdivision subdivision = subdivision_into_blocks(hand_made::l_shape());
+  Blocks before{blocks_of(subdivision), {}};
+  before.measures = measure_blocks(before.layout);
+  ASSERT_EQ(before.measures.size(), 3u);
+  for (BlockMeasure& m : before.measures) m.area = -1;
+  ASSERT_TRUE(split_chord(subdivision, arc_of(before.layout, 0), {true, true, true}));
+  const BlockLayout after = blocks_of(subdivision);
+  const std::vector<BlockMeasure> taken = measure_blocks(after, nullptr, before), anew = measure_blocks(after);
+  ASSERT_EQ(taken.size(), 5u);
+  int num_taken = 0;
+  for (std::size_t b = 0; b < taken.size(); ++b) {
+    const std::array<HalfEdge, 4>& sides = before.layout.block2arcs[std::min<std::size_t>(b, 2)];
+    const bool is_cut = before.layout.arc_chord[sides[0].arc] == 0 || before.layout.arc_chord[sides[1].arc] == 0;
+    EXPECT_EQ(taken[b].area, b < 3 && !is_cut ? -1 : anew[b].area);
+    num_taken += taken[b].area < 0;
+  }
+  EXPECT_EQ(num_taken, 1);
+}
+
 TEST(SplitChord, HalvesASquare) {
   const BlockLayout layout = cut(hand_made::unit_square(), 0);
   ASSERT_EQ(layout.num_blocks(), 2);
