@@ -12,7 +12,7 @@ namespace quadrille::chain {
 void try_remedies(ChainState& chain);
 
 /// Where the mesh of the blocks has faults (is not valid, has an edge ratio above 100, a scaled Jacobian below 0.3 or a
-/// resolution ratio above 50), or a resolution ratio above 2 outside far fields, nodes at the least energy are tried
+/// resolution ratio above 25), or a resolution ratio above 2 outside far fields, nodes at the least energy are tried
 /// (critpoints --place energy), and taken if their mesh is better: with fewer faults, else with a resolution ratio that
 /// is less by 5 %. While the best mesh has faults, so are the fewest nodes (--nodes fewest), or in a far field the
 /// other grids (--topology). All are made without options of quadrefine whatever the user asks for, so that blocks do
