@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -195,51 +194,6 @@ std::vector<Isometry> group(Vec2 centre, int n, std::optional<double> first_mirr
   return all;
 }
 
-std::vector<Isometry> found_symmetries(const CadFace& face, double tolerance) {
-  const Vec2 centre = centroid(face);
-  const std::vector<Crossing> crossed = best_crossings(face, centre, tolerance);
-  if (crossed.empty()) {
-    const double axis = wrap_two_pi(2 * angle_of(face.joints[0].position - centre));
-    return group(centre, 4, axis - half_pi * std::floor(axis / half_pi));
-  }
-  const BoundaryMap boundary(face, tolerance);
-  const int n = rotation_order(centre, crossed, boundary);
-  return group(centre, n, mirror_angle(centre, n, crossed, boundary));
-}
-
-/// What they depend on.
-struct SymmetryInput {
-  std::vector<Nurbs> curves;
-  Vec2 first_joint;
-  double diameter = 0, tolerance = 0;
-
-  bool is_same(const SymmetryInput& other) const {
-    const auto is_same_curve = [](const Nurbs& a, const Nurbs& b) {
-      return a.degree == b.degree && a.knots == b.knots && a.poles == b.poles && a.weights == b.weights;
-    };
-    return first_joint == other.first_joint && diameter == other.diameter && tolerance == other.tolerance &&
-           std::ranges::equal(curves, other.curves, is_same_curve);
-  }
-};
-
-/// The groups of the last few faces: many steps of a run ask for those of one face.
-class KnownSymmetries {
- public:
-  template <class Find>
-  std::vector<Isometry> of(SymmetryInput input, const Find& find) {
-    const std::lock_guard lock(mutex_);
-    for (const auto& [known, group] : known_)
-      if (known.is_same(input)) return group;
-    if (known_.size() == most) known_.erase(known_.begin());
-    return known_.emplace_back(std::move(input), find()).second;
-  }
-
- private:
-  static constexpr std::size_t most = 4;
-  std::mutex mutex_;
-  std::vector<std::pair<SymmetryInput, std::vector<Isometry>>> known_;
-};
-
 }  // namespace
 
 Vec2 Isometry::turned(Vec2 d) const {
@@ -254,9 +208,15 @@ Vec2 Isometry::operator()(Vec2 x) const {
 }
 
 std::vector<Isometry> symmetries(const CadFace& face, double tolerance) {
-  static KnownSymmetries known;
-  return known.of({face.curves, face.joints[0].position, face.diameter, tolerance},
-                  [&] { return found_symmetries(face, tolerance); });
+  const Vec2 centre = centroid(face);
+  const std::vector<Crossing> crossed = best_crossings(face, centre, tolerance);
+  if (crossed.empty()) {
+    const double axis = wrap_two_pi(2 * angle_of(face.joints[0].position - centre));
+    return group(centre, 4, axis - half_pi * std::floor(axis / half_pi));
+  }
+  const BoundaryMap boundary(face, tolerance);
+  const int n = rotation_order(centre, crossed, boundary);
+  return group(centre, n, mirror_angle(centre, n, crossed, boundary));
 }
 
 }  // namespace quadrille::curve

@@ -94,18 +94,6 @@ TEST(Symmetries, tolerance_is_1e_7_diameters) {
 }
 
 /// The group of the image of a face is the conjugate one: h g h^-1.
-TEST(Symmetries, AreThoseOfEachFaceHoweverOftenAndInWhichOrder) {
-  CadFace face = rectangle(2, 1);
-  EXPECT_EQ(order_of(face), Order(2, 2));
-  face.curves[0] = face.curves[2] = rectangle(1, 2).curves[0];  // another face with the same joints
-  EXPECT_NE(order_of(face), Order(2, 2));
-  for (int round = 0; round < 2; ++round)
-    for (int n = 1; n <= 6; ++n) EXPECT_EQ(order_of(rectangle(n, 2)), n == 2 ? Order(4, 4) : Order(2, 2)) << n;
-  const CadFace nearly = rectangle(1 + 1e-4, 1);
-  EXPECT_EQ(symmetries(nearly, 1e-2).size(), 8U);
-  EXPECT_EQ(symmetries(nearly, 1e-7).size(), 4U) << "another tolerance";
-}
-
 TEST(Symmetries, of_moved_faces_are_conjugate) {
   const std::vector<CadFace> faces = {square(),
                                       l_shape(),
