@@ -102,10 +102,10 @@ bool gives_layout(ChainState& chain, NodeFiles& files, const Remedy& remedy) {
 struct TrialLimits {
   double edge_ratio = 100;
   double scaled_jacobian = mesh::scaled_jacobian_limits.poor;
-  double poor_resolution = 25;
-  double resolution = 2;
-  double gain = 0.95;      ///< of the resolution ratio
-  std::size_t nodes = 24;  ///< of more, the least energy takes longer than all other stages
+  double poor_resolution = 25;  ///< good meshes of far fields have 4 to 15
+  double resolution = 2;        ///< outside far fields
+  double gain = 0.95;           ///< of the resolution ratio
+  std::size_t nodes = 24;       ///< of more, the least energy takes longer than all other stages
 };
 constexpr TrialLimits trial_limits;
 

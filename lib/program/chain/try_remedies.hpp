@@ -18,8 +18,8 @@ void try_remedies(ChainState& chain);
 /// other grids (--topology). All are made without options of quadrefine whatever the user asks for, so that blocks do
 /// not depend on sizes; on a curved face or in a far field with order 2, without rings, with vertices nearly in place,
 /// at any distance from the surface. Nothing changes with more than 24 nodes, with layers along walls, or where a user
-/// chose nodes or where they are placed. Needs the blocks. Returns whether the mesh of the run is made: on other faces,
-/// if the user gave no options, the best one is.
+/// chose nodes or where they are placed. Needs the blocks. Returns whether one of these meshes is that of the run: the
+/// best, if it is valid and the user gave no option of quadrefine, on a planar face without a far field.
 bool try_better_nodes(ChainState& chain);
 
 }  // namespace quadrille::chain

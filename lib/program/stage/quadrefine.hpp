@@ -38,7 +38,7 @@ struct QuadrefineOptions {
   std::string flow_unit = "file";   ///< length unit of `flow`
   std::string blocks;               ///< numbers or names; empty: all
   bool has_straight_sides = false;  ///< sides of elements will be straight: along walls they are short
-  bool is_trial = false;            ///< no option of a command: a mesh that is not proved valid is none that fails
+  bool is_trial = false;            ///< no option of a command: a mesh that is not proved valid is no failure
   JoinPoints join_points = {};      ///< no option of a command; without it, tables of sizes are refused
 
   /// What can be refused without a face. Throws UsageError.

@@ -87,7 +87,8 @@ TEST(JointOf, IsACornerBeyondTheAngle) {
   EXPECT_NEAR(corner.tangent_in, 0, 1e-15);
   EXPECT_NEAR(corner.tangent_out, half_pi, 1e-15);
   EXPECT_TRUE(corner.is_corner);
-  EXPECT_FALSE(joint_of(square(), 1, pi - radians(1), radians(1)).is_corner) << "a tie is none";
+  EXPECT_FALSE(joint_of(square(), 1, pi - radians(1), radians(1)).is_corner)
+      << "an angle equal to the limit is no corner";
   EXPECT_TRUE(joint_of(square(), 1, pi + radians(1.01), radians(1)).is_corner);
 }
 

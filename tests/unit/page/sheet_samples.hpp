@@ -11,7 +11,7 @@ namespace quadrille::page {
 /// Of the unit square.
 inline const PageFrame frame = page_frame({{0, 0}, {1, 1}});
 
-/// The layer with this key as JSON; empty if there is none.
+/// The JSON of the layer with this key; an empty text if the sheet has no such layer.
 inline std::string layer_of(const Sheet& sheet, const std::string& key) {
   for (const JsonObject& layer : sheet.layers)
     if (count(layer.str(), "\"key\":\"" + key + '"') > 0) return layer.str();
