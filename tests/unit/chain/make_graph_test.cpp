@@ -35,11 +35,6 @@ class MakeGraph : public testing::Test {
     files().nodes.set(std::move(points), true);
     chain_.has_fixed_nodes = true;
   }
-  std::string stages() const {
-    std::string names;
-    for (const io::StageReport& report : run_.runner.reports()) names += report.stage + ' ';
-    return names;
-  }
 
   SampleChain run_;
   ChainState& chain_ = run_.chain;
@@ -47,7 +42,7 @@ class MakeGraph : public testing::Test {
 
 TEST_F(MakeGraph, nodes_of_the_field_are_traced_in_it) {
   EXPECT_TRUE(make_graph(chain_, files()));
-  EXPECT_EQ(stages(), "separatrix ");
+  EXPECT_EQ(run_.stages(), "separatrix ");
   EXPECT_EQ(files().graph.model().face.num_regions(), 2);
   EXPECT_EQ(chain_.last, files().graph.path());
   EXPECT_FALSE(run_.folder.has("shape.phase.h5"));
@@ -59,7 +54,7 @@ TEST_F(MakeGraph, nodes_of_the_field_are_traced_in_it) {
 TEST_F(MakeGraph, nodes_of_the_phase_form_have_a_field_of_their_own) {
   edit_nodes(NodeForm::phase);
   EXPECT_TRUE(make_graph(chain_, files()));
-  EXPECT_EQ(stages(), "phase_fieldsolve phase_padapt separatrix ");
+  EXPECT_EQ(run_.stages(), "phase_fieldsolve phase_padapt separatrix ");
   EXPECT_EQ(files().phase.model().kind, FieldKind::phase);
   EXPECT_FALSE(files().phase_solve.is_in_memory());
   EXPECT_EQ(files().graph.model().provenance.back().inputs.at(0).sha256, files().phase.input().file.sha256);
@@ -68,7 +63,7 @@ TEST_F(MakeGraph, nodes_of_the_phase_form_have_a_field_of_their_own) {
 TEST_F(MakeGraph, so_have_edited_nodes_that_the_field_does_not_have) {
   edit_nodes(NodeForm::harmonic);
   EXPECT_TRUE(make_graph(chain_, files()));
-  EXPECT_EQ(stages(), "phase_fieldsolve phase_padapt separatrix ");
+  EXPECT_EQ(run_.stages(), "phase_fieldsolve phase_padapt separatrix ");
 }
 
 TEST_F(MakeGraph, a_field_that_is_not_found_ends_the_work_if_there_is_another_way) {
@@ -77,7 +72,7 @@ TEST_F(MakeGraph, a_field_that_is_not_found_ends_the_work_if_there_is_another_wa
   run_.options.is_quiet = true;
   chain_.has_other_way = true;
   EXPECT_FALSE(make_graph(chain_, files()));
-  EXPECT_EQ(stages(), "phase_fieldsolve ");
+  EXPECT_EQ(run_.stages(), "phase_fieldsolve ");
   ASSERT_TRUE(chain_.given_up);
   EXPECT_FALSE(run_.folder.has("shape.sep.json"));
 }
@@ -108,7 +103,7 @@ TEST_F(MakeGraph, a_run_that_ends_before_it_makes_none) {
   run_.options.last = ChainStage::critpoints;
   const std::string before = chain_.last;
   EXPECT_TRUE(make_graph(chain_, files()));
-  EXPECT_EQ(stages(), "");
+  EXPECT_EQ(run_.stages(), "");
   EXPECT_EQ(chain_.last, before);
 }
 

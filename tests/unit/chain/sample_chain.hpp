@@ -32,6 +32,13 @@ struct SampleChain {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
+  /// The stages that have run, each with a blank behind it.
+  std::string stages() const {
+    std::string names;
+    for (const io::StageReport& report : runner.reports()) names += report.stage + ' ';
+    return names;
+  }
+
   TemporaryFolder folder;
   ChainOptions options;
   StageRunner runner;

@@ -47,11 +47,6 @@ class TryRemedies : public testing::Test {
         run_.folder.path() + "'; ";
     run_.options.programs[stage] = "sh '" + run_.put(enum_name(stage) + ".sh", find + work) + "'";
   }
-  std::string stages() const {
-    std::string names;
-    for (const io::StageReport& report : run_.runner.reports()) names += report.stage + ' ';
-    return names;
-  }
 
   SampleChain run_;
   ChainState& chain_ = run_.chain;
@@ -60,7 +55,7 @@ class TryRemedies : public testing::Test {
 TEST_F(TryRemedies, the_first_that_gives_a_layout_is_taken) {
   try_with("--ties field");
   EXPECT_EQ(run_.content("tried"), "--corner-absorb 0\n--ties field\n");
-  EXPECT_EQ(stages(), "trial_separatrix trial_critpoints trial_separatrix remedy_critpoints remedy_separatrix ");
+  EXPECT_EQ(run_.stages(), "trial_separatrix trial_critpoints trial_separatrix remedy_critpoints remedy_separatrix ");
   EXPECT_EQ(chain_.remedy, "critpoints --ties field");
   EXPECT_EQ(run_.content("shape.crit.json"), run_.content("nodes.json"));
   EXPECT_EQ(run_.content("shape.sep.json"), run_.content("graph.json"));
@@ -74,7 +69,8 @@ TEST_F(TryRemedies, the_first_that_gives_a_layout_is_taken) {
 TEST_F(TryRemedies, without_success_nothing_changes) {
   try_with("none");
   EXPECT_EQ(run_.content("tried"), "--corner-absorb 0\n--ties field\n--topology o\n");
-  EXPECT_TRUE(stages().starts_with("separatrix trial_critpoints trial_separatrix trial_critpoints ")) << stages();
+  EXPECT_TRUE(run_.stages().starts_with("separatrix trial_critpoints trial_separatrix trial_critpoints "))
+      << run_.stages();
   EXPECT_EQ(chain_.remedy, "");
   EXPECT_EQ(run_.content("shape.crit.json"), "nodes before");
   EXPECT_EQ(run_.content("shape.sep.json"), "graph before");
@@ -95,7 +91,7 @@ TEST_F(TryRemedies, a_remedy_that_fails_is_followed_by_the_next) {
   program(ChainStage::critpoints, "exit 1");
   program(ChainStage::separatrix, "exit 1");
   try_remedies(chain_);
-  EXPECT_EQ(stages(), "separatrix trial_critpoints trial_critpoints trial_critpoints ");
+  EXPECT_EQ(run_.stages(), "separatrix trial_critpoints trial_critpoints trial_critpoints ");
   EXPECT_FALSE(chain_.given_up);
 }
 

@@ -1,25 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "base/angle.hpp"
+#include "quad_samples.hpp"
 #include "spectral/quad_map.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
 
 namespace {
-
-using Map = std::function<Vec2(double, double)>;
-
-std::vector<Vec2> sampled(int order, const Map& map) {
-  std::vector<Vec2> nodes;
-  for (const double b : gll_points(order))
-    for (const double a : gll_points(order)) nodes.push_back(map(a, b));
-  return nodes;
-}
 
 Vec2 ring(double a, double b) { return (1.5 + b / 2) * unit(pi / 4 * (1 - a)); }
 Vec2 wavy(double a, double b) { return {a + 0.2 * std::sin(2 * b + a), b + 0.2 * std::cos(3 * a - b)}; }

@@ -5,25 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "base/angle.hpp"
+#include "quad_samples.hpp"
 #include "spectral/lagrange.hpp"
 #include "spectral/quadrature.hpp"
 
 namespace quadrille::spectral {
 
 namespace {
-
-using Map = std::function<Vec2(double, double)>;
-
-std::vector<Vec2> sampled(int order, const Map& map) {
-  std::vector<Vec2> nodes;
-  for (const double b : gll_points(order))
-    for (const double a : gll_points(order)) nodes.push_back(map(a, b));
-  return nodes;
-}
 
 /// Least det J on a dense grid, from derivatives of the interpolant.
 double densely_sampled_det(int order, const std::vector<Vec2>& nodes, int count) {
