@@ -186,6 +186,7 @@ begins() {
 
 # Sources without a test under their own name, and why.
 untested='
+base/library_leaks          a text of builds with sanitizers, whose tests fail without it
 base/version                one text
 occ/occ_no_healing          settings of the kernel: without healing, occ_load_* read what the files say
 occ/occ_quiet               switches the prints of the kernel off
